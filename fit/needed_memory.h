@@ -1,4 +1,4 @@
-// How much memory a fit takes, worked out before any is taken.
+// Estimates the memory that a fit needs, before any is allocated.
 #pragma once
 
 #include <string>

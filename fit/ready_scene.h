@@ -1,4 +1,4 @@
-// What stands between a scene that has been read or changed and one that can be worked with.
+// The checks and the preparation that a scene needs before any work with it.
 #pragma once
 
 #include "sim/scene/structs/scene.h"

@@ -1,5 +1,5 @@
-// Whether an answer stands when the choices that it rests on are made otherwise: the part of the region that
-// is looked at, the number of bands, the terms of the sky, the air, the transfer curve, the model error.
+// The stability of an answer under other choices: the part of the region that is compared, the number of
+// bands, the terms of the sky, the air, the transfer curve, the model error.
 //
 // The fit is repeated from its answer with one choice changed at a time. What a number moves by beyond what
 // chance would do is its systematic error. Chance: a fit of other data that overlap has the variance of the

@@ -1,4 +1,4 @@
-// Names of outputs that would take each other's place, or that of a file that the command reads.
+// Checks that outputs do not overwrite each other or a file that the command reads.
 #pragma once
 
 #include <string>

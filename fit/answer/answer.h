@@ -1,5 +1,4 @@
-// From where a fit ended to what it says: parameters, gains and sky with their error bars, and the best
-// scene.
+// Fills a result from the end of a fit: parameters, gains and sky with their error bars, and the best scene.
 #pragma once
 
 #include <vector>

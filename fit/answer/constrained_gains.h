@@ -1,4 +1,4 @@
-// Which bands' gains the data tell: one that has next to no light may have any gain.
+// The gains that the data constrain. The gain of a band with almost no light is unconstrained.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace vegard::fit {
 
-/// [band][channel] of FittedPhoto::gain: standard deviations as they stand among the solved numbers; 0 of a
-/// gain that is held at 0, or of which none is known.
+/// Standard deviations [band][channel] of FittedPhoto::gain, taken from the solved numbers; 0 for a gain that
+/// is held at 0 or has no error.
 std::vector<std::vector<double>> gain_sigmas(const FittedPhoto& fitted);
 
-/// Whether a gain is above its own standard deviation.
+/// A gain is constrained if it is larger than its standard deviation.
 bool is_constrained(double gain, double sigma);
 
 /// [band][channel]

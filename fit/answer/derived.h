@@ -1,4 +1,4 @@
-// What follows from a scene's parameters and is what people publish.
+// Derived numbers: the quantities that people publish, computed from a scene's parameters.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The judges of a fit's error bars, each where it is asked for: profile likelihood, bootstrap, Markov chain.
+// Validation of a fit's error bars by profile likelihood, bootstrap or Markov chain, whichever is requested.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,14 @@
 
 namespace vegard::fit {
 
-/// What the fit before the judges is to be told: its share of the progress leaves them room. The share that
-/// each takes is a guess, by evaluations. `numbers` are free.
+/// The options of a fit whose error bars are validated afterwards: its progress ends at its share of the
+/// whole work. The shares are estimates from the numbers of evaluations. `numbers` is the count of free
+/// numbers.
 FitOptions with_validation_progress(const FitOptions& options, std::size_t numbers);
 
-/// Asks them and puts what they say into `result`, whose parameters are there already. Of coefficients of
-/// free-form profiles no intervals are asked. When `options.stop` is raised, the judge that was at work and
-/// those behind it are left out, and result.validation_interrupted is set.
+/// Runs the requested methods and stores their results in `result`, whose parameters must be set already.
+/// Coefficients of free-form profiles get no intervals. When `options.stop` is raised, the method in progress
+/// and those after it are left out, and result.validation_interrupted is set.
 void validate_error_bars(const ConvergedFit& fit, const FitOptions& options, Journal& journal,
                          FitResult& result);
 

@@ -1,4 +1,4 @@
-// What a fit has found, complete enough to write a run directory and a report from it.
+// The result of a fit, complete enough to write a run directory and a report from it.
 #pragma once
 
 #include <array>

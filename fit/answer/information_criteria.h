@@ -1,4 +1,4 @@
-// Which of two models a photograph speaks for: numbers that weigh chi2 against the parameters that it took.
+// Information criteria compare models of one photograph: they weigh chi2 against the number of parameters.
 //
 // AIC: H. Akaike, "A new look at the statistical model identification", IEEE Trans. Automatic Control 19
 // (1974) 716, doi:10.1109/TAC.1974.1100705. AICc: C. M. Hurvich and C.-L. Tsai, Biometrika 76 (1989) 297,
@@ -16,10 +16,11 @@ struct FittedModel {
   double chi2 = 0.0;
   int values = 0;         ///< that were compared
   int parameters = 0;     ///< free and solved for
-  double together = 1.0;  ///< residuals that are worth one: FitResult::correlated_residuals
+  double together = 1.0;  ///< correlated residuals per independent one: FitResult::correlated_residuals
 };
 
-/// How far the values' errors are to be believed; one for all models that are compared.
+/// The scaling of chi2 for correlated residuals and underestimated errors; one for all models that are
+/// compared.
 ///
 /// Residuals that go together, or are larger than their sigma, make chi2 too large by the number that is
 /// worth one times chi2 per degree of freedom. So chi2 is divided by both, as the quasi-likelihood criteria
@@ -28,7 +29,7 @@ struct FittedModel {
 /// below 1). The number of independent values is the number of values divided by those that are worth one.
 struct ChiSquareScaling {
   double chi2_divisor = 1.0;
-  double together = 1.0;  ///< values that are worth one
+  double together = 1.0;  ///< correlated values per independent one
 };
 ChiSquareScaling chi2_scaling_of(const FittedModel& richest);
 

@@ -1,4 +1,4 @@
-// Which files an answer rests on.
+// The input files that a result depends on.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a scene's light is called where a fit speaks of it.
+// Names of a scene's light sources for the messages of a fit.
 #pragma once
 
 #include <string>

@@ -1,9 +1,9 @@
-// How far a quantity may be leaned on: good, doubtful or unconstrained, each with its reason.
+// The trust in a quantity is good, doubtful or unconstrained, each with its reason.
 //
 // What counts is the standard error on the scale of the quantity's kind. A distance that is off by a
-// twentieth still tells which arc it is, by a fifth it does not; an energy is told to a sixth or, at the end,
-// to a factor of 1.6; a lower border that may be 10 km off says no more than what is known of aurora without
-// a picture (95 to 120 km).
+// twentieth still identifies the arc, by a fifth it does not; an energy is constrained to a sixth or, at
+// most, to a factor of 1.6; a lower border that may be 10 km off adds nothing to what is known of aurora
+// without a picture (95 to 120 km).
 #pragma once
 
 namespace vegard::fit {

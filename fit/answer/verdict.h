@@ -1,4 +1,4 @@
-// Whether to believe a fit.
+// The verdict on a fit: good, doubtful, failed or interrupted, with its reasons.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace vegard::fit {
 
-/// What the verdict is made from, beside the numbers already in the result.
+/// The evidence for the verdict, in addition to the numbers already in the result.
 struct Evidence {
   bool converged = false;
   bool stopped = false;  ///< by the user
@@ -23,26 +23,29 @@ struct Evidence {
   std::vector<std::string> against_curve;  ///< what speaks against that
 };
 
-/// Sets verdict, verdict_line, reasons and checks. Failed: not converged, or no light of the model in the
-/// region. Doubtful: chi2 no lower than at the start; an end that is not level
-/// (fit/search/gradient_cosine.h); chi2 per degree of freedom above 3; residuals that hang together so much
-/// that fewer than ten independent values are left per parameter; a parameter at a limit, without an error
-/// bar, or with one and yet where it started (unless all are, and the end is level: then the start was the
-/// answer). A sheet's length, phase and place along itself are held without blame where its distance has an
-/// error bar; no clear gain over a sky without aurora; an rms residual above a tenth of the peak; a second
-/// mode; an unknown transfer curve that the data leave open. After the verdict's own reasons come notes that
-/// leave it as it is: chi2 per degree of freedom below 0.3, and unusual_sheets().
+/// Sets verdict, verdict_line, reasons and checks.
+///
+/// A fit failed if it did not converge, or if no light of the model falls into the region. It is doubtful for
+/// any of these reasons: chi2 is not below that of the start; the gradient does not vanish at the end
+/// (fit/search/gradient_cosine.h); chi2 per degree of freedom is above 3; the residuals are correlated so
+/// strongly that the effective sample size is below ten per parameter; a parameter is at a limit, has no
+/// error bar, or has one and yet did not move from its start (unless no parameter moved and the gradient
+/// vanishes: then the start was the answer); chi2 is hardly below that of a sky without aurora; the rms
+/// residual is above a tenth of the peak; there is a second mode; the data do not constrain an unknown
+/// transfer curve. A sheet's length, phase and position along itself are exempt where its distance has an
+/// error bar. After the verdict's own reasons come notes that do not change it: chi2 per degree of freedom
+/// below 0.3, and unusual_sheets().
 void assess_fit(const Evidence& evidence, FitResult& result);
 
-/// Sets trust and its reason of every derived number, after the verdict of the whole has been found. A number
-/// without an error bar is not told; one with a large one is doubtful or not told by its kind's scale; one
-/// that leans on a parameter at its limit is doubtful at best; and all are doubtful at best where the picture
-/// as a whole is not explained, or the search has not ended well. Residuals that form patterns speak against
-/// a sheet's course; against other numbers only where fewer than five independent values are left per
-/// parameter. Another answer that explains the data as well speaks only against numbers that
-/// it changes. A parameter that the picture does not tell (a sheet's length, when no end is in view) spoils
-/// only the numbers that depend on it. The error that counts is DerivedNumber::error(). The verdict line of a
-/// doubtful fit gets a sentence on what is good all the same.
+/// Sets trust and its reason of every derived number, after the verdict on the whole fit. A number without an
+/// error bar is unconstrained; one with a large error bar is doubtful or unconstrained by the scale of its
+/// kind; one that depends on a parameter at its limit is doubtful at best. All numbers are doubtful at best
+/// if the model does not explain the picture as a whole or the search did not converge. Correlated residuals
+/// count against lateral offsets of a sheet; they count against other numbers only if the effective sample
+/// size is below five per parameter. A second mode counts only against numbers that it changes. An
+/// unconstrained parameter (a sheet's length, when no end is in view) affects only the numbers that depend on
+/// it. The error that counts is DerivedNumber::error(). The verdict line of a doubtful fit gets a sentence
+/// that names the numbers which are good nevertheless.
 void assess_quantities(FitResult& result);
 
 }  // namespace vegard::fit

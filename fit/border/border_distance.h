@@ -1,4 +1,4 @@
-// How far away and where a border stands if it is so and so high: the sphere of 6371 km.
+// The distance and the position of a border for an assumed height, on a sphere of 6371 km.
 #pragma once
 
 #include <array>

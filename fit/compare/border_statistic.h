@@ -1,4 +1,4 @@
-// The course of the aurora's lower border from band to band.
+// The border statistic: the row of the aurora's lower border in each band.
 #pragma once
 
 #include <vector>

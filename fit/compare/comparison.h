@@ -78,7 +78,7 @@ class Comparison {
     std::vector<double> residual;
   };
   ProfilePart profile_part(const Point& point) const;
-  /// fit::error_inflation() of a point: how residuals hang together is the profile's to say, compared or
+  /// fit::error_inflation() of a point: the correlation of residuals is the profile's to say, compared or
   /// not, unless nothing has to do with its bins; how large they are, all statistics'.
   Inflation error_inflation(const Point& point, int dof) const;
   /// Model of the profile in the data's units, at all values.

@@ -1,4 +1,4 @@
-// How large residuals are and how many of them go together: what error bars must be multiplied by.
+// Error inflation: the size and the correlation of the residuals, and the factor on error bars that follows.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace vegard::fit {
 
-/// How many residuals go up and down together: the largest partial sum of their autocorrelation down the rows
-/// (to a quarter of the rows), times that across the bands (to a quarter of the bands, at least the
-/// neighbouring one), times that across channels. At least 1.
+/// The number of correlated residuals that carry the information of one independent residual: the largest
+/// partial sum of their autocorrelation down the rows (to a quarter of the rows), times that across the bands
+/// (to a quarter of the bands, at least the neighbouring one), times that across channels. At least 1.
 double correlated_residuals(const Profile& data, const std::vector<std::size_t>& used,
                             const std::vector<double>& residual);
 

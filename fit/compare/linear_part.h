@@ -1,5 +1,5 @@
-// What is linear in a photograph's mean light, solved exactly at every evaluation: exposure gains and the
-// sky.
+// The linear part of a photograph's mean light, exposure gains and sky, is solved exactly at every
+// evaluation.
 //
 // Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
 // shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky

@@ -1,4 +1,4 @@
-// Keeps single residuals from ruling a fit.
+// Robust losses reduce the weight of outliers among the residuals.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// What is compared of a photograph and a model beside mean light itself: anything that follows from it.
+// A statistic is a quantity other than mean light itself that is computed of a photograph and of a model,
+// and compared.
 //
 // Intensity in bins (profiles, a coarse image) is linear in the gains and the sky, and takes part in solving
 // for them (fit/compare/linear_part.h). A statistic takes what was solved: the gains and the sky are those

@@ -1,5 +1,5 @@
-// What is compared of one photograph: the statistics that a scene's [fit] has switched on, as the photograph
-// has them. Nothing here changes while a model does.
+// The statistics of one photograph that a scene's [fit] switches on, computed from the photograph. Nothing
+// here depends on the model.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// From the ridge of a map to a sheet whose course is a curve, ready to be fitted.
+// Converts a ridge of a map to a sheet along a curve, with its free parameters.
 //
 // A ridge has a point every few kilometres; a fit wants as few as its shape needs. Points are added where the
 // curve through those that are there is farthest from the ridge, or its light from the ridge's, until both

@@ -1,5 +1,4 @@
-// From photographs to the precipitation that they show: the whole of `vegard map` between reading and
-// writing.
+// The fit of a precipitation map to photographs: all of `vegard map` between reading and writing.
 //
 // Stages, each a finished step of the journal: the map on a coarse film at several strengths of the prior, of
 // which left-out blocks of the picture choose one (cross-validation, Stone 1974); the map on the fine film,

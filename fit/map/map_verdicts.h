@@ -1,4 +1,4 @@
-// What to believe of a map, quantity by quantity.
+// The verdicts on a map, one for each quantity.
 #pragma once
 
 #include <string>

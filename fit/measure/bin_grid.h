@@ -1,4 +1,4 @@
-// Which pixels belong together: the bins in which a photograph and a model are compared.
+// A bin grid assigns pixels to the bins in which a photograph and a model are compared.
 //
 // A grid is drawn once, with the camera and the field of the scene at the fit's start, and stays where it is
 // while parameters move: data and model are averaged over the same pixels, whatever the pixels show.

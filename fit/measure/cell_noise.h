@@ -1,4 +1,4 @@
-// How much the mean light of a picture's cells varies by the noise of its pixels.
+// The variance of the mean light in a picture's cells that follows from the noise of the pixels.
 #pragma once
 
 #include <vector>

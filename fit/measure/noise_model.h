@@ -1,4 +1,4 @@
-// How far a profile value may lie from a model that is right.
+// The noise model: the standard deviation of a profile value about the right model.
 #pragma once
 
 #include <optional>

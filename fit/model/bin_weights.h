@@ -1,4 +1,4 @@
-// Which part of a film falls into which bin of a profile, and with what weight.
+// Bin weights: the share of each part of a film that falls into each bin of a profile.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// How a sheet's straight line lies in the picture.
+// The position of a sheet's straight line in the picture.
 #pragma once
 
 #include <optional>

@@ -76,15 +76,16 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene);
 /// photograph start there, the others from the scene's own values, which are to be the same.
 void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& values, sim::Scene& scene);
 
-// Angles come round again.
+// Angle wrapping.
 
-/// 360 or 2 pi for an angle, 0 for anything else, and for an angle that expressions use.
+/// The period of an angle, 360 or 2 pi; 0 for any other number, and for an angle that expressions use.
 double wrap_period(const FreeNumber& number);
 
-/// An angle without needless turns, unless the user's own limits say which turn is meant.
+/// The angle wrapped to one turn, from 0; unchanged if the user's own limits say which turn is meant, or if
+/// the number is no angle.
 double wrapped_angle(const FreeNumber& number, double value);
 
-/// How far apart two values are, turns of an angle left out.
+/// The absolute difference of two values; of angles the angular difference, at most half a turn.
 double wrapped_difference(const FreeNumber& number, double a, double b);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// From the numbers that the solver moves to the numbers of one photograph's scene.
+// Maps the solver's numbers to the numbers of one photograph's scene.
 //
 // Most free numbers are numbers of the scene themselves. Some are several of them at once (entries of
 // fit.free with one name), some are none and only stand in expressions, and some numbers of the scene follow

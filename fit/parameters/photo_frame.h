@@ -1,5 +1,5 @@
-// What sets one photograph of several apart from the scene that they share: whose it is of the free numbers,
-// and from where it sees the sheets.
+// The properties that one of several photographs has for itself: its own free numbers, and the place from
+// which it sees the sheets.
 //
 // Free numbers of sheets are those of the scene's own frame. A photograph of another station has them carried
 // over (sim/scene/structs/station.h), and so has the chain rule.

@@ -1,5 +1,4 @@
-// What is known of the free numbers beside the data, as rows of residuals: of one number, or of several
-// together.
+// Priors as rows of residuals: each row is about one free number or a sum of several.
 #pragma once
 
 #include <cstddef>

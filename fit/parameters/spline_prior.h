@@ -1,5 +1,5 @@
-// What is believed of free-form height profiles before any photograph: that they are smooth; and the scale
-// that a photograph with free gains cannot tell.
+// The prior of free-form height profiles: they are smooth, and their scale is fixed where free gains leave
+// it unconstrained.
 #pragma once
 
 #include <vector>

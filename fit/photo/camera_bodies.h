@@ -1,5 +1,5 @@
-// How large the sensors of cameras are, by the database of Lensfun (https://lensfun.github.io), read where it
-// is installed (Debian's package liblensfun-data-v1; CC BY-SA 3.0): nothing of it is part of vegard.
+// Sensor sizes of cameras, from the database of Lensfun (https://lensfun.github.io). It is read where it is
+// installed (Debian's package liblensfun-data-v1; CC BY-SA 3.0); nothing of it is part of vegard.
 //
 // Its files hold elements <camera> with <maker>, <model> and <cropfactor>: the diagonal of 36 mm x 24 mm over
 // the sensor's.

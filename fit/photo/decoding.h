@@ -1,4 +1,5 @@
-// How a photograph's numbers are taken for light: sRGB, linear, some other curve, or one that nobody knows.
+// The decoding of a photograph: how its numbers become linear light, by sRGB, linear, another curve or an
+// unknown one.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a scene does not say, taken from the photograph that it is used with.
+// Fills keys that a scene leaves open from the metadata of its photograph.
 #pragma once
 
 #include <set>

@@ -1,4 +1,4 @@
-// What a picture says of itself in the words of a scene: keys, values and where each comes from.
+// A picture's metadata as keys and values of a scene, each with its source.
 #pragma once
 
 #include <string>

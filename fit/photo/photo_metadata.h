@@ -1,5 +1,5 @@
-// What a photograph says of itself, whatever it is a photograph in: a file of its own with EXIF or FITS's
-// keywords, or a frame of an imager's file with words of its own.
+// The metadata of a photograph: a file of its own with EXIF or FITS keywords, or a frame of an imager's file
+// with its own comments.
 #pragma once
 
 #include <string>

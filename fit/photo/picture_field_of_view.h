@@ -1,4 +1,4 @@
-// How wide a picture sees, by what its file says of the lens.
+// Computes a picture's field of view from its metadata.
 //
 // A pinhole's focal length in pixels, f, follows from one of three things. Of a focal length F35 that "gives
 // the same angle on 35 mm film": f = F35 D / 43.267 mm, D the picture's diagonal in pixels and 43.267 mm that

@@ -1,4 +1,4 @@
-// What of the sky at 110 km altitude a camera sees, as an outline on the ground below.
+// The outline on the ground of the sky that a camera sees at 110 km altitude.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What collisions leave of the light of the slow lines, against altitude.
+// A plot of the quenching of the slow lines against altitude.
 #pragma once
 
 #include "fit/report/plot/plot.h"

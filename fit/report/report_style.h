@@ -1,4 +1,4 @@
-// How a report looks, on the screen and on paper.
+// The style sheet of reports, for the screen and for paper.
 #pragma once
 
 namespace vegard::fit {

@@ -1,4 +1,4 @@
-// What a caller asks of a fit beside its answer: how long, how it is told, where it is kept, which judges.
+// The options of a fit: limits, progress, journal, and the validation of error bars.
 #pragma once
 
 #include <atomic>

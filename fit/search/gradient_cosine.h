@@ -1,4 +1,5 @@
-// Whether the end of a descent is level, on a scale that does not depend on units.
+// The relative gradient of chi2 at the end of a descent: a measure of convergence that does not depend on
+// units.
 #pragma once
 
 #include <ceres/cost_function.h>

@@ -1,4 +1,4 @@
-// The course of a sheet from band to band: a first guess of its sine that needs no guess.
+// Lateral offsets of a sheet, one per band: they give a first estimate of its sine without a starting value.
 //
 // Every band of a photograph sees its own stretch of a sheet, and to first order its profile tells how far to
 // the side of the model's that stretch stands. These places, one a band, are all that the search for a
@@ -11,16 +11,16 @@
 
 namespace vegard::fit {
 
-/// Where a band sees a sheet.
+/// The offset of the part of a sheet that a band sees.
 struct LateralOffset {
   double along_km = 0.0;    ///< from the sheet's start, along its straight line
   double lateral_km = 0.0;  ///< of that line, to the side of the sine's positive values
   double sigma_km = 0.0;
 };
 
-/// The courses of all of a scene's sheets (arcs of a system count as one) that a photograph shows, given a
-/// scene that is roughly right. Costs one Jacobian by two numbers per sheet. Bands that do not show a sheet
-/// have no point.
+/// The lateral offsets of all of a scene's sheets (arcs of a system count as one) that a photograph shows,
+/// given a scene that is roughly right. Costs one Jacobian by two numbers per sheet. Bands that do not show a
+/// sheet have no point.
 std::vector<std::vector<LateralOffset>> lateral_offsets(Comparison& comparison, const sim::Scene& scene);
 
 /// aside = offset + slope (along - middle) + amplitude sin(2 pi along / wavelength + phase)

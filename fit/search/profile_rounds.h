@@ -1,6 +1,5 @@
-// Where something is believed beforehand, a fit takes a few descents: how much a prior weighs beside the data
-// follows from how well they are fitted, and how well they are fitted from that; and so with the smoothness
-// of free-form profiles.
+// Repeated descents for fits with priors: the weight of a prior depends on the misfit of the data, and the
+// misfit depends on the weight. The same holds for the smoothness of free-form profiles.
 #pragma once
 
 #include "fit/search/descent.h"

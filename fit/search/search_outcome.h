@@ -1,4 +1,4 @@
-// What the search has found, and how a journal keeps it.
+// The outcome of the search, and its form in a journal.
 #pragma once
 
 #include <vector>

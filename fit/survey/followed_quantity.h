@@ -1,4 +1,4 @@
-// Which of a survey's numbers are followed through a night.
+// The quantities of a survey that are followed through a night.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,4 @@
-// What a survey keeps of the map of precipitation behind a frame: how much energy comes down, how hard it is,
-// and the curtains.
+// The results of a survey that come from the precipitation map of a frame: energy flux, energy and curtains.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What a survey keeps of the vertical profiles of a frame: where strips of the picture are brightest, how
-// bright, how thick the light is, and its colour.
+// The results of a survey that come from the vertical profiles of a frame: peak positions of strips of the
+// picture, brightness, thickness and colour.
 #pragma once
 
 #include "fit/photo/photo.h"

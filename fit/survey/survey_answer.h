@@ -1,4 +1,4 @@
-// What a survey keeps of a frame.
+// The results of a survey for one frame.
 #pragma once
 
 #include <array>

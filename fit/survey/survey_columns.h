@@ -1,4 +1,4 @@
-// What there is of a survey's frames to make columns of.
+// The columns that a survey's frames need in a table.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// What the frames of a camera are worked out by during one of its calibrations: scene, mask, decoding,
-// filter.
+// The scene, mask, decoding and filter with which a camera's frames are analysed during one of its
+// calibrations.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a survey does with one frame.
+// The analysis of one frame of a survey.
 #pragma once
 
 #include <optional>

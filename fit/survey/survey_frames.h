@@ -1,5 +1,5 @@
-// Which frames a camera has, and when they were taken: by their names, a list, or, of a file that may hold
-// many (PGM, PPM, gzipped or not), what they say of themselves. Only such files are opened.
+// Lists the frames of a camera with their times: by their names, by a list, or, for a file that may hold
+// many (PGM, PPM, gzipped or not), by its own metadata. Only such files are opened.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// How the curtains of a survey move: its numbers smoothed frame after frame, with velocities and flags.
+// The motion of a survey's curtains: numbers smoothed from frame to frame, with velocities and flags.
 #pragma once
 
 #include <string>

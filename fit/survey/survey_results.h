@@ -1,4 +1,4 @@
-// What a survey has found, as a database: docs/surveys.md has its tables.
+// The database of a survey's results; docs/surveys.md describes its tables.
 #pragma once
 
 #include <functional>

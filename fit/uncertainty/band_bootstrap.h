@@ -1,5 +1,5 @@
 // Bootstrap over bands: error bars from how much the bands of one photograph disagree, whatever makes the
-// residuals inside of a band hang together.
+// residuals inside a band are correlated.
 //
 // Bands are drawn with replacement, as many as there are, and the fit is repeated with the weights that come
 // of it: B. Efron, "Bootstrap methods: another look at the jackknife", Annals of Statistics 7 (1979) 1,

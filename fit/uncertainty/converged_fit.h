@@ -1,4 +1,4 @@
-// A finished fit, as the judges of its error bars take it up again.
+// A converged fit: the input of the validation of its error bars.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace vegard::fit {
 
-/// All that is referred to must outlive it.
+/// It holds references; what they refer to must outlive it.
 struct ConvergedFit {
   const sim::Scene& scene;
   const std::vector<FreeNumber>& free;

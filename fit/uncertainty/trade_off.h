@@ -1,4 +1,4 @@
-// Trade-offs in words: which changes of the free numbers a photograph cannot tell from none.
+// Degeneracies as text: changes of the free numbers that leave the picture the same.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace vegard::fit {
 
-/// A free number as one speaks of it.
+/// A free number with its description for messages.
 struct DescribedNumber {
   std::string path;   ///< "sheet.main.energy_kev"
   std::string noun;   ///< "energy"

@@ -1,5 +1,5 @@
-// Error bars by other means than the curvature at the answer, each in the parameters' own units: what a
-// result holds of them. fit/uncertainty/validated_values.h makes them.
+// Error bars by other means than the curvature at the answer: the form in which a result holds them, in the
+// parameters' own units. fit/uncertainty/validated_values.h makes them.
 #pragma once
 
 #include <cstddef>

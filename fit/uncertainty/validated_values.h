@@ -1,4 +1,4 @@
-// From the solver's coordinates to the parameters' own units, for the judges of error bars.
+// Conversion from the solver's coordinates to the parameters' own units, for the validation of error bars.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// How much memory there is for the process.
+// The memory that is available to the process.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where the files of data/ are at run time that are not compiled into the library.
+// The places of the files of data/ that are read at run time.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Large arrays of numbers that are written from end to end: films and planes of light.
+// Large arrays of numbers that are written completely before they are read: films and planes of light.
 #pragma once
 
 #include <algorithm>

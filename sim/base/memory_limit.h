@@ -1,4 +1,4 @@
-// Whether work fits into memory, asked before any is taken.
+// Checks that work fits into memory, before any is allocated.
 #pragma once
 
 #include <string>

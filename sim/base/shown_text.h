@@ -1,4 +1,4 @@
-// Words of inputs as they may be shown on a terminal: nothing in them acts on it, and none fills it.
+// Text of inputs made safe for a terminal: control characters appear as numbers, and long text is shortened.
 #pragma once
 
 #include <cstddef>

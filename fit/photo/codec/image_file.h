@@ -1,4 +1,4 @@
-// What an image file says of itself, and whether all of it is there.
+// Reads the header of an image file and checks that the file is complete.
 //
 // OpenCV 4.6 cannot be trusted with either. It hands back a full picture (grey where data are missing) for a
 // truncated JPEG; takes no notice of the EXIF orientation when another APP1 segment (XMP) comes before it;

@@ -1,4 +1,4 @@
-// When the images in a file of arrays were taken: an array of it with one time for each.
+// The times of the images in a file of arrays: an array of the file that has one time for each.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// How one frame of a file is named: "file.pgm.gz#12" by its number from 0, "file.pgm.gz#2014-03-10T06:05:33Z"
-// by the time at which it was taken.
+// Names of single frames in a file: "file.pgm.gz#12" by its number from 0,
+// "file.pgm.gz#2014-03-10T06:05:33Z" by the time at which it was taken.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Where frames come from that do not lie in their file as PGM, one behind the other: arrays of HDF5, MATLAB
-// and CDF files, PNGs in a tar. A FrameReader hands them on as it does its own.
+// A frame store holds frames that do not stand in their file as a sequence of PGMs: arrays of HDF5, MATLAB
+// and CDF files, PNGs in a tar. A FrameReader gives them out as it does its own.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,5 @@
-// What the names of files say that the imagers of THEMIS, REGO and TREx write:
-// 20140310_0603_gill_themis19_full.pgm.gz is a minute of frames,
-// 20211030_060500_149606_gill_rgb-04_320ms_burst.png one picture, at 06:05:00.149606 UTC.
+// Parses the file names of the imagers THEMIS, REGO and TREx: 20140310_0603_gill_themis19_full.pgm.gz is a
+// minute of frames, 20211030_060500_149606_gill_rgb-04_320ms_burst.png one picture, at 06:05:00.149606 UTC.
 #pragma once
 
 #include <optional>

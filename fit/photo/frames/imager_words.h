@@ -1,4 +1,4 @@
-// What the imagers of THEMIS, REGO and TREx write about a frame into its PGM's comments: #"Key" value.
+// Parses the comments that the imagers of THEMIS, REGO and TREx write into a frame's PGM: #"Key" value.
 //
 // The first frame of a file says everything, those after it what has changed since; keys are spelt with
 // capitals here and without there.

@@ -1,4 +1,4 @@
-// Which kind of FrameStore a file is, by what it begins with.
+// Opens the kind of FrameStore that fits a file's first bytes.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Where the sky ends: a line across the picture, all below it left out.
+// Finds the lower end of the sky: a line across the picture, below which all pixels are masked.
 #pragma once
 
 #include <optional>

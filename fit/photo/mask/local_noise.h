@@ -1,4 +1,4 @@
-// What is usual in each part of a picture, and how far values scatter about it.
+// The local median and scatter of a picture's values.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a calibration by stars cannot know of itself, and what else there is to hold against it.
+// Objections to a calibration by stars, and the limits of what stars can constrain.
 //
 // An error of the time turns the computed sky about the celestial pole, one of the longitude too, one of the
 // latitude about the east; and a camera turned as much sees the wrong sky as well as the right one the right

@@ -1,4 +1,4 @@
-// Where a camera points, from points on the horizon.
+// Finds the pointing of a camera from points on the horizon.
 //
 // On a sphere of 6371 km the horizon of an observer at the height H is the cone of directions that lie the
 // dip d = acos(R / (R + H)) below the horizontal; of a layer at the height L above the sphere, seen at the

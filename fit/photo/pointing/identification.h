@@ -1,4 +1,4 @@
-// Which of the points of light in a picture are which stars, from a rough camera.
+// Identifies points of light in a picture with catalogued stars, starting from an approximate camera.
 //
 // First the camera is turned about its axis, through all angles or a few degrees, and its centre moved a
 // little, until the most bright stars have a point of light near the place where they should be seen, each

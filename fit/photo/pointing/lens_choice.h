@@ -1,4 +1,4 @@
-// Which lens the stars justify, and which stars are none of it.
+// Chooses the lens that the stars justify, and rejects outliers among the stars.
 //
 // Every lens form is fitted by least squares to the same stars, and compared by Schwarz's criterion (Annals
 // of Statistics 6, 1978, 461) for noise that is normal and of unknown variance: BIC = n ln(RSS / n) + k ln n,

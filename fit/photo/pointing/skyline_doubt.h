@@ -1,4 +1,4 @@
-// Whether what was taken for a picture's skyline ends the sky, once the camera is known.
+// Checks a picture's skyline against the sky, once the camera is known.
 //
 // A sharp lower border of the light over a dark sky looks like a skyline, and what is below it was masked
 // away with the stars that shine there. Ground high above the horizon is trees, houses and hills, whose

@@ -1,4 +1,4 @@
-// Whether stars can tell anything of a camera.
+// Checks that stars can constrain a camera.
 #pragma once
 
 #include <string>

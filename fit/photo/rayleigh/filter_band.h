@@ -1,4 +1,4 @@
-// What a filter lets through of stars, compared with what it lets through of the line that it is for.
+// The transmission of a filter for stars, compared with that for its emission line.
 #pragma once
 
 #include <optional>

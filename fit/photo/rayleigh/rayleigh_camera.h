@@ -1,5 +1,5 @@
-// What is known of a camera that counts: its dark level, flat field and filters, and for each of these how
-// many rayleighs a count per second stands for. Its file is docs/rayleighs.md's.
+// The calibration of a counting camera: its dark level, flat field and filters, and for each filter the
+// rayleighs per count and second. docs/rayleighs.md describes its file.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How many rayleighs a count per second stands for, by stars whose spectra are known.
+// Finds the rayleighs per count and second from stars whose spectra are known.
 //
 // A star of F photons cm^-2 s^-1 through the filter (filter_band.h) puts as many counts into its image as an
 // even sky of

@@ -1,4 +1,4 @@
-// What a plot is drawn on: the few strokes that SVG and PNG both can.
+// The canvas of a plot: the drawing operations that SVG and PNG have in common.
 #pragma once
 
 #include <functional>

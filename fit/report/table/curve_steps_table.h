@@ -1,4 +1,4 @@
-// How the curves of a map were settled, one step after the other, in words and as a table.
+// The steps of the selection of a map's curves, as text and as a table.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a run's result.json says, as far as models are compared by it.
+// The part of a run's result.json that is needed to compare models.
 #pragma once
 
 #include <array>

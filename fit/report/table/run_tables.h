@@ -1,4 +1,4 @@
-// What a run keeps as tables: the way of its search, what was compared, its free-form height profiles.
+// The tables of a run: the trace of its search, the compared profiles, its free-form height profiles.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What numbers move by when the choices that a fit rests on are made otherwise, as HTML.
+// The shifts of numbers under other choices of the analysis, as an HTML table.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Whether there is an arc in a frame that is worth a fit, and what there is else.
+// Decides whether a frame has an arc that is worth a fit, and what else it shows.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-// What is in the sky, by decision trees over a frame's features, whose scores add up: some for each question,
-// learnt from frames of which the answer is known (scripts/learn_filter.py; data/filter/sky_trees.json says
-// of which).
+// Classifies the sky in a frame by decision trees over its features; the scores of the trees are added. Each
+// question has trees of its own, trained on frames with a known answer (scripts/learn_filter.py;
+// data/filter/sky_trees.json names them).
 #pragma once
 
 #include <array>

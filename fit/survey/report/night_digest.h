@@ -1,4 +1,4 @@
-// What a report tells of one camera's night: the survey's rows, counted and followed.
+// The summary of one camera's night in a report: the survey's rows, counted and followed.
 #pragma once
 
 #include <cstdint>

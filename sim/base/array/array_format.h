@@ -1,4 +1,4 @@
-// Which format a file of arrays has, by what it begins with, and its reader.
+// Recognises the format of a file of arrays by its first bytes, and chooses its reader.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Numbers as people read them: rounded to what is known.
+// Numbers as text, rounded to their known precision.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The two ways in which an output is refused, worded alike for files and directories.
+// The two errors that refuse an output, worded alike for files and directories.
 #pragma once
 
 #include <string>

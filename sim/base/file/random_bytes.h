@@ -1,4 +1,4 @@
-// The bytes of a file from any place on, or bytes in memory in its stead.
+// Random access to the bytes of a file, or to bytes in memory.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// SHA-256 of an input's bytes, by which a result says what it was made from.
+// The SHA-256 of an input's bytes; a result names its inputs by it.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What killed processes have left of outputs that were on their way: found by name, and told from what a
-// living process writes.
+// Partial outputs of killed processes: they are found by name and distinguished from the files of a living
+// process.
 #pragma once
 
 #include <sys/stat.h>

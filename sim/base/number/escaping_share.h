@@ -1,4 +1,4 @@
-// The share of its light that leaves a uniform piece which absorbs.
+// The share of its light that escapes from a uniform absorbing medium.
 #pragma once
 
 #include <cmath>

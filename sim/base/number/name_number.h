@@ -1,4 +1,4 @@
-// A number for a name, by which a thing's random numbers are told from its neighbours'.
+// A hash of a name: the stream of random numbers of the object that has this name.
 #pragma once
 
 #include <cstdint>

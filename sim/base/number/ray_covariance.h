@@ -1,4 +1,4 @@
-// How the light of rays varies along a picture's row, on average over all places where rays may stand.
+// The covariance of the light of rays along a picture's row, averaged over all positions of the rays.
 #pragma once
 
 namespace vegard::sim {

@@ -1,4 +1,4 @@
-// A step without corners.
+// A smooth step function.
 #pragma once
 
 #include <algorithm>

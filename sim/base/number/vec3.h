@@ -1,4 +1,4 @@
-// Three numbers side by side, for T = double and dual numbers.
+// A vector of three numbers, for T = double and dual numbers.
 #pragma once
 
 #include <array>

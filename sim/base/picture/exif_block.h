@@ -1,4 +1,4 @@
-// Where in a picture's file its EXIF data stand.
+// Finds the EXIF data in a picture's file.
 //
 // A small walk of its own, and not an image library's: files lie, and a library that decodes a picture on the
 // way to its words is a long way to walk with them. Sources: JPEG ITU-T T.81 annex B and EXIF 2.32 section

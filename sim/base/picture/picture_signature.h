@@ -1,5 +1,4 @@
-// By which bytes the formats of pictures begin, for messages about files that are something else than
-// expected.
+// The first bytes of picture formats, for messages about files of another kind than expected.
 #pragma once
 
 #include <cstddef>

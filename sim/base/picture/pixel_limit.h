@@ -1,4 +1,4 @@
-// How large an image may be, so that a file of a few bytes cannot ask for all of the machine's memory.
+// The limit on the size of an image: a file of a few bytes cannot ask for all of the machine's memory.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Whether the bytes of a picture are all there: decoders fill up what is missing without a word, or say it on
+// Checks that the bytes of a picture are complete. Decoders fill missing parts silently, or report them on
 // the terminal.
 #pragma once
 

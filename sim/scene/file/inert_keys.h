@@ -1,4 +1,4 @@
-// What a scene file sets and nothing uses: numbers that somebody thinks to have an effect.
+// Inert keys: keys that a scene file sets although they have no effect.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// Parameters that a scene has no use for.
-//
+// Inert parameters: parameters that have no effect with the scene's other settings.
 #pragma once
 
 #include <optional>
@@ -8,12 +7,11 @@
 
 namespace vegard::sim {
 
-/// A complaint about a parameter that the light does not depend on in this scene, or that another stands for:
-/// nobody can fit it.
-/// Also about one that a fit has no derivative by.
+/// A complaint about a parameter that cannot be fitted: the light of this scene does not depend on it,
+/// another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path);
 
-/// The same of the numbers of sheets, camera, field, air and tables, whether anybody fits them or not.
+/// A complaint about an inert number of sheets, camera, field, air or tables, whether it is fitted or not.
 std::optional<Complaint> inert_number_complaint(const Scene& scene, const ParameterPath& path);
 
 }  // namespace vegard::sim

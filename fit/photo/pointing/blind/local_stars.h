@@ -1,4 +1,4 @@
-// From stars that were recognised without a guess to those of a calibration, once time and site are known.
+// Converts stars of a blind recognition to those of a calibration, once time and site are known.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What recognised stars say without a time, and with one.
+// The pointing and the position on the Earth that recognised stars give, without a time and with one.
 //
 // Without: where in the sky the picture's middle is, what is up, how wide it is. Given the site and the day,
 // when that part of the sky stood there in a dark sky; given that the camera was level, when it was so as

@@ -1,4 +1,4 @@
-// What a calibration by stars holds against its own answer.
+// Objections to a calibration that follow from its own stars.
 #pragma once
 
 #include <optional>

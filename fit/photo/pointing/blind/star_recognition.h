@@ -1,5 +1,5 @@
-// Which stars a picture shows, if nothing is known of its camera: neither where it points nor its field of
-// view, turn, lens, or whether it is mirrored; nor when or where it was taken.
+// Recognises stars in a picture of an unknown camera: its pointing, field of view, roll, lens and parity are
+// unknown, and so are the time and the place.
 //
 // Figures of four neighbouring points are made directions by an assumed lens and looked up among those of
 // the stars (asterisms.h). Lenses assumed: pinholes, stereographic, equidistant and equisolid ones of 16 to
