@@ -17,13 +17,13 @@ constexpr double kMinReducedChi2 = 0.3, kMaxReducedChi2 = 3.0;
 constexpr double kMaxRms = 0.10;
 constexpr double kIndependentPerParameter = 10.0;
 constexpr double kMinGain = 0.5;              // of the chi2 that a dark sky leaves
-constexpr double kIndependentForShape = 5.0;  // of numbers that do not follow the course from band to band
+constexpr double kIndependentForShape = 5.0;  // of numbers that do not depend on lateral offsets
 constexpr double kStationaryGain = 0.25;      // of chi2 over the inflation squared: half a standard deviation
 constexpr double kStationaryCosine =
     0.02;  // moving one parameter could take 0.04 % off chi2; a descent ends at 0.003 %
 constexpr double kAtTheAnswer_sigma = 0.1;  // a start so near to the answer was one already
 constexpr const char* kOneAnswerCheck = "one answer";
-constexpr const char* kPatternsCheck = "independent values";
+constexpr const char* kCorrelationCheck = "effective sample size";
 constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
 
 std::string joined(const std::vector<std::string>& reasons) {
@@ -32,7 +32,7 @@ std::string joined(const std::vector<std::string>& reasons) {
   return text;
 }
 
-/// Asks questions and keeps the answers.
+/// Collects the checks and the reasons of the verdict.
 class Checks {
  public:
   explicit Checks(FitResult& result) : result_(result) {
@@ -40,7 +40,7 @@ class Checks {
     result_.reasons.clear();
   }
 
-  /// Passed unless something speaks against it: then that becomes reasons of the verdict.
+  /// The check passes if there are no objections; else the objections become reasons of the verdict.
   void add(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
     result_.checks.push_back({name, against.empty(), against.empty() ? found : joined(against)});
     result_.reasons.insert(result_.reasons.end(), against.begin(), against.end());
@@ -63,17 +63,18 @@ std::string words_of_end(const std::string& termination) {
   static const std::string kName = "converged";
   std::string words = termination.substr(0, termination.find(" (Ceres"));
   if (words.compare(0, kName.size(), kName) == 0) words.erase(0, words.find_first_not_of(": ", kName.size()));
-  return words.empty() ? "the search has come to its end" : words;
+  return words.empty() ? "the search ended" : words;
 }
 
-/// Whether moving one parameter would gain next to nothing: of chi2, or of what noise makes of it.
+/// Whether the gradient vanishes: moving one parameter would reduce chi2 by a negligible share, or by less
+/// than noise does.
 bool is_stationary(const FitResult& r) {
   const double share = r.gradient_cosine * r.gradient_cosine;
   return r.gradient_cosine <= kStationaryCosine ||
          share * r.chi2 <= kStationaryGain * r.error_inflation * r.error_inflation;
 }
 
-/// That the way of the search leads somewhere: down, to a level place.
+/// Checks that the search converged to a minimum: chi2 decreased and its gradient vanishes.
 void check_convergence(const FitResult& r, Checks& checks) {
   if (std::isfinite(r.chi2_initial) && r.chi2_initial > 0.0)
     checks.add("chi2 fell",
@@ -91,7 +92,7 @@ void check_convergence(const FitResult& r, Checks& checks) {
   }
 }
 
-/// That the model is as good as the data ask for.
+/// Checks that the model explains the data within their errors.
 void check_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
   const double reduced = r.dof > 0 ? r.chi2 / r.dof : 0.0;
   std::vector<std::string> against;
@@ -100,7 +101,7 @@ void check_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
         fmt::format("chi2 per degree of freedom is {:.2g}: the model misses something in the data", reduced));
   checks.add("chi2 per degree of freedom", fmt::format("{:.2f}", reduced), against);
   const double percent = 100.0 * r.rms_over_peak;
-  // Of a profile that is looked at, compared by itself or not.
+  // This holds for the profile, whether it is a compared statistic or not.
   if (std::isfinite(evidence.chi2_without_aurora))
     checks.add("rms residual", fmt::format("{:.1f} % of the profile's peak", percent),
                !(r.rms_over_peak > kMaxRms),
@@ -110,14 +111,15 @@ void check_misfit(const Evidence& evidence, FitResult& r, Checks& checks) {
       evidence.unknowns > 0.0 ? evidence.unknowns : static_cast<double>(r.parameters.size());
   r.independent_per_unknown = independent / std::max(1.0, unknowns);
   checks.add(
-      kPatternsCheck, fmt::format("{:.0f}", independent), independent >= kIndependentPerParameter * unknowns,
-      fmt::format("the residuals form patterns, worth no more than {:.0f} independent values: see where "
-                  "model and photograph differ",
+      kCorrelationCheck, fmt::format("{:.0f}", independent),
+      independent >= kIndependentPerParameter * unknowns,
+      fmt::format("the residuals are correlated: their effective sample size is {:.0f}; see where model "
+                  "and photograph differ",
                   independent));
 }
 
-/// A sheet's length, its phase and its place along itself trade off where no end of it is in view. What was
-/// asked of the picture, where it stands, is told all the same if its distance has an error bar.
+/// A sheet's length, its phase and its position along itself trade off where no end of it is in view. The
+/// position across the line of sight is still constrained if the distance has an error bar.
 bool is_constrained_by_ends_only(const FitResult& r, const FittedParameter& p) {
   for (const sim::Sheet& sheet : r.best.sheets) {
     const std::string of_sheet = "sheet." + sheet.name + ".";
@@ -146,7 +148,7 @@ std::string listed(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Parameters that the picture does not tell, and that nothing else suffers from.
+/// Parameters that the data do not constrain and that leave all other results unaffected.
 std::string unconstrained_parameters(const FitResult& r) {
   std::vector<std::string> names;
   for (const FittedParameter& p : r.parameters)
@@ -155,8 +157,8 @@ std::string unconstrained_parameters(const FitResult& r) {
   return listed(names);
 }
 
-/// Each change that the data cannot tell is told once, then all that lean on one. Why each of them does
-/// stands beside it in the report.
+/// One sentence for each unconstrained direction, then the parameters without an error bar. The report gives
+/// the reason of each.
 std::vector<std::string> without_error_bar(const FitResult& r) {
   std::vector<std::string> names;
   std::size_t coefficients = 0;
@@ -174,7 +176,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
   return reasons;
 }
 
-/// That every parameter is found, not merely left somewhere.
+/// Checks that the data constrain every parameter.
 void check_parameters(const FitResult& r, Checks& checks) {
   std::vector<std::string> at_limit, standing;
   std::size_t moved = 0;
@@ -198,7 +200,8 @@ void check_parameters(const FitResult& r, Checks& checks) {
              standing);
   checks.add("inside the limits", all, at_limit);
   const std::string unconstrained = unconstrained_parameters(r);
-  checks.add("error bars", unconstrained.empty() ? all : all + "; not told by the picture: " + unconstrained,
+  checks.add("error bars",
+             unconstrained.empty() ? all : all + "; not constrained by the data: " + unconstrained,
              without_error_bar(r));
 }
 
@@ -214,14 +217,14 @@ bool is_good_at_both(const DerivedNumber& number) {
   return trust_of(number.quantity, number.value, std::hypot(*number.error(), difference)) == Trust::good;
 }
 
-/// The first check of the whole that was not passed and that speaks against a number, in words; empty if
-/// there is none. Patterns from band to band are those of a course that is not the sheet's; error bars of
-/// what the profile's shape tells allow for them, unless hardly anything independent is left.
+/// The first failed check of the whole fit that applies to a number, as text; empty if there is none.
+/// Correlated residuals come from lateral offsets that the sheet does not follow. The error bars of numbers
+/// that depend on the profile's shape allow for them, unless the effective sample size is too small.
 std::string objection_to_fit(const FitResult& result, const DerivedNumber& number) {
   for (const Check& check : result.checks) {
     const auto is_name = [&](const char* name) { return check.name == name; };
     if (check.name == kOneAnswerCheck && is_good_at_both(number)) continue;
-    if (check.name == kPatternsCheck && !number.is_lateral &&
+    if (check.name == kCorrelationCheck && !number.is_lateral &&
         result.independent_per_unknown >= kIndependentForShape)
       continue;
     if (check.passed || std::any_of(std::begin(kChecksOfParameters), std::end(kChecksOfParameters), is_name))
@@ -342,7 +345,7 @@ void assess_fit(const Evidence& evidence, FitResult& result) {
         reduced, 100.0 * result.rms_over_peak,
         unconstrained_parameters(result).empty()
             ? ""
-            : ", but for " + unconstrained_parameters(result) + ", which the picture does not tell");
+            : ", but for " + unconstrained_parameters(result) + ", which the data do not constrain");
   }
   // Worth knowing, and nothing against the answer: error bars go by the residuals themselves.
   std::vector<std::string> notes = unusual_sheets(result.best);

@@ -226,7 +226,7 @@ void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& 
 }
 
 double wrap_period(const FreeNumber& number) {
-  // A formula may well tell a turn from none: half of it is half a turn.
+  // An expression is not periodic in the angle: half of a full turn is half a turn.
   if (!number.is_angle() || number.in_expressions) return 0.0;
   return number.unit() == "rad" ? 2.0 * std::acos(-1.0) : 360.0;
 }

@@ -364,7 +364,8 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
   html +=
       "<section><h2>Where electrons fall</h2>\n<p>Energy flux and energy on the ground's cells, at the feet "
       "of "
-      "the field lines 110 km high, seen from above. Grey: no picture tells.</p>\n<div class=\"plots\">" +
+      "the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
+      "class=\"plots\">" +
       maps(result, curtains) + "</div></section>\n";
   for (const MappedPhoto& photo : result.photos)
     html += "<section><h2>The picture" + (photo.name.empty() ? "" : " " + sim::html_text(photo.name)) +

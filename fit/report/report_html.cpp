@@ -125,7 +125,7 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
   const std::string places = named ? fitted.data.grid->along.name : "the region\u2019s rows";
   if (!pictures.misfit.empty())
     html +=
-        std::string("<h3>What is left, ") + (named ? "bin by bin" : "row by row and band by band") +
+        std::string("<h3>Residuals, ") + (named ? "bin by bin" : "row by row and band by band") +
         "</h3>\n<div class=\"misfit\">\n" +
         std::string(
             grey ? "" : "<div class=\"names\"><span>red</span><span>green</span><span>blue</span></div>\n") +
@@ -168,7 +168,8 @@ std::string fit_section(const FitResult& result) {
   if (result.photos.size() > 1) html += "<div><h3>The photographs</h3>\n" + photos_table(result) + "</div>\n";
   if (!correlation.empty())
     html += "<div><h3>Correlation of the parameters</h3>\n" + correlation +
-            "<p class=\"soft\">Near \u00b11 the photograph cannot tell two parameters apart.</p>\n" +
+            "<p class=\"soft\">Near \u00b11 the photograph constrains only a combination of the two "
+            "parameters.</p>\n" +
             trade_off_list(result) + "</div>\n";
   if (!result.trace.empty())
     html += "<div><h3>&#160;</h3>\n" + trace_svg(result) +
@@ -178,7 +179,7 @@ std::string fit_section(const FitResult& result) {
   html += "</div>\n";
   const std::string corner = corner_plot_svg(corner_data(result));
   if (!corner.empty()) html += "<div class=\"plots\">\n" + corner + "</div>\n";
-  return section("How well it fits", "", html);
+  return section("Goodness of fit", "", html);
 }
 
 std::string sky_words(int terms) {
@@ -197,7 +198,7 @@ std::string solved_section(const ShownPhoto& shown) {
   const FittedPhoto& fitted = *shown.fitted;
   if (fitted.solved.empty()) return {};
   return section(
-      title_for(fitted.name.empty() ? "Solved along the way" : "solved along the way", shown),
+      title_for(fitted.name.empty() ? "Gains and sky" : "gains and sky", shown),
       std::string("Linear numbers, exact at every step of the search: the gain is ") +
           (light_noun(fitted.best) == "solar light"
                ? "what the model\u2019s light is multiplied by to be the photograph\u2019s linear light"
@@ -256,7 +257,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
   if (const std::string steps = curve_steps_table(result); !steps.empty())
     html +=
-        section("Which curtains stay",
+        section("Selection of curtains",
                 "The map\u2019s curtains were made curves and settled by their beams. Then the weakest were "
                 "left out and the strongest faint ones of the map added, one after the other, and "
                 "each time all others settled again: BIC, \u03c7\u00b2 with a price for every number, says "
@@ -269,7 +270,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       parameter_table_html(result) + tied_table(result));
   if (const std::string stability = stability_table(result); !stability.empty())
     html +=
-        section("Does it stand?",
+        section("Stability",
                 "The fit repeated from its answer with one of its choices made otherwise: what each number "
                 "moves by. What goes beyond chance (the difference of the statistical variances) is the "
                 "systematic error, added over the choices in quadrature.",
@@ -292,7 +293,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
   for (std::size_t i = 0; i < photos.size(); ++i) html += profiles_section(photos[i], pictures[i]);
   html += fit_section(result);
   for (const ShownPhoto& shown : photos) html += solved_section(shown);
-  html += section("Where it comes from", "", provenance_table(result));
+  html += section("Provenance", "", provenance_table(result));
   html +=
       "<footer>Beside this page: <code>result.json</code> (all numbers), <code>best.toml</code> (the best "
       "scene), " +

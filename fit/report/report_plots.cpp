@@ -145,7 +145,7 @@ std::string mean_profile_svg(const FittedPhoto& fitted, const ElevationOfPixel& 
 std::string mean_residual_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   const ComparedProfile profile = mean_of_all(fitted, elevation_of_pixel);
   Plot plot;
-  plot.title = "What is left";
+  plot.title = "Residuals";
   plot.note = "Dashed: \u00b11 \u03c3.";
   Panel panel;
   constexpr Colour kGrey{120, 120, 120};

@@ -47,8 +47,8 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.2f}&#160;%", 100.0 * share) : "\u2013";
 }
 
-/// What the table of correlations is made from. A free-form profile's neighbouring coefficients hang together
-/// and would fill pages.
+/// What the table of correlations is made from. A free-form profile's neighbouring coefficients are
+/// correlated and would fill pages.
 FitResult without_coefficients(const FitResult& whole) {
   FitResult result;
   result.best = whole.best;

@@ -23,7 +23,7 @@ struct Ink {
 
 Panel arrows(const Calibration& calibration, double factor) {
   Panel panel;
-  panel.title = "seen minus computed";
+  panel.title = "observed minus computed";
   panel.x.label = "x (px)";
   panel.x.min = 0.0;
   panel.x.max = calibration.frame.width_px;
@@ -95,7 +95,8 @@ Plot residual_plot(const Calibration& calibration) {
   const double factor = round_factor(0.06 * extent / std::max(calibration.rms_px, 1e-6));
   Plot plot;
   const bool stars = calibration.evidence == CalibrationEvidence::stars;
-  plot.title = (stars ? "Stars seen minus computed, " : "Maps minus camera, ") + words_of(calibration.form);
+  plot.title =
+      (stars ? "Stars, observed minus computed, " : "Maps minus camera, ") + words_of(calibration.form);
   char note[200];
   if (stars)
     std::snprintf(note, sizeof note,

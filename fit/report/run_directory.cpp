@@ -101,7 +101,7 @@ void write_pictures(const sim::WholeDirectory& run, const FitResult& result, con
       "R, G, B: linear light of the photograph, sky included; rayleigh.*: rayleighs before any gain, by "
       "wavelength in tenths of a nanometre");
   attributes["gain"] = has_named_axes(fitted.data) ? "in the fit's bins their band's gain and sky, the mean "
-                                                     "gain where a band's is not told; elsewhere "
+                                                     "gain where a band's is unconstrained; elsewhere "
                                                      "the mean gain and sky"
                                                    : "of every column: the bands' gains at the bands' "
                                                      "centres, linear between them, level outside; the fit "

@@ -27,7 +27,7 @@ constexpr double kDistances = 1.4, kSearchApart = 0.6, kEnergies = 3.0, kBearing
 constexpr double kFootprintDistances = 0.8, kFootprintEnergies = 1.6;
 constexpr int kOfFootprints = 4;             // one trial for so many of sheets
 constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
-constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles hang together
+constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles are correlated
 constexpr int kSines = 8, kSinesOfEach = 3;  // of one sheet alone, and of each of several
 constexpr int kExchangeRounds = 3, kExchangeDescents = 2;
 constexpr double kExchangeGain = 1e-3;  // of chi2

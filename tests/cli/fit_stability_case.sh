@@ -9,7 +9,7 @@ expect_exit 0 fit "$SCENES/fit.toml" --photo photo.png --out two --threads 2 --s
 for text in '"choice": "region"' '"name": "without its left third"' '"choice": "curve"' '"is_refuted": '; do
   grep -qF -- "$text" one/result.json || fail "no '$text' in result.json"
 done
-grep -qF 'Does it stand?' one/report.html || fail "nothing in the report"
+grep -qF '<h2>Stability</h2>' one/report.html || fail "nothing in the report"
 diff <(grep -v '"command"' one/result.json) <(grep -v '"command"' two/result.json) >&2 ||
   fail "result.json depends on the threads"
 # It judges the answer and does not change it.

@@ -6,13 +6,13 @@ expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out map --replicates 2 
 expect_file map/faint_curtains.csv
 fit_from() { expect_exit "$1" fit "$SCENES/map.toml" --photo photo.png --from-map "$2" --out "$3" "${@:4}"; }
 
-# Residuals of 8 bits hang together, which the verdict says.
+# Residuals of 8 bits are correlated, which the verdict says.
 fit_from 5 map run --threads 2
 expect_stdout "the curtain of the map, settled together"
 expect_stdout "numbers of 1 curve: see the report"
 for file in result.json best.toml report.html model.exr trace.csv; do expect_file "run/$file"; done
 grep -q '"change": "start"' run/result.json || fail "no steps"
-grep -qF "Which curtains stay" run/report.html || fail "no table of the steps"
+grep -qF "Selection of curtains" run/report.html || fail "no table of the steps"
 grep -q 'course = "curve"' run/best.toml || fail "no curve in the best scene"
 expect_exit 0 render run/best.toml -o best.png
 

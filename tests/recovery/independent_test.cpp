@@ -76,7 +76,7 @@ double distance_sigma(const FitResult& result) {
   return 0.0;
 }
 
-// Error bars stand for noise and for residuals that hang together, as far as the residuals show it. They do
+// Error bars stand for noise and for correlated residuals, as far as the residuals show it. They do
 // not know of what this model lacks and the other program's picture has (rays of uneven brightness, which
 // bend all seven numbers alike); and one picture is no statistics. Five of them tell an error bar that is a
 // few times too small from one that is wrong.

@@ -82,7 +82,7 @@ void write_column_maps_netcdf(const ColumnMaps& maps, const InversionFacts& fact
   }
   std::vector<std::string> words;
   for (const ColumnVerdict verdict : kQualities) words.emplace_back(column_verdict_name(verdict));
-  dataset.flags("quality", "what to believe of a pixel", words, {"y", "x"},
+  dataset.flags("quality", "quality of a pixel", words, {"y", "x"},
                 std::vector<int>(maps.quality.begin(), maps.quality.end()));
   dataset.write(path, shown_name);
 }

@@ -145,7 +145,7 @@ void add_verdicts(const RecordOfRun& json, NetcdfDataset& dataset) {
   }
   if (quantities.empty()) return;
   dataset.dimension("quantity", quantities.size());
-  dataset.text("quantity", "quantities that are judged", {"quantity"}, quantities);
+  dataset.text("quantity", "quantities with a verdict", {"quantity"}, quantities);
   dataset.flags("verdict", "whether to trust a quantity", trusts, {"quantity"}, verdicts);
   dataset.text("verdict_value", "the quantity in words", {"quantity"}, values);
   dataset.text("verdict_reason", "why", {"quantity"}, reasons);

@@ -84,7 +84,7 @@ class RunDataset {
   }
 
   void take_verdict() {
-    dataset_.flags("verdict", "whether to believe the fit", verdict_words(), {},
+    dataset_.flags("verdict", "verdict on the fit", verdict_words(), {},
                    {sim::flag_number(verdict_words(), record_text(json_, "verdict"))});
     std::vector<std::string> names, words;
     std::vector<int> passed;
@@ -248,7 +248,7 @@ NetcdfDataset sequence_dataset(const std::vector<SequenceRow>& rows) {
   dataset.dimension("time", rows.size());
   dataset.real("time", "on the scene's clock", "s", by, times);
   dataset.text("frame", "name of the photograph", by, frames);
-  dataset.flags("verdict", "whether to believe the fit", verdict_words(), by, verdicts);
+  dataset.flags("verdict", "verdict on the fit", verdict_words(), by, verdicts);
   dataset.flags("search", "by a descent from the frame before, or by the full search", searches, by,
                 searched);
   dataset.real("chi2_per_dof", "chi2 per degree of freedom", "1", by, chi2);

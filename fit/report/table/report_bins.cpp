@@ -117,7 +117,7 @@ std::string bins_mean_svg(const FittedPhoto& fitted) {
 
 std::string bins_residual_svg(const FittedPhoto& fitted) {
   Plot plot;
-  plot.title = "What is left";
+  plot.title = "Residuals";
   plot.note = "Dashed: \u00b11 \u03c3.";
   Panel panel;
   const BinAxis& axis = fitted.data.grid->along;

@@ -80,14 +80,15 @@ std::string note(const std::string& text) { return "<p class=\"soft\">" + text +
 std::string profile_notes(const FitResult& result) {
   if (result.profile_intervals.empty()) return {};
   std::string html = note(
-      "Profile likelihood: how far a parameter can go, all others giving way, until \u03c7\u00b2 over the "
+      "Profile likelihood: how far a parameter can go, with all others fitted again, until \u03c7\u00b2 over "
+      "the "
       "inflation squared has risen by 1 (68\u00a0%) and by 4 (95\u00a0%).");
   for (const ProfiledInterval& p : result.profile_intervals) {
     const std::string path = "<code>" + sim::html_text(result.parameters[p.parameter].path) + "</code>: ";
     if (p.found_better)
       html +=
           note(path +
-               "on the way \u03c7\u00b2 fell below the answer\u2019s. The answer was not the least; start "
+               "on the way \u03c7\u00b2 fell below the answer\u2019s. The answer was not the minimum; start "
                "the fit again from there.");
     if (!p.whole) html += note(path + "the walk was cut short.");
   }
@@ -109,16 +110,15 @@ std::string chain_note(const ChainErrors& c) {
   const double fewest = *std::min_element(c.effective.begin(), c.effective.end());
   std::string text = fmt::format(
       "Markov chain: {} walkers, {} steps each after {} of burn-in; {:.0f}&#160;% of the moves accepted; "
-      "worth "
-      "{:.0f} independent samples of the slowest parameter.",
+      "the effective sample size of the slowest parameter is {:.0f}.",
       c.walkers, c.steps, c.burn_in, 100.0 * c.acceptance, fewest);
   if (!c.r_hat.empty())
-    text += fmt::format(" Split R-hat is at most {:.3f} (1: every walker has been everywhere).",
+    text += fmt::format(" Split R-hat is at most {:.3f} (1: all walkers have the same distribution).",
                         *std::max_element(c.r_hat.begin(), c.r_hat.end()));
   if (!c.long_enough)
     text +=
         " <span class=\"flag\">too short</span> Less than fifty autocorrelation times: its intervals are not "
-        "to be leaned on before it has gone on for longer.";
+        "reliable yet; run a longer chain.";
   return note(text);
 }
 

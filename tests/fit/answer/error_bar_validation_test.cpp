@@ -69,7 +69,7 @@ TEST(JudgesOfAFit, BootstrapAndChainAgreeWithTheCurvatureWhereNoiseIsWhite) {
   for (std::size_t j = 0; j < 2; ++j) {
     const double sigma = r.parameters[j].sigma.value();
     // 16 bands tell their own scatter to 1 / sqrt(2 * 15) = 18 %; three of those.
-    // Profiles are smoothed, so that noise hangs together from row to row: the inflation has that.
+    // Profiles are smoothed, so that noise is correlated from row to row: the inflation has that.
     EXPECT_NEAR(r.bootstrap->sigma[j] / sigma, 1.0, 0.55)
         << r.parameters[j].path << ", inflation " << r.error_inflation;
     // A standard deviation from so many independent samples; three of its own, beside the Jacobian's noise.

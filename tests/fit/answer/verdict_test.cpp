@@ -61,7 +61,7 @@ TEST(Judge, DoubtsForEachReasonByItself) {
   doubts(clear(), r, "rms residual");
   r = fine();
   r.correlated_residuals = 102.0;  // to one independent value: fewer than ten are left
-  doubts(clear(), r, "patterns");
+  doubts(clear(), r, "correlated");
   r = fine();
   r.parameters[0].at_limit = true;
   doubts(clear(), r, "at a limit");
@@ -100,7 +100,7 @@ TEST(Judge, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
   EXPECT_EQ(r.verdict, Verdict::doubtful);
 }
 
-// 120 independent values are too few for the whole of fifteen parameters, and enough for a distance; a course
+// An effective sample size of 120 is too small for fifteen parameters, and enough for a distance; a course
 // is what goes wrong with patterns from band to band. With 60 nothing is good.
 TEST(Judge, LetsPatternsSpeakAgainstACourse) {
   const auto judged = [](double independent) {
@@ -125,7 +125,7 @@ TEST(Judge, LetsPatternsSpeakAgainstACourse) {
   const FitResult some = judged(120.0), few = judged(60.0);
   EXPECT_EQ(some.derived[0].trust, Trust::good);
   EXPECT_EQ(some.derived[1].trust, Trust::doubtful);
-  EXPECT_NE(some.derived[1].trust_reason.find("patterns"), std::string::npos);
+  EXPECT_NE(some.derived[1].trust_reason.find("correlated"), std::string::npos);
   EXPECT_EQ(few.derived[0].trust, Trust::doubtful);
 }
 
@@ -148,7 +148,7 @@ TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   r.derived = {distance};
   assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
-  EXPECT_NE(r.verdict_line.find("but for length_km and center_km.east, which the picture does not tell"),
+  EXPECT_NE(r.verdict_line.find("but for length_km and center_km.east, which the data do not constrain"),
             std::string::npos)
       << r.verdict_line;
   assess_fit(clear(), without_distance);
@@ -176,8 +176,8 @@ TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
   }
   EXPECT_EQ(names, (std::vector<std::string>{"converged", "chi2 fell", "gradient at the end",
                                              "chi2 per degree of freedom", "rms residual",
-                                             "independent values", "moved", "inside the limits", "error bars",
-                                             "aurora or none", "one answer"}));
+                                             "effective sample size", "moved", "inside the limits",
+                                             "error bars", "aurora or none", "one answer"}));
   EXPECT_EQ(failed, std::vector<std::string>{"chi2 per degree of freedom"});
   assess_fit(clear(), r);
   EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";

@@ -199,7 +199,7 @@ TEST(ReportHtml, ShowsTheJudgesOfTheErrorBars) {
   EXPECT_TRUE(page.has("3.96 to 4.71 <span class=\"flag\">\u00d7&#160;3</span>"));
   EXPECT_TRUE(page.has("above 0.312"));
   EXPECT_TRUE(page.has("1000 draws of 24 bands"));
-  EXPECT_TRUE(page.has("worth 123 independent samples"));
+  EXPECT_TRUE(page.has("the effective sample size of the slowest parameter is 123"));
   EXPECT_TRUE(page.has("too short"));
   EXPECT_TRUE(page.has("energy &amp; phase are correlated"));
   EXPECT_TRUE(page.has("Every parameter against every other"));
