@@ -19,7 +19,7 @@ inline constexpr double kMaxExponent = 4.0;
 /// decoded by the curve that was found, and its `decoding` saying so. Error bars are as wide as the curve's
 /// uncertainty makes them; gains and sky are those of the curve that was found. Throws sim::Error as
 /// fit_photo() does, and for what does not go with an unknown curve: statistics other than the profile,
-/// free-form height profiles, fit.photo_noise = "sensor", judges of the error bars.
+/// free-form height profiles, fit.photo_noise = "sensor", validation of the error bars.
 FitResult fit_photo_and_curve(const sim::Scene& scene, Photo& photo, const FitOptions& options);
 
 }  // namespace vegard::fit

@@ -39,7 +39,7 @@ std::optional<double> systematic_error(const std::vector<StabilityRow>& rows, st
 
 /// Repeats the fit of `result` (of `photos`, in its order) for all of variations_of(), side by side on
 /// options.threads, each on one; puts FitResult::stability and the systematic errors of derived numbers, and
-/// judges the quantities again with both errors. A fit that has failed or was interrupted
+/// assesses the quantities again with both errors. A fit that has failed or was interrupted
 /// stays as it is; stopped meanwhile, validation_interrupted is set. Never throws for a variation that cannot
 /// be fitted: it says why.
 void assess_stability(const std::vector<Photo>& photos, const FitOptions& options, FitResult& result);

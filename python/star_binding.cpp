@@ -283,7 +283,7 @@ void bind_stars(py::module_& m) {
           },
           "Of the stars; some may be empty (list of str).")
       .def_property_readonly("residuals_px", &residuals_of,
-                             "(stars, 2), float64: x and y of seen minus computed places, in pixels.")
+                             "(stars, 2), float64: x and y of observed minus computed places, in pixels.")
       .def_property_readonly("used", &used_of, "(stars,), bool: which stars were not left out as mistaken.")
       .def_property_readonly(
           "warnings", [](const Stars& s) { return s.calibration->warnings; },

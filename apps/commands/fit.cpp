@@ -291,7 +291,8 @@ int run_fit(const FitRequest& options, const std::string& command) {
     std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
   else if (result.validation_interrupted)
     std::fputs(
-        "vegard: the fit is finished, the judges of its error bars were interrupted; the same command with "
+        "vegard: the fit is finished, the validation of its error bars was interrupted; the same command "
+        "with "
         "--resume goes on\n",
         stderr);
   else

@@ -206,7 +206,7 @@ struct FitResult {
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
   std::vector<std::string> undetermined;         ///< a sentence for each change that the data cannot tell
 
-  // The judges of the error bars, where they were asked for.
+  // The validation of the error bars, where it was requested.
   std::vector<ProfiledInterval> profile_intervals;
   std::optional<BootstrapErrors> bootstrap;
   std::optional<ChainErrors> chain;

@@ -26,7 +26,7 @@ struct CameraEstimate {
 };
 
 struct StarResidual {
-  double dx_px = 0.0, dy_px = 0.0;                  ///< seen minus computed
+  double dx_px = 0.0, dy_px = 0.0;                  ///< observed minus computed
   double without_dx_px = 0.0, without_dy_px = 0.0;  ///< the same by a fit without this star
   double off_axis_deg = 0.0;
   double from_centre_px = 0.0;

@@ -25,7 +25,7 @@ bool dual_place(const SkyCamera& camera, const double numbers[lens_numbers], con
   return place_of_star(camera, dual, enu, x, y);
 }
 
-/// One star's residual, seen minus computed.
+/// One star's residual, observed minus computed.
 class StarCost : public ceres::CostFunction {
  public:
   StarCost(const SkyCamera& camera, const std::vector<LensNumber>& free, const StarSighting& star)

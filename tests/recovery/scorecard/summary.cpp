@@ -134,7 +134,7 @@ std::string trust_by_quantity(const std::vector<Row>& rows) {
         ++told[word == "good" ? 0 : word == "doubtful" ? 1 : 2];
       }
     if (asked > 0)
-      text += fmt::format("\n{} of {} sheets: good {}, doubtful {}, not told {}\n", name, asked, told[0],
+      text += fmt::format("\n{} of {} sheets: good {}, doubtful {}, unconstrained {}\n", name, asked, told[0],
                           told[1], told[2]);
   }
   return text;
