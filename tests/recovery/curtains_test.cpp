@@ -199,14 +199,14 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   for (const sim::Sheet& sheet : truth().sheets) {
     const std::vector<sim::EastNorth> feet = sim::curve_feet(sheet, 0.0, 1000);
     all_feet.insert(all_feet.end(), feet.begin(), feet.end());
-    int in_view = 0, hit = 0;
+    int points_in_view = 0, hit = 0;
     for (const sim::EastNorth& foot : feet) {
       if (!is_border_in_view(map, foot)) continue;
-      ++in_view;
+      ++points_in_view;
       hit += nearest_km(foot, found) < near_km(foot);
     }
-    std::printf("%s: %.0f %% of it found\n", sheet.name.c_str(), 100.0 * hit / std::max(1, in_view));
-    EXPECT_GT(hit, 0.6 * in_view) << sheet.name;
+    std::printf("%s: %.0f %% of it found\n", sheet.name.c_str(), 100.0 * hit / std::max(1, points_in_view));
+    EXPECT_GT(hit, 0.6 * points_in_view) << sheet.name;
   }
   for (const Curtain& curtain : curtains) {
     int near = 0;
