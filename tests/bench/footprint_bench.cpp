@@ -92,7 +92,7 @@ struct Workload {
     std::array<std::vector<std::uint8_t>, 6> marks;
     marks[kOvalFace] = sim::lit_texels(map->face[kOvalFace], least);
     lit = sim::cube_lit_maps(map->face_cells, marks, 2);
-    not_skipping.way = sim::FootProjection::shell;
+    not_skipping.projection = sim::FootProjection::shell;
     not_skipping.texels = 0.5 * map->face_cells;
     not_skipping.first_x = not_skipping.first_y = 0.5 * map->face_cells + 0.5;
     not_skipping.window[kOvalFace] = texels.window();
