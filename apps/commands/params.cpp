@@ -206,8 +206,8 @@ std::string forms_page() {
       "a corona (the band overhead, the camera at the magnetic zenith) from a rayed band.\n\n"
       "A form's light is that of its electrons, whose energies give the source's heights by our own emission "
       "tables. `profile = \"form\"` has the\n"
-      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which else count for "
-      "nothing.\n\n"
+      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which else have no "
+      "effect.\n\n"
       "| form | |\n|---|---|\n";
   for (const sim::Form& form : sim::forms()) text += fmt::format("| `{}` | {} |\n", form.name, form.meaning);
   text += "\n| key |";

@@ -75,7 +75,7 @@ expect_exit 0 profile photo.png -o known.csv --decoding "$word"
 expect_exit 2 fit "$SCENES/fit.toml" --photo photo.png --out no --decoding unknown --set fit.colour_weight=1
 expect_stderr "fit.colour_weight"
 expect_exit 2 fit "$SCENES/fit.toml" --photo photo.png --out no --decoding unknown --mcmc 10
-expect_stderr "do not know of an unknown transfer curve"
+expect_stderr "cannot be validated with an unknown transfer curve"
 expect_exit 2 sequence "$SCENES/fit.toml" --photos photo.png -o no --decoding unknown
 expect_stderr "one transfer curve"
 [[ ! -e no ]] || fail "something was written"

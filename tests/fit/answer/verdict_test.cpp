@@ -191,7 +191,7 @@ TEST(Judge, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
   for (const char* bare : {"converged", ""}) {
     r.termination = bare;
     assess_fit(clear(), r);
-    EXPECT_EQ(r.checks.front().words, "the search has come to its end");
+    EXPECT_EQ(r.checks.front().words, "the search ended");
   }
 }
 
