@@ -87,7 +87,7 @@ sim::Scene scene_of_preview_frame(const sim::Scene& scene, const PreviewOptions&
   sim::Scene at = scene;
   const double share = options.frames > 1 ? static_cast<double>(frame) / (options.frames - 1) : 0.0;
   at.camera.azimuth_deg += options.turn_deg * share;
-  if (options.run_time) at.time.start_s += frame / options.frames_per_second;
+  if (options.run_time) at.time.start_s += frame / options.frames_per_second * at.time.lapse;
   return at;
 }
 

@@ -98,7 +98,7 @@ std::vector<int> frames_from_words(const std::string& words) {
 
 sim::Scene scene_of_frame(const sim::Scene& scene, int frame, double frames_per_second) {
   sim::Scene at = scene;
-  at.time.start_s += frame / frames_per_second;
+  at.time.start_s += frame / frames_per_second * scene.time.lapse;
   return at;
 }
 

@@ -38,8 +38,9 @@ class FrameNames {
 /// "FIRST:LAST" or "FIRST:LAST:STEP", LAST included. Throws Error(usage).
 std::vector<int> frames_from_words(const std::string& words);
 
-/// The scene of frame n: time.start_s + n / fps, in double precision, all else as it is. Printed with as many
-/// digits as it takes to read the same number again, it can be given to `vegard render --set time.start_s`.
+/// The scene of frame n: time.start_s + n time.lapse / fps, in double precision, all else as it is. Printed
+/// with as many digits as it takes to read the same number again, it can be given to `vegard render --set
+/// time.start_s`.
 sim::Scene scene_of_frame(const sim::Scene& scene, int frame, double frames_per_second);
 
 }  // namespace vegard::apps

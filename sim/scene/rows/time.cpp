@@ -15,6 +15,8 @@ std::vector<Declaration> time_rows() {
       Row("time", "frames_per_second", &Scene::time, &Time::frames_per_second).in("s⁻¹").within(0.001, 1000)
           .means("of an animation"),
       Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
+      Row("time", "lapse", &Scene::time, &Time::lapse).within(1e-6, 1e7)
+          .means("seconds of the scene's clock to a second of an animation: 1: as it happens; 900: time lapse, a quarter of an hour a second"),
 
       Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)
           .means("brightness of all aurora (sheets, footprints, volumes of the site) before and after a substorm, of what they say; 1: no substorm"),

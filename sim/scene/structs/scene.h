@@ -45,8 +45,9 @@ struct Time {
   double start_s = 0.0;
   double exposure_s = 0.0;
   int instants = 1;
-  double frames_per_second = 60.0;  ///< of an animation, whose frame n is the picture at start_s + n / this
+  double frames_per_second = 60.0;  ///< of an animation: its frame n is at start_s + n lapse / this
   int frames = 60;
+  double lapse = 1.0;  ///< of an animation: seconds of the scene's clock to one of its own
 };
 
 /// The brightness of all aurora over a substorm, as a fraction of what its emitters say.

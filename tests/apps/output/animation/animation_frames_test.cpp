@@ -45,5 +45,14 @@ TEST(FramesFromWords, AreARangeWithBothEnds) {
     tests::expect_words(sim::ErrorKind::usage, {"--frames"}, [&] { frames_from_words(bad); });
 }
 
+TEST(SceneOfFrame, HasItsTimeInTimeLapseToo) {
+  sim::Scene scene;
+  scene.time.start_s = 10.0;
+  EXPECT_EQ(scene_of_frame(scene, 48, 24.0).time.start_s, 12.0);
+  scene.time.lapse = 900.0;
+  EXPECT_EQ(scene_of_frame(scene, 48, 24.0).time.start_s, 1810.0);
+  EXPECT_EQ(scene_of_frame(scene, 0, 24.0).time.start_s, 10.0);
+}
+
 }  // namespace
 }  // namespace vegard::apps::animation_frames_test
