@@ -85,9 +85,9 @@ FreeDual chained(const RayDual& value, const FreeDual (&input)[kInputs]) {
 
 template <class T>
 GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-                            const Sun* sun, double share)
+                            const Sun* sun, double share, double turned_rad)
     : grid_(grid),
-      home_(grid_home(grid, volume, sun, number)),
+      home_(grid_home(grid, volume, sun, number, turned_rad)),
       extinction_(number(volume.extinction_per_km)),
       step_km_(volume.step_voxels * home_.voxel_km),
       absorbs_(grid.has_density() && volume.extinction_per_km > 0.0) {

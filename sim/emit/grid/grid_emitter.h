@@ -19,9 +19,9 @@ template <class T>
 class GridEmitter : public Emitter<T> {
  public:
   /// `grid` must outlive it. `number` gives the volume's and the Sun's numbers as T; `sun` is the scene's,
-  /// for a volume whose frame it is; `share` is a factor of its light.
+  /// for a volume whose frame it is; `share` is a factor of its light, `turned_rad` as by grid_turn_rad().
   GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-              const Sun* sun = nullptr, double share = 1.0);
+              const Sun* sun = nullptr, double share = 1.0, double turned_rad = 0.0);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }

@@ -13,13 +13,21 @@ constexpr double kBrick = GridBricks::kEdge, kCoarseCell = kBrick * GridBricks::
 
 }  // namespace
 
-GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun, double share)
+GridField::GridField(const GridBricks& grid, const Volume& volume, const Sun* sun, double share,
+                     double turned_rad)
     : grid_(grid), unit_km_(volume.frame == VolumeFrame::sun && sun != nullptr ? sun->unit_km : 1.0) {
   double shift[3];
   shift_of_volume(grid, volume, unit_km_, plain_number, shift);
   for (int a = 0; a < 3; ++a) {
     from_[a] = grid.place().shift[a];
-    for (int c = 0; c < 3; ++c) from_[a] -= shift[c] * grid.place().turn[a][c];
+    for (int c = 0; c < 3; ++c) {
+      from_[a] -= shift[c] * grid.place().turn[a][c];
+      turn_[a][c] = grid.place().turn[a][c];
+    }
+    if (turned_rad == 0.0) continue;
+    // A row of it is a place that turns with the grid.
+    const Vec3<double> row = turned_west(Vec3<double>{turn_[a][0], turn_[a][1], turn_[a][2]}, turned_rad);
+    for (int c = 0; c < 3; ++c) turn_[a][c] = row[c];
   }
   for (int l = 0; l < grid.lines(); ++l)
     gain_.push_back(volume.density_rayleigh.empty()
@@ -34,7 +42,7 @@ Box3 GridField::bounds() const {
   for (int c = 0; c < 3; ++c) {
     box.low[c] = box.high[c] = 0.0;
     for (int a = 0; a < 3; ++a) {
-      const double along = grid_.place().turn[a][c] * edge;
+      const double along = turn_[a][c] * edge;
       const double one = (grid_.low(a) * kCoarseCell - from_[a]) * along;
       const double other = (grid_.high(a) * kCoarseCell - from_[a]) * along;
       box.low[c] += std::min(one, other);
@@ -49,7 +57,7 @@ Box3 GridField::in_voxels(const Box3& box) const {
   for (int a = 0; a < 3; ++a) {
     out.low[a] = out.high[a] = from_[a];
     for (int c = 0; c < 3; ++c) {
-      const double along = grid_.place().turn[a][c];
+      const double along = turn_[a][c];
       out.low[a] += std::min(along * box.low[c], along * box.high[c]);
       out.high[a] += std::max(along * box.low[c], along * box.high[c]);
     }
@@ -89,7 +97,7 @@ void GridField::sample(std::size_t count, const double* const point[3], float* c
     int b[3];
     for (int a = 0; a < 3; ++a) {
       at[a] = from_[a];
-      for (int c = 0; c < 3; ++c) at[a] += grid_.place().turn[a][c] * point[c][i];
+      for (int c = 0; c < 3; ++c) at[a] += turn_[a][c] * point[c][i];
       b[a] = static_cast<int>(std::clamp(std::floor(at[a] / kBrick), -1e9, 1e9));
       local[a] = at[a] - b[a] * kBrick;
     }

@@ -11,8 +11,10 @@ namespace vegard::sim {
 
 class GridField : public LightField {
  public:
-  /// `grid` must outlive it. With a volume whose frame is "sun" the field's is that too, `sun` the scene's.
-  GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr, double share = 1.0);
+  /// `grid` must outlive it. With a volume whose frame is "sun" the field's is that too, `sun` the scene's,
+  /// and it has turned by `turned_rad` (grid_home.h).
+  GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr, double share = 1.0,
+            double turned_rad = 0.0);
 
   double unit_cm() const override { return unit_km_ * 1e5; }
   Box3 bounds() const override;
@@ -26,6 +28,7 @@ class GridField : public LightField {
 
   const GridBricks& grid_;
   double unit_km_, from_[3];
+  double turn_[3][3];         ///< from the frame to voxels: index = turn p + from
   std::vector<double> gain_;  ///< [line] photons cm^-3 s^-1 of 1
 };
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sim/emit/grid/grid_bricks.h"
+#include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/structs/scene.h"
@@ -38,13 +39,18 @@ void shift_of_volume(const GridBricks& grid, const Volume& volume, double unit_k
   }
 }
 
+/// By how much a grid of frame "sun" has turned about the Sun's axis at an instant of the scene's clock, in
+/// radians to the west: as one body, with the rate of solar_rotation.h at the latitude of the middle of its
+/// box, or, where that lies within the photosphere, at the equator's.
+double grid_turn_rad(const GridBricks& grid, const Volume& volume, const Sun* sun, double instant_s);
+
 /// Of a frame "sun" `sun` is the scene's Sun, else it may be null. Light of density (density_rayleigh) is
 /// counted to a kilometre, or to a unit of the Sun's frame; else a number is photons cm^-3 s^-1. The shift is
 /// by east, north, up of the observer (of the volume's home, if it has one), or on the Sun by its frame's x,
-/// y, z.
+/// y, z. `turned_rad` as by grid_turn_rad().
 template <class T>
-GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* sun,
-                      const NumberAs<T>& number) {
+GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* sun, const NumberAs<T>& number,
+                      double turned_rad = 0.0) {
   GridHome<T> home;
   const GridPlace& place = grid.place();
   const bool on_sun = volume.frame == VolumeFrame::sun && sun != nullptr;
@@ -61,13 +67,17 @@ GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* s
   }
   if (on_sun) {
     const SunFrame<T> frame(*sun, number);
-    T observer[3], axis[3][3];  // [of east, north, up][of the frame]
-    frame.observer(observer);
+    Vec3<T> observer, axis[3];  // [of east, north, up][of the frame]
+    frame.observer(observer.data());
     for (int e = 0; e < 3; ++e) {
       const T east_north_up[3] = {T(e == 0 ? 1.0 : 0.0), T(e == 1 ? 1.0 : 0.0), T(e == 2 ? 1.0 : 0.0)};
       T in_sky[3];
       frame.sky().turn(east_north_up, in_sky);
-      frame.from_sky(in_sky, axis[e]);
+      frame.from_sky(in_sky, axis[e].data());
+    }
+    if (turned_rad != 0.0) {  // as the grid sees them
+      observer = turned_west(observer, T(-turned_rad));
+      for (Vec3<T>& one : axis) one = turned_west(one, T(-turned_rad));
     }
     for (int a = 0; a < 3; ++a)
       for (int c = 0; c < 3; ++c) {

@@ -13,9 +13,10 @@ constexpr double kFiner = 1.99;  // an octave's lattice than the one before
 
 template <class T>
 ChromosphereDensity<T>::ChromosphereDensity(const Scene& scene, int index, const Image* biasmap,
-                                            const NumberAs<T>& number)
+                                            const NumberAs<T>& number, std::optional<double> instant_s)
     : lattice_(scene.seed, Stream::chromosphere,
-               name_number(scene.chromospheres[static_cast<std::size_t>(index)].name)) {
+               name_number(scene.chromospheres[static_cast<std::size_t>(index)].name)),
+      turn_(scene.sun, instant_s.value_or(scene.time.start_s)) {
   const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(index)];
   octaves_ = c.octaves;
   cutoff_ = c.cutoff;
@@ -51,6 +52,14 @@ T ChromosphereDensity<T>::turbulence(const T place[3], double least) const {
 
 template <class T>
 T ChromosphereDensity<T>::at(const T place[3]) const {
+  if (!turn_.turns()) return at_first(place);
+  const Vec3<T> here = {place[0], place[1], place[2]};
+  return at_first(turned_west(here, T(0.0) - turn_.angle_at_rad(here[0], here[1], here[2])).data());
+}
+
+/// Where it was at time 0.
+template <class T>
+T ChromosphereDensity<T>::at_first(const T place[3]) const {
   T density(0.0);
   if (cutoff_) {
     if (value_of(amplitude_) > 0.0 && value_of(sharpness_) > 0.0)

@@ -26,8 +26,8 @@ struct ChromosphereEmitter<T>::RaySum {
 
 template <class T>
 ChromosphereEmitter<T>::ChromosphereEmitter(const Scene& scene, int index, const Image* biasmap,
-                                            const NumberAs<T>& number)
-    : frame_(scene.sun, number), density_(scene, index, biasmap, number), ball_(scene.sun.radius) {
+                                            const NumberAs<T>& number, std::optional<double> instant_s)
+    : frame_(scene.sun, number), density_(scene, index, biasmap, number, instant_s), ball_(scene.sun.radius) {
   const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(index)];
   inner_ = c.innerradius;
   outer_ = c.outerradius;

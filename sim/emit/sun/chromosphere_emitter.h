@@ -8,6 +8,7 @@
 // FreeDual the derivatives are those of the very sum.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/emit/sun/chromosphere_density.h"
@@ -19,8 +20,9 @@ namespace vegard::sim {
 template <class T>
 class ChromosphereEmitter : public Emitter<T> {
  public:
-  /// Of chromosphere `index` of the scene; `biasmap` as in sim/emit/sun/chromosphere_density.h.
-  ChromosphereEmitter(const Scene& scene, int index, const Image* biasmap, const NumberAs<T>& number);
+  /// Of chromosphere `index` of the scene; `biasmap` and instant as in sim/emit/sun/chromosphere_density.h.
+  ChromosphereEmitter(const Scene& scene, int index, const Image* biasmap, const NumberAs<T>& number,
+                      std::optional<double> instant_s = std::nullopt);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }

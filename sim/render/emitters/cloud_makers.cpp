@@ -5,9 +5,11 @@
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/grid/grid_field.h"
+#include "sim/emit/grid/grid_home.h"
 #include "sim/emit/nebula/nebula_emitter.h"
 #include "sim/emit/nebula/nebula_field.h"
 #include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/mean_of_instants.h"
 
 namespace vegard::sim {
 namespace {
@@ -43,18 +45,29 @@ double substorm_share(const Scene& scene, const Volume& volume, const std::vecto
 
 template <class T>
 void add_volumes(const EmitterInputs<T>& in, Emitters<T>& all) {
-  for (std::size_t v = 0; v < in.scene.volumes.size(); ++v)
-    all.push_back(std::make_unique<GridEmitter<T>>(
-        *in.files.grids[v], in.scene.volumes[v], in.number, &in.scene.sun,
-        substorm_share(in.scene, in.scene.volumes[v], instants_s(in.scene.time))));
+  for (std::size_t v = 0; v < in.scene.volumes.size(); ++v) {
+    const Volume& volume = in.scene.volumes[v];
+    const GridBricks& grid = *in.files.grids[v];
+    const double share = substorm_share(in.scene, volume, instants_s(in.scene.time));
+    add_mean<T>(
+        instants_of(in.scene,
+                    volume.frame == VolumeFrame::sun && in.scene.sun.rotation != SolarRotation::none),
+        [&](double instant) {
+          return std::make_unique<GridEmitter<T>>(grid, volume, in.number, &in.scene.sun, share,
+                                                  grid_turn_rad(grid, volume, &in.scene.sun, instant));
+        },
+        all);
+  }
 }
 
 void add_volume_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (std::size_t v = 0; v < in.scene.volumes.size(); ++v) {
     const Volume& volume = in.scene.volumes[v];
     all.push_back({"volume '" + volume.name + "'",
-                   std::make_unique<GridField>(*in.files.grids[v], volume, &in.scene.sun,
-                                               substorm_share(in.scene, volume, {in.scene.time.start_s})),
+                   std::make_unique<GridField>(
+                       *in.files.grids[v], volume, &in.scene.sun,
+                       substorm_share(in.scene, volume, {in.scene.time.start_s}),
+                       grid_turn_rad(*in.files.grids[v], volume, &in.scene.sun, in.scene.time.start_s)),
                    volume.frame == VolumeFrame::sun ? FieldFrame::sun : FieldFrame::ground});
   }
 }

@@ -18,10 +18,10 @@ struct LoopVolume {
   Volume volume;
   GridBricks bricks;
 
-  LoopVolume(const Scene& scene, std::uint32_t index, int threads,
+  LoopVolume(const Scene& scene, std::uint32_t index, double instant_s, int threads,
              std::uint64_t memory_limit = std::uint64_t{4} << 30)
       : volume(as_volume(scene, scene.loops[index])),
-        bricks(bricks_of(scene, index, threads, memory_limit)) {}
+        bricks(bricks_of(scene, index, instant_s, threads, memory_limit)) {}
 
  private:
   static Volume as_volume(const Scene& scene, const Loop& loop) {
@@ -34,10 +34,10 @@ struct LoopVolume {
   }
 
   /// Every line shines by the one density.
-  static GridBricks bricks_of(const Scene& scene, std::uint32_t index, int threads,
+  static GridBricks bricks_of(const Scene& scene, std::uint32_t index, double instant_s, int threads,
                               std::uint64_t memory_limit) {
     const std::vector<int> channel(scene.emission.lines.size(), 0);
-    const SparseGrid grid = loop_grid(scene, index, threads, memory_limit);
+    const SparseGrid grid = loop_grid(scene, index, instant_s, threads, memory_limit);
     try {
       return GridBricks(grid, channel, -1, scene.file, scene.site, scene.site);
     } catch (const Error& error) {
@@ -51,8 +51,9 @@ struct LoopVolume {
 template <class T>
 class LoopGridEmitter : public Emitter<T> {
  public:
-  LoopGridEmitter(const Scene& scene, std::uint32_t index, const NumberAs<T>& number, int threads)
-      : loop_(scene, index, threads), drawn_(loop_.bricks, loop_.volume, number, &scene.sun) {}
+  LoopGridEmitter(const Scene& scene, std::uint32_t index, double instant_s, const NumberAs<T>& number,
+                  int threads)
+      : loop_(scene, index, instant_s, threads), drawn_(loop_.bricks, loop_.volume, number, &scene.sun) {}
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override { drawn_.march(rays, out); }
   bool is_mixed() const override { return true; }
@@ -65,7 +66,7 @@ class LoopGridEmitter : public Emitter<T> {
 class LoopGridField : public LightField {
  public:
   LoopGridField(const Scene& scene, std::uint32_t index, int threads, std::uint64_t memory_limit)
-      : loop_(scene, index, threads, memory_limit),
+      : loop_(scene, index, scene.time.start_s, threads, memory_limit),
         field_(loop_.bricks, loop_.volume, &scene.sun),
         lines_(scene.emission.lines.size()),
         square_radius_(scene.sun.radius * scene.sun.radius) {}
@@ -94,7 +95,8 @@ class LoopGridField : public LightField {
 
 }  // namespace
 
-SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads, std::uint64_t memory_limit) {
+SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, int threads,
+                     std::uint64_t memory_limit) {
   const Loop& loop = scene.loops[index];
   SparseGrid grid;
   grid.voxel = loop.voxel;
@@ -107,8 +109,8 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads, std::
                                      "larger voxels, or fewer passes", ""});
   };
   try {
-    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain_number)), {1.0},
-                {threads, memory_limit}, grid);
+    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain_number), instant_s),
+                {1.0}, {threads, memory_limit}, grid);
     for (int pass = 0; pass < loop.blur; ++pass) filter(blur_mask());
     for (int pass = 0; pass < loop.sharpen; ++pass) filter(sharpen_mask());
   } catch (const Error& error) {
@@ -121,9 +123,9 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads, std::
 }
 
 template <class T>
-std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index,
+std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index, double instant_s,
                                               const NumberAs<T>& number, int threads) {
-  return std::make_unique<LoopGridEmitter<T>>(scene, index, number, threads);
+  return std::make_unique<LoopGridEmitter<T>>(scene, index, instant_s, number, threads);
 }
 
 std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads,
@@ -131,9 +133,9 @@ std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t in
   return std::make_unique<LoopGridField>(scene, index, threads, memory_limit);
 }
 
-template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t,
+template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t, double,
                                                             const NumberAs<double>&, int);
-template std::unique_ptr<Emitter<FreeDual>> loop_grid_emitter(const Scene&, std::uint32_t,
+template std::unique_ptr<Emitter<FreeDual>> loop_grid_emitter(const Scene&, std::uint32_t, double,
                                                               const NumberAs<FreeDual>&, int);
 
 }  // namespace vegard::sim

@@ -11,25 +11,25 @@
 
 namespace vegard::sim {
 
-/// The density of loop `index` on voxels, in the Sun's frame and unit, after its passes of blur and sharpen:
-/// one channel, "density". Throws Error(scene) with the key of `voxel` if it would take more than
-/// `memory_limit` bytes.
-SparseGrid loop_grid(const Scene& scene, std::uint32_t index, int threads,
+/// The density of loop `index` on voxels, as it stands at an instant of the scene's clock, in the Sun's frame
+/// and unit, after its passes of blur and sharpen: one channel, "density". Throws Error(scene) with the key
+/// of `voxel` if it would take more than `memory_limit` bytes.
+SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, int threads,
                      std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
 /// Its light along rays. For T = FreeDual derivatives are those by where the rays and the Sun are; the loop's
 /// own numbers may not be free then (sim/scene/emitters/loop.cpp).
 template <class T>
-std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index,
+std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index, double instant_s,
                                               const NumberAs<T>& number, int threads);
 
-/// The same in space, dark within the photosphere.
+/// The same in space at time.start_s, dark within the photosphere.
 std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads,
                                             std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
-extern template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t,
+extern template std::unique_ptr<Emitter<double>> loop_grid_emitter(const Scene&, std::uint32_t, double,
                                                                    const NumberAs<double>&, int);
-extern template std::unique_ptr<Emitter<FreeDual>> loop_grid_emitter(const Scene&, std::uint32_t,
+extern template std::unique_ptr<Emitter<FreeDual>> loop_grid_emitter(const Scene&, std::uint32_t, double,
                                                                      const NumberAs<FreeDual>&, int);
 
 }  // namespace vegard::sim

@@ -16,6 +16,7 @@
 #include "sim/emit/sun/sun_fields.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/loop_grid.h"
+#include "sim/render/emitters/mean_of_instants.h"
 
 namespace vegard::sim {
 namespace {
@@ -26,10 +27,11 @@ NumberAs<double> as_they_are() {
 }
 
 template <class T, class Element>
-void add_strands(const EmitterInputs<T>& in, const Strands<T>& strands, const Element& of, Emitters<T>& all) {
-  all.push_back(
-      std::make_unique<StrandEmitter<T>>(strands, in.scene.sun, SunFrame<T>(in.scene.sun, in.number),
-                                         line_light<T>(in.scene, of.rayleigh, of.temperature_mk, in.number)));
+std::unique_ptr<Emitter<T>> strand_emitter(const EmitterInputs<T>& in, const Strands<T>& strands,
+                                           const Element& of) {
+  return std::make_unique<StrandEmitter<T>>(
+      strands, in.scene.sun, SunFrame<T>(in.scene.sun, in.number),
+      line_light<T>(in.scene, of.rayleigh, of.temperature_mk, in.number));
 }
 
 template <class Element>
@@ -50,16 +52,30 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
 
 template <class T>
 void add_loops(const EmitterInputs<T>& in, Emitters<T>& all) {
+  const std::vector<double> instants = instants_of(in.scene, in.scene.sun.rotation != SolarRotation::none);
   for (const Loop& loop : in.scene.loops)
     if (loop.voxel == 0.0)
-      add_strands(in, strands_of<T>(in.scene.sun, loop, in.scene.seed, in.number), loop, all);
+      add_mean<T>(
+          instants,
+          [&](double instant) {
+            return strand_emitter(in, strands_of<T>(in.scene.sun, loop, in.scene.seed, in.number, instant),
+                                  loop);
+          },
+          all);
 }
 
 template <class T>
 void add_gridded_loops(const EmitterInputs<T>& in, Emitters<T>& all) {
+  const std::vector<double> instants = instants_of(in.scene, in.scene.sun.rotation != SolarRotation::none);
   for (std::size_t i = 0; i < in.scene.loops.size(); ++i)
     if (in.scene.loops[i].voxel > 0.0)
-      all.push_back(loop_grid_emitter<T>(in.scene, static_cast<std::uint32_t>(i), in.number, in.threads));
+      add_mean<T>(
+          instants,
+          [&](double instant) {
+            return loop_grid_emitter<T>(in.scene, static_cast<std::uint32_t>(i), instant, in.number,
+                                        in.threads);
+          },
+          all);
 }
 
 void add_loop_fields(const FieldInputs& in, std::vector<NamedField>& all) {
@@ -69,7 +85,9 @@ void add_loop_fields(const FieldInputs& in, std::vector<NamedField>& all) {
     if (loop.voxel > 0.0)
       field = loop_grid_field(in.scene, static_cast<std::uint32_t>(i), in.threads, in.memory_limit);
     else
-      field = strand_field(in, strands_of<double>(in.scene.sun, loop, in.scene.seed, as_they_are()), loop);
+      field = strand_field(
+          in, strands_of<double>(in.scene.sun, loop, in.scene.seed, as_they_are(), in.scene.time.start_s),
+          loop);
     all.push_back({"loop '" + loop.name + "'", std::move(field), FieldFrame::sun});
   }
 }
@@ -83,16 +101,25 @@ ThinPart thinnest_loop(const Scene& scene) {
 
 template <class T>
 void add_bundles(const EmitterInputs<T>& in, Emitters<T>& all) {
+  const std::vector<double> instants = instants_of(in.scene, in.scene.sun.rotation != SolarRotation::none);
   for (const Bundle& bundle : in.scene.bundles)
-    add_strands(in, strands_of<T>(in.scene.sun, bundle, in.scene.seed, in.number), bundle, all);
+    add_mean<T>(
+        instants,
+        [&](double instant) {
+          return strand_emitter(in, strands_of<T>(in.scene.sun, bundle, in.scene.seed, in.number, instant),
+                                bundle);
+        },
+        all);
 }
 
 void add_bundle_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (const Bundle& bundle : in.scene.bundles)
-    all.push_back(
-        {"bundle '" + bundle.name + "'",
-         strand_field(in, strands_of<double>(in.scene.sun, bundle, in.scene.seed, as_they_are()), bundle),
-         FieldFrame::sun});
+    all.push_back({"bundle '" + bundle.name + "'",
+                   strand_field(in,
+                                strands_of<double>(in.scene.sun, bundle, in.scene.seed, as_they_are(),
+                                                   in.scene.time.start_s),
+                                bundle),
+                   FieldFrame::sun});
 }
 
 /// A line counts with the thinner of its ends.
@@ -107,22 +134,27 @@ ThinPart thinnest_bundle(const Scene& scene) {
 template <class T>
 void add_ejections(const EmitterInputs<T>& in, Emitters<T>& all) {
   const Scene& scene = in.scene;
+  const std::vector<double> instants = instants_of(scene, true);
   for (const Ejection& ejection : scene.ejections)
-    if (ejection.kind == EjectionKind::rope)
-      add_strands(in, rope_strands<T>(scene.sun, scene.time, ejection, in.number), ejection, all);
-    else
-      all.push_back(std::make_unique<EjectionShellEmitter<T>>(
-          EjectionShell<T>(scene.sun, scene.time, ejection, in.number), scene.sun,
-          SunFrame<T>(scene.sun, in.number),
-          line_light<T>(scene, ejection.rayleigh, ejection.temperature_mk, in.number)));
+    add_mean<T>(
+        instants,
+        [&](double instant) -> std::unique_ptr<Emitter<T>> {
+          if (ejection.kind == EjectionKind::rope)
+            return strand_emitter(in, rope_strands<T>(scene.sun, instant, ejection, in.number), ejection);
+          return std::make_unique<EjectionShellEmitter<T>>(
+              EjectionShell<T>(scene.sun, instant, ejection, in.number), scene.sun,
+              SunFrame<T>(scene.sun, in.number),
+              line_light<T>(scene, ejection.rayleigh, ejection.temperature_mk, in.number));
+        },
+        all);
 }
 
 void add_ejection_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (const Ejection& ejection : in.scene.ejections) {
     std::unique_ptr<const LightField> field;
     if (ejection.kind == EjectionKind::rope)
-      field = strand_field(in, rope_strands<double>(in.scene.sun, in.scene.time, ejection, as_they_are()),
-                           ejection);
+      field = strand_field(
+          in, rope_strands<double>(in.scene.sun, in.scene.time.start_s, ejection, as_they_are()), ejection);
     else
       field = std::make_unique<EjectionShellField>(in.scene, ejection);
     all.push_back({"ejection '" + ejection.name + "'", std::move(field), FieldFrame::sun});
@@ -137,7 +169,8 @@ ThinPart thinnest_rope(const Scene& scene) {
     if (ejection.kind != EjectionKind::rope) continue;
     Ejection one = ejection;
     one.strands = 1;
-    for (const Strand<double>& piece : rope_strands<double>(scene.sun, scene.time, one, as_they_are()).all)
+    for (const Strand<double>& piece :
+         rope_strands<double>(scene.sun, scene.time.start_s, one, as_they_are()).all)
       if (const double radius = std::max(piece.radius_first, piece.radius_last); radius < thinnest.radius)
         thinnest = {"ejection '" + ejection.name + "'", radius};
   }

@@ -7,6 +7,7 @@
 #include "sim/emit/sun/photosphere_emitter.h"
 #include "sim/emit/sun/sun_fields.h"
 #include "sim/render/emitters/emitter_makers.h"
+#include "sim/render/emitters/mean_of_instants.h"
 #include "sim/render/emitters/volume_files.h"
 
 namespace vegard::sim {
@@ -19,9 +20,16 @@ void add_photosphere(const EmitterInputs<T>& in, Emitters<T>& all) {
 
 template <class T>
 void add_chromospheres(const EmitterInputs<T>& in, Emitters<T>& all) {
+  const std::vector<double> instants = instants_of(in.scene, in.scene.sun.rotation != SolarRotation::none);
   for (std::size_t c = 0; c < in.scene.chromospheres.size(); ++c)
-    all.push_back(std::make_unique<ChromosphereEmitter<T>>(
-        in.scene, static_cast<int>(c), bias_map(in.files, in.scene.chromospheres[c]), in.number));
+    add_mean<T>(
+        instants,
+        [&](double instant) {
+          return std::make_unique<ChromosphereEmitter<T>>(in.scene, static_cast<int>(c),
+                                                          bias_map(in.files, in.scene.chromospheres[c]),
+                                                          in.number, instant);
+        },
+        all);
 }
 
 void add_chromosphere_fields(const FieldInputs& in, std::vector<NamedField>& all) {

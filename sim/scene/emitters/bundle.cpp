@@ -88,6 +88,7 @@ EmitterKind bundle_kind() {
   kind.rows = bundle_rows;
   kind.light = LightKind::sun;
   kind.check = check_bundles;
+  kind.moves = turns_with_sun;
   kind.why_inert = why_bundle_inert;
   kind.place_in_preview = 5;
   return kind;

@@ -89,6 +89,7 @@ EmitterKind chromosphere_kind() {
   kind.rows = chromosphere_rows;
   kind.light = LightKind::sun;
   kind.check = check_chromospheres;
+  kind.moves = turns_with_sun;
   kind.why_inert = why_chromosphere_inert;
   kind.pictures = pictures_of_chromospheres;
   kind.place_in_preview = 3;

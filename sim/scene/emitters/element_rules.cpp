@@ -58,6 +58,10 @@ Complaint inert(const std::string& what, const std::string& key, const std::stri
           "leave it out of fit.free, or " + hint};
 }
 
+bool turns_with_sun(const Scene& scene) {
+  return scene.sun.shown && scene.sun.rotation != SolarRotation::none;
+}
+
 std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk) {
   if (temperature_mk == 0.0)
     return inert("the light is that of any temperature", "temperature_mk", "set it above 0");

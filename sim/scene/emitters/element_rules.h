@@ -50,6 +50,9 @@ bool frees(const Scene& scene, const std::string& path);
 /// "WHAT, so KEY has no effect".
 Complaint inert(const std::string& what, const std::string& key, const std::string& hint);
 
+/// Whether what stands on the Sun turns with it as the scene's clock runs.
+bool turns_with_sun(const Scene& scene);
+
 /// Of a temperature by which no line of the scene shines; else none.
 std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk);
 

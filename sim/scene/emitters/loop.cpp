@@ -111,6 +111,7 @@ EmitterKind loop_kind() {
   kind.rows = loop_rows;
   kind.light = LightKind::sun;
   kind.check = check_loops;
+  kind.moves = turns_with_sun;
   kind.why_inert = why_loop_inert;
   kind.place_in_preview = 2;
   return kind;

@@ -29,6 +29,10 @@ std::vector<Declaration> sun_rows() {
           .means("light of the photosphere at the middle of the disc, per emission line; empty: it is dark"),
       row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)², μ the cosine of the angle between ray and vertical; 0: a uniform disc"),
       row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law"),
+      row("rotation", &Sun::rotation).one_of<SolarRotation>({{"none", SolarRotation::none}, {"rigid", SolarRotation::rigid}, {"differential", SolarRotation::differential}})
+          .means("how what stands on it turns with the scene's clock (docs/corona/time.md): not at all; at Carrington's rate; or slower towards the poles"),
+      row("rotation_frame", &Sun::rotation_frame).one_of<RotationFrame>({{"synodic", RotationFrame::synodic}, {"sidereal", RotationFrame::sidereal}})
+          .means("against what that is counted: as seen from the Earth, which goes round the Sun; or from among the stars"),
   };
   // clang-format on
 }

@@ -1,6 +1,7 @@
 // [[volume]]: light from files of voxels.
 #include <algorithm>
 
+#include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/row.h"
 
@@ -77,11 +78,11 @@ std::optional<Complaint> volumes_stay_at(Scene& scene, const Site& home) {
   return std::nullopt;
 }
 
-/// Those about a site are aurora, which goes by the substorm.
+/// Those about a site are aurora, which goes by the substorm; those on the Sun turn with it.
 bool volumes_move(const Scene& scene) {
-  return scene.substorm.quiet < 1.0 &&
-         std::any_of(scene.volumes.begin(), scene.volumes.end(),
-                     [](const Volume& volume) { return volume.frame == VolumeFrame::site; });
+  return std::any_of(scene.volumes.begin(), scene.volumes.end(), [&](const Volume& volume) {
+    return volume.frame == VolumeFrame::site ? scene.substorm.quiet < 1.0 : turns_with_sun(scene);
+  });
 }
 
 }  // namespace

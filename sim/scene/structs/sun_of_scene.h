@@ -11,6 +11,19 @@
 
 namespace vegard::sim {
 
+/// How what stands on the Sun turns about its axis as the scene's clock runs (sim/emit/sun/solar_rotation.h).
+enum class SolarRotation {
+  none,
+  rigid,        ///< everything at Carrington's rate
+  differential  ///< slower towards the poles, as the magnetic field of the surface is seen to turn
+};
+
+/// Against what the turning is counted.
+enum class RotationFrame {
+  synodic,  ///< the direction to the Earth, which goes round the Sun in a year
+  sidereal  ///< the stars
+};
+
 /// Where the Sun stands in the sky, and its photosphere: a ball that shines and hides what is behind it.
 struct Sun {
   bool shown = false;
@@ -24,6 +37,8 @@ struct Sun {
   std::vector<double> photosphere_rayleigh;  ///< per line, at the middle of the disc; empty: it is dark
   /// Linear and quadratic law: I = 1 - u (1 - mu) - v (1 - mu)^2.
   double limb_darkening = 0.0, limb_darkening_square = 0.0;
+  SolarRotation rotation = SolarRotation::none;  ///< longitudes are those at time 0 of the scene's clock
+  RotationFrame rotation_frame = RotationFrame::synodic;
 };
 
 /// Noise between two concentric spheres: the source's CloudRegion, whose eleven numbers have its names.

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "sim/render/render.h"
 #include "sim/render/render_memory.h"
@@ -48,17 +50,42 @@ TEST(EjectionInTime, MovesInPreviewsAsInRenders) {
   }
 }
 
-TEST(EjectionInTime, ShowsHowOldItIsAtTheBeginningOfAnExposure) {
-  // Age and the clock are one sum; instants of an exposure do not move what is marched.
+TEST(EjectionInTime, ItsAgeAndTheClockAreOneSum) {
   Scene scene = eruption("rope");
   scene.time.start_s = 300.0;
   const Image by_clock = render(scene).rayleigh;
   scene.time.start_s = 0.0;
   scene.ejections[0].age_s += 300.0;
   EXPECT_EQ(by_clock.data, render(scene).rayleigh.data);
-  scene.time.exposure_s = 600.0;
-  scene.time.instants = 4;
-  EXPECT_EQ(by_clock.data, render(scene).rayleigh.data);
+}
+
+// It moves during an exposure, whose picture is the mean of those of its instants.
+TEST(EjectionInTime, IsTheMeanOfItsInstantsInAnExposure) {
+  for (const char* kind : {"rope", "shell"}) {
+    Scene scene = eruption(kind);
+    scene.time.start_s = 100.0;
+    const Image first = render(scene).rayleigh;
+    scene.time.exposure_s = 1200.0;
+    scene.time.instants = 6;
+    const Image exposed = render(scene).rayleigh;
+    std::vector<double> mean(exposed.data.size(), 0.0);
+    Scene one = scene;
+    one.time.exposure_s = 0.0;
+    one.time.instants = 1;
+    for (int k = 0; k < 6; ++k) {
+      one.time.start_s = 100.0 + 200.0 * k;
+      const Image at = render(one).rayleigh;
+      for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += at.data[i] / 6.0;
+    }
+    const double peak = *std::max_element(mean.begin(), mean.end());
+    ASSERT_GT(peak, 0.0);
+    double moved = 0.0;
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+      EXPECT_NEAR(exposed.data[i], mean[i], 1e-5 * peak) << kind;
+      moved = std::max(moved, std::abs(static_cast<double>(exposed.data[i]) - first.data[i]));
+    }
+    EXPECT_GT(moved, 0.1 * peak);
+  }
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/base/number/vec3.h"
+#include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/sun_frame.h"
 
@@ -28,8 +29,10 @@ enum class Which : std::uint32_t { line = 0, slope = 1, filament = 2 };
 template <class T>
 class BundleMaker {
  public:
-  BundleMaker(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number)
+  BundleMaker(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number,
+              double instant_s)
       : bundle_(bundle),
+        turn_(sun, instant_s),
         number_(number),
         name_(name_number(bundle.name)),
         seed_(seed),
@@ -53,7 +56,7 @@ class BundleMaker {
       // Hardly any come after so many in vain.
       if (all.empty() && i > kMaxPlaces / 20) break;
       const Foot foot{place(i, which), i};
-      if (stands(values3(foot.up))) all.push_back(foot);
+      if (stands(turned_by(turn_, values3(foot.up)))) all.push_back(foot);
     }
     return all;
   }
@@ -77,7 +80,7 @@ class BundleMaker {
   }
 
   Strand<T> line(const Foot& foot) const {
-    const Vec3<T>& up = foot.up;
+    const Vec3<T> up = turned_by(turn_, foot.up);
     // West and north are of the foot as it stands: at the poles there are none, and any will do.
     Vec3<T> west = {T(0.0) - up[1], up[0], T(0.0)};
     west = value_of(dot3(west, west)) > 1e-12 ? unit3(west) : Vec3<T>{T(0.0), T(1.0), T(0.0)};
@@ -140,6 +143,7 @@ class BundleMaker {
   }
 
   const Bundle& bundle_;
+  SolarTurn turn_;
   const NumberAs<T>& number_;
   std::uint32_t name_;
   std::uint64_t seed_;
@@ -151,8 +155,9 @@ class BundleMaker {
 }  // namespace
 
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number) {
-  const BundleMaker<T> maker(sun, bundle, seed, number);
+Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number,
+                      double instant_s) {
+  const BundleMaker<T> maker(sun, bundle, seed, number, instant_s);
   auto feet = maker.feet(bundle.count, Which::line);
   maker.gather(feet);
   Strands<T> strands;
@@ -161,7 +166,9 @@ Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, 
   return strands;
 }
 
-template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&);
-template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<FreeDual>&);
+template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&,
+                                    double);
+template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<FreeDual>&,
+                                      double);
 
 }  // namespace vegard::sim

@@ -31,12 +31,15 @@
 namespace vegard::sim {
 
 /// A bundle of a scene with this seed. Random numbers are those of Stream::bundle at (i, number of the name,
-/// which). Which feet stand is decided by values.
+/// which). Which feet stand is decided by values. Where the Sun turns (sim/emit/sun/solar_rotation.h), every
+/// line goes with its foot, and which feet are near the limb is a matter of the instant.
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number);
+Strands<T> strands_of(const Sun& sun, const Bundle& bundle, std::uint64_t seed, const NumberAs<T>& number,
+                      double instant_s = 0.0);
 
-extern template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&);
+extern template Strands<double> strands_of(const Sun&, const Bundle&, std::uint64_t, const NumberAs<double>&,
+                                           double);
 extern template Strands<FreeDual> strands_of(const Sun&, const Bundle&, std::uint64_t,
-                                             const NumberAs<FreeDual>&);
+                                             const NumberAs<FreeDual>&, double);
 
 }  // namespace vegard::sim

@@ -11,15 +11,13 @@
 #include "sim/light/emitter.h"
 
 namespace vegard::sim {
-namespace {}  // namespace
-
 template <class T>
-EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const T& front,
-                                const NumberAs<T>& number)
+EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const T& longitude_deg,
+                                const T& front, const NumberAs<T>& number)
     : density(1.0) {
   const T sine_half = sine(number(ejection.width_deg) * (kPi / 360.0));
   const T distance = (number(sun.radius) + front) / (sine_half + 1.0);
-  const SunPlace<T> place = sun_place(number(ejection.latitude_deg), number(ejection.longitude_deg));
+  const SunPlace<T> place = sun_place(number(ejection.latitude_deg), longitude_deg);
   for (int i = 0; i < 3; ++i) middle[i] = place.up[i] * distance;
   outer = distance * sine_half;
   const T left = outer - number(ejection.aspect) * front;
@@ -27,11 +25,13 @@ EjectionShell<T>::EjectionShell(const Sun& sun, const Ejection& ejection, const 
 }
 
 template <class T>
-EjectionShell<T>::EjectionShell(const Sun& sun, const Time& time, const Ejection& ejection,
+EjectionShell<T>::EjectionShell(const Sun& sun, double instant_s, const Ejection& ejection,
                                 const NumberAs<T>& number)
-    : EjectionShell(sun, ejection, front_height(sun, time, ejection, number), number) {
+    : EjectionShell(sun, ejection, ejection_longitude_deg(sun, instant_s, ejection, number),
+                    front_height(sun, instant_s, ejection, number), number) {
   const T radius = number(sun.radius);
-  const EjectionShell at_first(sun, ejection, number(ejection.start_height), number);
+  const EjectionShell at_first(sun, ejection, number(ejection.longitude_deg), number(ejection.start_height),
+                               number);
   density = number(ejection.density) * (at_first.mass(radius) / mass(radius));
 }
 
@@ -126,10 +126,8 @@ void EjectionShellEmitter<T>::march_ray(const T enu[3], const T& end_km, std::si
   out.depth_km[index] = (weighted / value_of(column) - first) * frame_.unit_km();
 }
 
-namespace {}  // namespace
-
 EjectionShellField::EjectionShellField(const Scene& scene, const Ejection& ejection)
-    : body_(scene.sun, scene.time, ejection, NumberAs<double>(plain_number)),
+    : body_(scene.sun, scene.time.start_s, ejection, NumberAs<double>(plain_number)),
       light_(line_light<double>(scene, ejection.rayleigh, ejection.temperature_mk, plain_number)),
       lines_(static_cast<int>(scene.emission.lines.size())),
       unit_cm_(scene.sun.unit_km * kCmPerKm),

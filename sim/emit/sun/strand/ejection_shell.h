@@ -31,10 +31,11 @@ struct EjectionShell {
   T outer, inner;  ///< radii
   T density;       ///< density_now
 
-  /// With its front at a height, and density 1.
-  EjectionShell(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number);
-  /// As it is at the time of a scene.
-  EjectionShell(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number);
+  /// With its front at a height, the place that it leaves at a longitude, and density 1.
+  EjectionShell(const Sun& sun, const Ejection& ejection, const T& longitude_deg, const T& front,
+                const NumberAs<T>& number);
+  /// As it is at an instant of the scene's clock.
+  EjectionShell(const Sun& sun, double instant_s, const Ejection& ejection, const NumberAs<T>& number);
 
   /// At the square of the distance from the middle.
   T density_at(const T& square) const;

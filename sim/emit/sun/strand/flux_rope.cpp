@@ -6,6 +6,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/base/number/vec3.h"
+#include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"
 
 namespace vegard::sim {
@@ -27,12 +28,13 @@ struct RopePoint {
 template <class T>
 class Rope {
  public:
-  Rope(const Sun& sun, const Ejection& ejection, const T& front, const NumberAs<T>& number)
+  Rope(const Sun& sun, const Ejection& ejection, const T& longitude_deg, const T& front,
+       const NumberAs<T>& number)
       : sun_radius_(number(sun.radius)),
         half_angle_(number(ejection.width_deg) * (0.5 * kRadiansPerDegree)),
         turns_(number(ejection.turns)),
         strand_share_(number(ejection.strand_radius)) {
-    const SunPlace<T> place = sun_place(number(ejection.latitude_deg), number(ejection.longitude_deg));
+    const SunPlace<T> place = sun_place(number(ejection.latitude_deg), longitude_deg);
     const T bearing = number(ejection.bearing_deg) * kRadiansPerDegree;
     for (int i = 0; i < 3; ++i) {
       up_[i] = place.up[i];
@@ -118,32 +120,45 @@ T volume(const std::vector<Strand<T>>& all) {
 }  // namespace
 
 template <class T>
-T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number) {
+T front_height(const Sun& sun, double instant_s, const Ejection& ejection, const NumberAs<T>& number) {
   const T start = number(ejection.start_height);
-  const T age = number(ejection.age_s) + number(time.start_s);
+  const T age = number(ejection.age_s) + T(instant_s);
   if (!(value_of(age) > 0.0)) return start;
   return start + number(ejection.speed_km_s) * age * (1.0 / sun.unit_km);
 }
 
 template <class T>
-Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejection,
+T ejection_longitude_deg(const Sun& sun, double instant_s, const Ejection& ejection,
+                         const NumberAs<T>& number) {
+  const T longitude = number(ejection.longitude_deg);
+  const SolarTurn turn(sun, instant_s);
+  if (!turn.turns()) return longitude;
+  const T north = sine(number(ejection.latitude_deg) * kRadiansPerDegree);
+  return longitude + turn.angle_rad(north * north) * (1.0 / kRadiansPerDegree);
+}
+
+template <class T>
+Strands<T> rope_strands(const Sun& sun, double instant_s, const Ejection& ejection,
                         const NumberAs<T>& number) {
   const int pieces = static_cast<int>(kMinPieces + kPiecesPerTurn * std::abs(ejection.turns));
+  const T longitude_deg = ejection_longitude_deg(sun, instant_s, ejection, number);
   const auto rope = [&](const T& front) {
-    return pieces_of(Rope<T>(sun, ejection, front, number), ejection.strands, pieces);
+    return pieces_of(Rope<T>(sun, ejection, longitude_deg, front, number), ejection.strands, pieces);
   };
   Strands<T> strands;
   strands.falloff = RadialFalloff::smooth;
-  strands.all = rope(front_height(sun, time, ejection, number));
+  strands.all = rope(front_height(sun, instant_s, ejection, number));
   const T density =
       number(ejection.density) * (volume(rope(number(ejection.start_height))) / volume(strands.all));
   for (Strand<T>& strand : strands.all) strand.along = {density, density};
   return strands;
 }
 
-template double front_height(const Sun&, const Time&, const Ejection&, const NumberAs<double>&);
-template FreeDual front_height(const Sun&, const Time&, const Ejection&, const NumberAs<FreeDual>&);
-template Strands<double> rope_strands(const Sun&, const Time&, const Ejection&, const NumberAs<double>&);
-template Strands<FreeDual> rope_strands(const Sun&, const Time&, const Ejection&, const NumberAs<FreeDual>&);
+template double front_height(const Sun&, double, const Ejection&, const NumberAs<double>&);
+template FreeDual front_height(const Sun&, double, const Ejection&, const NumberAs<FreeDual>&);
+template double ejection_longitude_deg(const Sun&, double, const Ejection&, const NumberAs<double>&);
+template FreeDual ejection_longitude_deg(const Sun&, double, const Ejection&, const NumberAs<FreeDual>&);
+template Strands<double> rope_strands(const Sun&, double, const Ejection&, const NumberAs<double>&);
+template Strands<FreeDual> rope_strands(const Sun&, double, const Ejection&, const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -1,11 +1,12 @@
 // The strands of a flux rope ([[ejection]] of kind "rope"). A model of our own: the source only names mass
 // ejections.
 //
-// With the age A = age_s + time.start_s (before 0: 0), the front stands at the height
+// With the age A = age_s + the instant (before 0: 0), the front stands at the height
 //   h = start + speed_km_s A / unit_km
-// over the photosphere, radius R. The rope's axis lies in the plane through the Sun's middle, the place that
-// the rope leaves, and the bearing; with e from -90° to 90° from foot to foot, its distance from the Sun's
-// middle and its angle from the vertical of that place are
+// over the photosphere, radius R. As the Sun turns, the
+// whole of it goes with the place that it leaves. The rope's axis lies in the plane through the Sun's middle,
+// the place that the rope leaves, and the bearing; with e from -90° to 90° from foot to foot, its distance
+// from the Sun's middle and its angle from the vertical of that place are
 //   R - a_f + (H + a_f) cos e,   (width / 2) sin e (1 + c cos e),   c = 0.6 H / (H + R width / 2):
 // half an ellipse in height and angle, which bulges above its feet the more, the higher it stands, as a
 // balloon does. Its cross-section is a disc of radius
@@ -27,20 +28,28 @@
 
 namespace vegard::sim {
 
-/// Height of an ejection's front over the photosphere, in units of the Sun's frame.
+/// Height of an ejection's front over the photosphere at an instant of the scene's clock, in units of the
+/// Sun's frame.
 template <class T>
-T front_height(const Sun& sun, const Time& time, const Ejection& ejection, const NumberAs<T>& number);
+T front_height(const Sun& sun, double instant_s, const Ejection& ejection, const NumberAs<T>& number);
+
+/// Heliographic longitude of the place that it leaves, in degrees, at the instant.
+template <class T>
+T ejection_longitude_deg(const Sun& sun, double instant_s, const Ejection& ejection,
+                         const NumberAs<T>& number);
 
 /// Every winding is cut into pieces, each a strand of its own, since a strand's radius is linear.
 template <class T>
-Strands<T> rope_strands(const Sun& sun, const Time& time, const Ejection& ejection,
+Strands<T> rope_strands(const Sun& sun, double instant_s, const Ejection& ejection,
                         const NumberAs<T>& number);
 
-extern template double front_height(const Sun&, const Time&, const Ejection&, const NumberAs<double>&);
-extern template FreeDual front_height(const Sun&, const Time&, const Ejection&, const NumberAs<FreeDual>&);
-extern template Strands<double> rope_strands(const Sun&, const Time&, const Ejection&,
-                                             const NumberAs<double>&);
-extern template Strands<FreeDual> rope_strands(const Sun&, const Time&, const Ejection&,
+extern template double front_height(const Sun&, double, const Ejection&, const NumberAs<double>&);
+extern template FreeDual front_height(const Sun&, double, const Ejection&, const NumberAs<FreeDual>&);
+extern template double ejection_longitude_deg(const Sun&, double, const Ejection&, const NumberAs<double>&);
+extern template FreeDual ejection_longitude_deg(const Sun&, double, const Ejection&,
+                                                const NumberAs<FreeDual>&);
+extern template Strands<double> rope_strands(const Sun&, double, const Ejection&, const NumberAs<double>&);
+extern template Strands<FreeDual> rope_strands(const Sun&, double, const Ejection&,
                                                const NumberAs<FreeDual>&);
 
 }  // namespace vegard::sim

@@ -8,6 +8,7 @@
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/base/number/vec3.h"
+#include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"
 
 namespace vegard::sim {
@@ -130,6 +131,16 @@ void draw_together(const std::vector<int>& middles, const T& pull, std::vector<S
   }
 }
 
+/// Either half goes with its foot.
+template <class T>
+void turn_with_feet(const SolarTurn& turn, Strand<T>& strand) {
+  for (const int foot : {0, 3}) {
+    const Vec3<T> at = strand.points[foot];
+    const T angle = turn.angle_at_rad(at[0], at[1], at[2]);
+    for (const int p : {foot, foot == 0 ? 1 : 2}) strand.points[p] = turned_west(strand.points[p], angle);
+  }
+}
+
 /// 1 where most, `least` where least; z from 0 at the feet to 1 at the top.
 template <class T>
 T height_falloff(HeightFalloff falloff, const T& least, double z) {
@@ -168,7 +179,8 @@ std::vector<T> density_along(const Loop& loop, const NumberAs<T>& number) {
 }  // namespace
 
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number) {
+Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number,
+                      double instant_s) {
   const LoopShape<T> shape(sun, loop, number);
   const std::vector<T> along = density_along(loop, number);
   const T radius = number(loop.strand_radius), noise = number(loop.density_noise);
@@ -186,10 +198,14 @@ Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, cons
     made.all.push_back(std::move(strand));
   }
   draw_together(middles_of_bunches(chance, loop.filaments), number(loop.filament_pull), made.all);
+  const SolarTurn turn(sun, instant_s);
+  if (turn.turns())
+    for (Strand<T>& strand : made.all) turn_with_feet(turn, strand);
   return made;
 }
 
-template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&);
-template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<FreeDual>&);
+template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&, double);
+template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<FreeDual>&,
+                                      double);
 
 }  // namespace vegard::sim

@@ -41,12 +41,16 @@ namespace vegard::sim {
 inline constexpr int kDensitiesAlong = 65;
 
 /// A loop of a scene with this seed. Where the loop would be wider than the photosphere, feet stand at
-/// its limb. Random numbers are those of Stream::strand at (strand, number of the name).
+/// its limb. Random numbers are those of Stream::strand at (strand, number of the name). Where the Sun turns
+/// (sim/emit/sun/solar_rotation.h), either half of a strand, its foot and the control point next to it, has
+/// gone on with its foot by the instant.
 template <class T>
-Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number);
+Strands<T> strands_of(const Sun& sun, const Loop& loop, std::uint64_t seed, const NumberAs<T>& number,
+                      double instant_s = 0.0);
 
-extern template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&);
+extern template Strands<double> strands_of(const Sun&, const Loop&, std::uint64_t, const NumberAs<double>&,
+                                           double);
 extern template Strands<FreeDual> strands_of(const Sun&, const Loop&, std::uint64_t,
-                                             const NumberAs<FreeDual>&);
+                                             const NumberAs<FreeDual>&, double);
 
 }  // namespace vegard::sim

@@ -131,12 +131,12 @@ TEST(LoopGrid, IsSeenAsItsStrandsAre) {
 TEST(LoopGrid, BlurSpreadsAndSharpenGathersTheSameLight) {
   Scene scene = loop_scene();
   scene.loops[0].voxel = 0.5;
-  const SparseGrid plain = loop_grid(scene, 0, 2);
+  const SparseGrid plain = loop_grid(scene, 0, 0.0, 2);
   scene.loops[0].blur = 2;
-  const SparseGrid blurred = loop_grid(scene, 0, 2);
+  const SparseGrid blurred = loop_grid(scene, 0, 0.0, 2);
   scene.loops[0].blur = 1;
   scene.loops[0].sharpen = 1;
-  const SparseGrid back = loop_grid(scene, 0, 2);
+  const SparseGrid back = loop_grid(scene, 0, 0.0, 2);
   EXPECT_NEAR(blurred.sum(0), plain.sum(0), 1e-5 * plain.sum(0));
   const auto square = [](const SparseGrid& grid) {
     double all = 0.0;
@@ -157,7 +157,7 @@ TEST(LoopGrid, DoesNotDependOnThreads) {
   scene.loops[0].voxel = 0.5;
   scene.loops[0].blur = 1;
   scene.loops[0].sharpen = 1;
-  EXPECT_EQ(loop_grid(scene, 0, 1).bricks, loop_grid(scene, 0, 2).bricks);
+  EXPECT_EQ(loop_grid(scene, 0, 0.0, 1).bricks, loop_grid(scene, 0, 0.0, 2).bricks);
 }
 
 TEST(LoopGrid, DerivativesByTheSunAreThoseOfCentralDifferences) {
@@ -216,7 +216,7 @@ TEST(LoopGrid, RefusesMoreMemoryThanItMayHave) {
   Scene scene = loop_scene();
   scene.loops[0].voxel = 0.1;
   try {
-    loop_grid(scene, 0, 1, 1 << 20);
+    loop_grid(scene, 0, 0.0, 1, 1 << 20);
     FAIL() << "it took what it wanted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::scene);
@@ -227,11 +227,11 @@ TEST(LoopGrid, RefusesMoreMemoryThanItMayHave) {
 TEST(LoopGrid, RefusesMoreMemoryThanItMayHaveAfterBlur) {
   Scene scene = loop_scene();
   scene.loops[0].voxel = 0.5;
-  const std::uint64_t bytes = loop_grid(scene, 0, 1).bricks.size() * SparseGrid::kVoxels * sizeof(float);
-  EXPECT_NO_THROW(loop_grid(scene, 0, 1, bytes));
+  const std::uint64_t bytes = loop_grid(scene, 0, 0.0, 1).bricks.size() * SparseGrid::kVoxels * sizeof(float);
+  EXPECT_NO_THROW(loop_grid(scene, 0, 0.0, 1, bytes));
   scene.loops[0].blur = 4;
   try {
-    loop_grid(scene, 0, 1, bytes);
+    loop_grid(scene, 0, 0.0, 1, bytes);
     FAIL() << "it took what it wanted";
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::scene);
@@ -356,7 +356,7 @@ TEST(SceneGrid, OfALoopByAGridHoldsWhatItsStrandsDo) {
       }
     return sum;
   };
-  EXPECT_GT(within(loop_grid(scene, 0, 1)), 0.0);
+  EXPECT_GT(within(loop_grid(scene, 0, 0.0, 1)), 0.0);
   EXPECT_EQ(within(voxels), 0.0);
 }
 

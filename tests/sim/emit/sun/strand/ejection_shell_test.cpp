@@ -34,7 +34,9 @@ Scene a_scene() {
   return scene;
 }
 
-EjectionShell<double> shell_of(const Scene& s) { return {s.sun, s.time, s.ejections[0], plain_double}; }
+EjectionShell<double> shell_of(const Scene& s) {
+  return {s.sun, s.time.start_s, s.ejections[0], plain_double};
+}
 
 EjectionShellEmitter<double> emitter_of(const Scene& s) {
   return {shell_of(s), s.sun, SunFrame<double>(s.sun, plain_double), s.ejections[0].rayleigh};
@@ -136,7 +138,7 @@ TEST(EjectionShell, DerivativesAreThoseOfItsLight) {
                                         &scene.sun.azimuth_deg,
                                         &scene.sun.longitude_deg};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
-  const EjectionShellEmitter<FreeDual> dual({scene.sun, scene.time, j, number}, scene.sun,
+  const EjectionShellEmitter<FreeDual> dual({scene.sun, scene.time.start_s, j, number}, scene.sun,
                                             SunFrame<FreeDual>(scene.sun, number), {FreeDual(3.0)});
   // Some rays are ended by the photosphere, inside of the shell.
   std::vector<std::array<double, 2>> places;

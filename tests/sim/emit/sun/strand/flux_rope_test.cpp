@@ -20,7 +20,7 @@ constexpr double kDegree = 3.14159265358979323846 / 180.0;
 /// At longitude 0, in the plane of the sky.
 struct Eruption {
   Sun sun = tests::level_sun(4000.0);
-  Time time;
+  double instant_s = 0.0;
   Ejection ejection;
 
   Eruption() {
@@ -33,7 +33,7 @@ struct Eruption {
     ejection.strand_radius = 0.4;
     ejection.rayleigh = {1.0};
   }
-  Strands<double> strands() const { return rope_strands<double>(sun, time, ejection, plain_double); }
+  Strands<double> strands() const { return rope_strands<double>(sun, instant_s, ejection, plain_double); }
   StrandEmitter<double> emitter(const Sun& stop) const {
     return {strands(), stop, SunFrame<double>(sun, plain_double), {1.0}};
   }
@@ -44,7 +44,7 @@ TEST(FluxRope, FrontRisesAndFeetStay) {
   e.ejection.strands = 400;  // some come close to the disc's rim
   for (const double age : {0.0, 100.0, 3000.0}) {
     e.ejection.age_s = 0.25 * age;
-    e.time.start_s = 0.75 * age;
+    e.instant_s = 0.75 * age;
     double farthest = 0.0, foot = 0.0;
     for (const Strand<double>& s : e.strands().all) farthest = std::max(farthest, length3(s.points[0]));
     // Rope radius a quarter of the front's height; the outermost strand at sqrt(1 - 1/800) of it, and nodes
@@ -67,10 +67,10 @@ TEST(FluxRope, FrontRisesAndFeetStay) {
 
 TEST(FluxRope, BeforeItsTimeItStands) {
   Eruption e;
-  e.time.start_s = -500.0;
-  EXPECT_EQ(front_height<double>(e.sun, e.time, e.ejection, plain_double), 50.0 + 100.0);
+  e.instant_s = -500.0;
+  EXPECT_EQ(front_height<double>(e.sun, e.instant_s, e.ejection, plain_double), 50.0 + 100.0);
   e.ejection.age_s = 100.0;
-  EXPECT_EQ(front_height<double>(e.sun, e.time, e.ejection, plain_double), 50.0);
+  EXPECT_EQ(front_height<double>(e.sun, e.instant_s, e.ejection, plain_double), 50.0);
 }
 
 TEST(FluxRope, WindingsAreWhole) {
@@ -151,7 +151,7 @@ TEST(FluxRope, DerivativesAreThoseOfItsLight) {
       &j.start_height, &j.age_s,           &j.aspect,          &j.turns,     &j.strand_radius,
       &j.density,      &e.sun.distance_km, &e.sun.latitude_deg};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
-  const StrandEmitter<FreeDual> dual(rope_strands<FreeDual>(e.sun, e.time, j, number), e.sun,
+  const StrandEmitter<FreeDual> dual(rope_strands<FreeDual>(e.sun, e.instant_s, j, number), e.sun,
                                      SunFrame<FreeDual>(e.sun, number), {FreeDual(1.0)});
   std::vector<std::array<double, 2>> places;
   for (int k = 0; k < 12; ++k) places.push_back({1010.0 + 20.0 * k, 200.0 * std::sin(3.0 * k)});
