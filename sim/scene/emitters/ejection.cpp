@@ -21,7 +21,8 @@ std::vector<Declaration> ejection_rows() {
       row("longitude_deg", &E::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("the same, growing to the west"),
       row("bearing_deg", &E::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("of a rope from foot to foot, from solar north to the west"),
       row("width_deg", &E::width_deg).in("deg").within(0.1, 120).may_be_free(ParameterScale::linear).means("angle at the Sun's middle between the feet of a rope, or that a shell spans"),
-      row("speed_km_s", &E::speed_km_s).called("speed").in("km/s").within(0, 1e5).may_be_free(ParameterScale::logarithmic).means("of its front"),
+      row("speed_km_s", &E::speed_km_s).called("speed").in("km/s").within(0, 1e5).may_be_free(ParameterScale::logarithmic).means("of its front at age 0"),
+      row("acceleration_m_s2", &E::acceleration_m_s2).in("m/s²").within(-1e4, 1e4).may_be_free(ParameterScale::linear).means("of its front; one that slows down stays where it has come to rest"),
       row("start_height", &E::start_height).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("height of its front at age 0, in units of the Sun's frame"),
       row("age_s", &E::age_s).in("s").within(0, 1e9).may_be_free(ParameterScale::linear).means("at the time 0 of the scene's clock"),
       row("aspect", &E::aspect).within(1e-3, 0.9).may_be_free(ParameterScale::linear).means("radius of a rope at its top, or thickness of a shell, of the front's height"),
@@ -50,7 +51,7 @@ std::optional<Complaint> why_ejection_inert(const Scene& scene, const ParameterP
   const Ejection& j = scene.ejections[static_cast<std::size_t>(path.element)];
   if (j.kind == EjectionKind::shell && is_one_of(key, {"turns", "strand_radius", "bearing_deg"}))
     return inert("the ejection is a shell", key, "set kind = \"rope\"");
-  if (key == "speed_km_s" && j.age_s + scene.time.start_s <= 0.0 &&
+  if (is_one_of(key, {"speed_km_s", "acceleration_m_s2"}) && j.age_s + scene.time.start_s <= 0.0 &&
       !frees(scene, "ejection." + j.name + ".age_s"))
     return inert("the ejection is of age 0", key, "give it an age_s");
   if (key == "temperature_mk") return why_temperature_inert(scene, j.temperature_mk);

@@ -154,11 +154,12 @@ struct Ejection {
   std::string name = "ejection";
   EjectionKind kind = EjectionKind::rope;
   double latitude_deg = 0.0, longitude_deg = 0.0;
-  double bearing_deg = 90.0;   ///< of its axis, from foot to foot
-  double width_deg = 40.0;     ///< angle between the feet, or that the shell spans
-  double speed_km_s = 500.0;   ///< of its front
-  double start_height = 20.0;  ///< of the front at age 0
-  double age_s = 600.0;        ///< at the time 0 of the scene's clock
+  double bearing_deg = 90.0;       ///< of its axis, from foot to foot
+  double width_deg = 40.0;         ///< angle between the feet, or that the shell spans
+  double speed_km_s = 500.0;       ///< of its front at age 0
+  double acceleration_m_s2 = 0.0;  ///< of its front
+  double start_height = 20.0;      ///< of the front at age 0
+  double age_s = 600.0;            ///< at the time 0 of the scene's clock
   double aspect = 0.25;  ///< radius of the rope at its top, or thickness of the shell, of the front's height
   double turns = 2.0;    ///< of a strand about the rope's axis, from foot to foot
   int strands = 60;

@@ -63,6 +63,7 @@ TEST(EjectionInTime, ItsAgeAndTheClockAreOneSum) {
 TEST(EjectionInTime, IsTheMeanOfItsInstantsInAnExposure) {
   for (const char* kind : {"rope", "shell"}) {
     Scene scene = eruption(kind);
+    scene.ejections[0].acceleration_m_s2 = 150.0;
     scene.time.start_s = 100.0;
     const Image first = render(scene).rayleigh;
     scene.time.exposure_s = 1200.0;

@@ -73,6 +73,8 @@ class Rope {
   Vec3<T> up_, forth_, across_;
 };
 
+constexpr double kKmPerM = 1e-3;
+
 /// All pieces, without density.
 template <class T>
 std::vector<Strand<T>> pieces_of(const Rope<T>& rope, int strands, int pieces) {
@@ -122,9 +124,13 @@ T volume(const std::vector<Strand<T>>& all) {
 template <class T>
 T front_height(const Sun& sun, double instant_s, const Ejection& ejection, const NumberAs<T>& number) {
   const T start = number(ejection.start_height);
-  const T age = number(ejection.age_s) + T(instant_s);
+  T age = number(ejection.age_s) + T(instant_s);
   if (!(value_of(age) > 0.0)) return start;
-  return start + number(ejection.speed_km_s) * age * (1.0 / sun.unit_km);
+  const T speed = number(ejection.speed_km_s), acceleration = number(ejection.acceleration_m_s2) * kKmPerM;
+  // Slowed down, it comes to rest.
+  if (value_of(acceleration) < 0.0 && value_of(speed + acceleration * age) < 0.0)
+    age = T(0.0) - speed / acceleration;
+  return start + (speed + acceleration * age * 0.5) * age * (1.0 / sun.unit_km);
 }
 
 template <class T>

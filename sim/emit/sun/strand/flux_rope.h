@@ -2,8 +2,8 @@
 // ejections.
 //
 // With the age A = age_s + the instant (before 0: 0), the front stands at the height
-//   h = start + speed_km_s A / unit_km
-// over the photosphere, radius R. As the Sun turns, the
+//   h = start + (v A + a A² / 2) / unit_km,   v = speed_km_s, a = acceleration_m_s2 / 1000,
+// over the photosphere, radius R; of a < 0, A is at most -v / a, when it comes to rest. As the Sun turns, the
 // whole of it goes with the place that it leaves. The rope's axis lies in the plane through the Sun's middle,
 // the place that the rope leaves, and the bearing; with e from -90° to 90° from foot to foot, its distance
 // from the Sun's middle and its angle from the vertical of that place are

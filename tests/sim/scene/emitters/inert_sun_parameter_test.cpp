@@ -104,6 +104,13 @@ TEST(IdleSunParameter, WhatCountsForNothingIsRefused) {
   EXPECT_NE(complaint(scene, "sun.azimuth_deg"), "");
 }
 
+TEST(IdleSunParameter, AnEjectionOfAge0DoesNotMove) {
+  Scene scene = scene_of_all();
+  EXPECT_EQ(complaint(scene, "ejection.ejection.acceleration_m_s2"), "");
+  scene.ejections[0].age_s = 0.0;
+  EXPECT_NE(complaint(scene, "ejection.ejection.acceleration_m_s2"), "");
+}
+
 // What is free along with what makes it count does count.
 TEST(IdleSunParameter, WhatIsFreeTooIsNotTakenAsItIs) {
   Scene scene = scene_of_all();

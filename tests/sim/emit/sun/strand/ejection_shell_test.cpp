@@ -122,6 +122,18 @@ TEST(EjectionShell, ARayIsItsDensityMarched) {
   EXPECT_GE(lit, 15);
 }
 
+// It grows self-similarly: its front's distance, its middle's and its radius keep their ratios.
+TEST(EjectionShell, GrowsInProportion) {
+  Scene scene = a_scene();
+  scene.ejections[0].acceleration_m_s2 = 300.0;
+  const EjectionShell<double> first = shell_of(scene);
+  scene.time.start_s = 2000.0;
+  const EjectionShell<double> later = shell_of(scene);
+  const double grown = later.outer / first.outer;
+  EXPECT_GT(grown, 1.5);
+  EXPECT_NEAR(length3(later.middle) / length3(first.middle), grown, 1e-12 * grown);
+}
+
 TEST(EjectionShell, DerivativesAreThoseOfItsLight) {
   Scene scene = a_scene();
   Ejection& j = scene.ejections[0];

@@ -73,6 +73,25 @@ TEST(FluxRope, BeforeItsTimeItStands) {
   EXPECT_EQ(front_height<double>(e.sun, e.instant_s, e.ejection, plain_double), 50.0);
 }
 
+// r0 + v t + a t² / 2, in the Sun's unit of 10 km; slowed down it comes to rest at v² / 2 |a| over r0.
+TEST(FluxRope, FrontMovesByItsSpeedAndAcceleration) {
+  Eruption e;
+  e.sun.unit_km = 10.0;
+  e.ejection.age_s = 0.0;
+  e.ejection.speed_km_s = 300.0;
+  const auto front = [&](double age) { return front_height<double>(e.sun, age, e.ejection, plain_double); };
+  for (const double acceleration : {0.0, 25.0, 400.0, -50.0}) {
+    e.ejection.acceleration_m_s2 = acceleration;
+    for (const double age : {0.0, 60.0, 1000.0, 5000.0})
+      EXPECT_NEAR(front(age), 50.0 + (300.0 * age + 0.5e-3 * acceleration * age * age) / 10.0,
+                  1e-9 * front(age))
+          << acceleration << " " << age;
+  }
+  // At 6000 s, 900 000 km up.
+  EXPECT_NEAR(front(6000.0), 50.0 + 90000.0, 1e-6);
+  EXPECT_NEAR(front(20000.0), 50.0 + 90000.0, 1e-6);
+}
+
 TEST(FluxRope, WindingsAreWhole) {
   Eruption e;
   e.ejection.age_s = 800.0;
@@ -146,10 +165,20 @@ TEST(FluxRope, DerivativesAreThoseOfItsLight) {
   Eruption e;
   e.ejection.age_s = 400.0;
   Ejection& j = e.ejection;
-  const std::vector<double*> numbers = {
-      &j.latitude_deg, &j.longitude_deg,   &j.bearing_deg,     &j.width_deg, &j.speed_km_s,
-      &j.start_height, &j.age_s,           &j.aspect,          &j.turns,     &j.strand_radius,
-      &j.density,      &e.sun.distance_km, &e.sun.latitude_deg};
+  const std::vector<double*> numbers = {&j.latitude_deg,
+                                        &j.longitude_deg,
+                                        &j.bearing_deg,
+                                        &j.width_deg,
+                                        &j.speed_km_s,
+                                        &j.start_height,
+                                        &j.age_s,
+                                        &j.aspect,
+                                        &j.turns,
+                                        &j.strand_radius,
+                                        &j.density,
+                                        &e.sun.distance_km,
+                                        &e.sun.latitude_deg,
+                                        &j.acceleration_m_s2};
   const NumberAs<FreeDual> number = tests::seeded({numbers.begin(), numbers.end()});
   const StrandEmitter<FreeDual> dual(rope_strands<FreeDual>(e.sun, e.instant_s, j, number), e.sun,
                                      SunFrame<FreeDual>(e.sun, number), {FreeDual(1.0)});
