@@ -36,6 +36,7 @@ enum class Stream : std::uint32_t {
   bundle = 31,        ///< lines of the corona
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
+  flare = 34,         ///< when flares heat a strand of a loop
   circle = 40,        ///< triples of points, in the search for a fisheye's circle
 };
 

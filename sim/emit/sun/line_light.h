@@ -10,6 +10,14 @@
 
 namespace vegard::sim {
 
+/// What is left of a line's light at a temperature in MK, above 0 (sim/scene/lines/solar_lines.h).
+template <class T>
+T response_at(const TemperatureResponse& response, const T& temperature_mk) {
+  const T off = (logarithm(temperature_mk) * (1.0 / std::log(10.0)) + (6.0 - response.peak_log_k)) *
+                (1.0 / response.width_log_k);
+  return exponential(off * off * -0.5);
+}
+
 /// `rayleigh` per line of the scene, or empty: dark. Of a temperature in MK that is not 0, lines that have a
 /// response to it are weakened by it (sim/scene/lines/solar_lines.h).
 template <class T>
@@ -19,12 +27,7 @@ std::vector<T> line_light(const Scene& scene, const std::vector<double>& rayleig
   for (std::size_t l = 0; l < rayleigh.size(); ++l) {
     T of_line = number(rayleigh[l]);
     const auto response = temperature_response(scene.emission.lines[l]);
-    if (response && temperature_mk > 0.0) {
-      const T off =
-          (logarithm(number(temperature_mk)) * (1.0 / std::log(10.0)) + (6.0 - response->peak_log_k)) *
-          (1.0 / response->width_log_k);
-      of_line = of_line * exponential(off * off * -0.5);
-    }
+    if (response && temperature_mk > 0.0) of_line = of_line * response_at(*response, number(temperature_mk));
     light.push_back(of_line);
   }
   return light;

@@ -13,6 +13,7 @@
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_emitter.h"
 #include "sim/emit/sun/strand/strand_field.h"
+#include "sim/emit/sun/strand/strand_heating.h"
 #include "sim/emit/sun/sun_fields.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/loop_grid.h"
@@ -26,12 +27,22 @@ NumberAs<double> as_they_are() {
   return [](const double& number) { return number; };
 }
 
+/// By what lines shine where a table has a temperature of its own: of a loop that flares heat, by none.
+template <class Element>
+const double& temperature_of(const Element& of) {
+  return of.temperature_mk;
+}
+const double& temperature_of(const Loop& loop) {
+  static const double none = 0.0;
+  return loop.heating_interval_s > 0.0 ? none : loop.temperature_mk;
+}
+
 template <class T, class Element>
 std::unique_ptr<Emitter<T>> strand_emitter(const EmitterInputs<T>& in, const Strands<T>& strands,
                                            const Element& of) {
   return std::make_unique<StrandEmitter<T>>(
       strands, in.scene.sun, SunFrame<T>(in.scene.sun, in.number),
-      line_light<T>(in.scene, of.rayleigh, of.temperature_mk, in.number));
+      line_light<T>(in.scene, of.rayleigh, temperature_of(of), in.number));
 }
 
 template <class Element>
@@ -39,7 +50,7 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
                                                const Element& of) {
   try {
     return std::make_unique<StrandField>(
-        strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, of.temperature_mk, as_they_are()),
+        strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, temperature_of(of), as_they_are()),
         static_cast<int>(in.scene.emission.lines.size()), in.memory_limit);
   } catch (const Error& error) {
     ErrorDetails details = error.details();
@@ -50,15 +61,28 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
   }
 }
 
+/// As they stand at one instant of the scene's clock, and as bright as they are in the mean over some.
+template <class T>
+Strands<T> loop_strands(const Scene& scene, const Loop& loop, const NumberAs<T>& number, double stands_s,
+                        const std::vector<double>& shines_s) {
+  Strands<T> strands = strands_of<T>(scene.sun, loop, scene.seed, number, stands_s);
+  if (loop.heating_interval_s > 0.0) heat_strands<T>(scene, loop, shines_s, number, strands);
+  return strands;
+}
+
 template <class T>
 void add_loops(const EmitterInputs<T>& in, Emitters<T>& all) {
-  const std::vector<double> instants = instants_of(in.scene, in.scene.sun.rotation != SolarRotation::none);
+  const bool turns = in.scene.sun.rotation != SolarRotation::none;
+  const std::vector<double> instants = instants_of(in.scene, turns),
+                            all_instants = instants_of(in.scene, true);
   for (const Loop& loop : in.scene.loops)
     if (loop.voxel == 0.0)
       add_mean<T>(
           instants,
           [&](double instant) {
-            return strand_emitter(in, strands_of<T>(in.scene.sun, loop, in.scene.seed, in.number, instant),
+            return strand_emitter(in,
+                                  loop_strands<T>(in.scene, loop, in.number, instant,
+                                                  turns ? std::vector<double>{instant} : all_instants),
                                   loop);
           },
           all);
@@ -86,7 +110,8 @@ void add_loop_fields(const FieldInputs& in, std::vector<NamedField>& all) {
       field = loop_grid_field(in.scene, static_cast<std::uint32_t>(i), in.threads, in.memory_limit);
     else
       field = strand_field(
-          in, strands_of<double>(in.scene.sun, loop, in.scene.seed, as_they_are(), in.scene.time.start_s),
+          in,
+          loop_strands<double>(in.scene, loop, as_they_are(), in.scene.time.start_s, {in.scene.time.start_s}),
           loop);
     all.push_back({"loop '" + loop.name + "'", std::move(field), FieldFrame::sun});
   }

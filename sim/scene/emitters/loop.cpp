@@ -1,4 +1,5 @@
 // [[loop]]: macro-loops of strands.
+#include <algorithm>
 #include <cmath>
 
 #include "sim/scene/emitters/element_rules.h"
@@ -47,6 +48,9 @@ std::vector<Declaration> loop_rows() {
       row("rayleigh", &L::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 to a unit of path, per emission line"),
       row("temperature_mk", &L::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
+      row("heating_interval_s", &L::heating_interval_s).in("s").within(0, 1e8).means("mean time between the flares that heat a strand at random (docs/corona/time.md); 0: none, it shines steadily"),
+      row("heating_temperature_mk", &L::heating_temperature_mk).in("MK").within(1, 100).means("temperature to which a flare heats a strand, which then cools"),
+      row("heating_density_cm3", &L::heating_density_cm3).in("cm⁻³").within(1e7, 1e12).means("electron density of a strand when a flare heats it"),
       row("voxel", &L::voxel).within(0, 1e9).means("if not 0, the loop is drawn by a grid with voxels of this edge; 0: strand by strand"),
       row("blur", &L::blur).within(0, 20).means("how often that grid is blurred"),
       row("sharpen", &L::sharpen).within(0, 20).means("how often it is sharpened, after that"),
@@ -70,6 +74,15 @@ void check_the_loop(const Scene& scene, const Loop& l) {
                       short_real_text(l.voxel),
                   "at most strand_radius", "half of it shows the falloff"},
                  "voxel");
+  constexpr double kMinInterval_s = 1.0;
+  if (l.heating_interval_s > 0.0 && l.heating_interval_s < kMinInterval_s)
+    check.refuse(
+        {"too many flares to count", "at least a second between them", "0 for a loop that shines steadily"},
+        "heating_interval_s");
+  if (l.heating_interval_s > 0.0 && l.voxel > 0.0)
+    check.refuse({"flares heat strand by strand, and the loop is drawn by a grid", "voxel = 0",
+                  "or heating_interval_s = 0"},
+                 "heating_interval_s");
   if (l.voxel == 0.0 && (l.blur > 0 || l.sharpen > 0))
     check.refuse({"there is no grid to filter", "voxel above 0", "or blur = 0 and sharpen = 0"},
                  l.blur > 0 ? "blur" : "sharpen");
@@ -77,6 +90,11 @@ void check_the_loop(const Scene& scene, const Loop& l) {
 
 void check_loops(const Scene& scene) {
   for (const Loop& loop : scene.loops) check_the_loop(scene, loop);
+}
+
+bool loops_move(const Scene& scene) {
+  return turns_with_sun(scene) || std::any_of(scene.loops.begin(), scene.loops.end(),
+                                              [](const Loop& loop) { return loop.heating_interval_s > 0.0; });
 }
 
 std::optional<Complaint> why_loop_inert(const Scene& scene, const ParameterPath& path) {
@@ -87,6 +105,11 @@ std::optional<Complaint> why_loop_inert(const Scene& scene, const ParameterPath&
     return Complaint{"the loop is drawn by a grid, whose derivative by " + key + " is not known",
                      "a number of a loop that is drawn strand by strand",
                      "set its voxel = 0, or leave it out of fit.free"};
+  if (is_one_of(key, {"heating_temperature_mk", "heating_density_cm3"}) && l.heating_interval_s == 0.0)
+    return inert("no flares heat the loop", key, "give it a heating_interval_s");
+  if (key == "temperature_mk" && l.heating_interval_s > 0.0)
+    return inert("flares heat the loop, which cools from its heating_temperature_mk", key,
+                 "leave it out, or set heating_interval_s = 0");
   if (is_one_of(key, {"brightening_at", "brightening_width"}) && l.brightening == 0.0 &&
       !frees(scene, "loop." + l.name + ".brightening"))
     return inert("the loop is nowhere brightened", key, "give it a brightening");
@@ -111,7 +134,7 @@ EmitterKind loop_kind() {
   kind.rows = loop_rows;
   kind.light = LightKind::sun;
   kind.check = check_loops;
-  kind.moves = turns_with_sun;
+  kind.moves = loops_move;
   kind.why_inert = why_loop_inert;
   kind.place_in_preview = 2;
   return kind;

@@ -40,13 +40,21 @@ constexpr const char* kTransitionRegion =
     "8 10^4 K, as the Extreme ultraviolet Imaging Telescope's band has it (Delaboudinière et al. 1995, Sol. "
     "Phys. 162, 291), set down from memory; helium is not in equilibrium there";
 
+constexpr const char* kAiaBand =
+    "as table 1 of the Atmospheric Imaging Assembly has its band (Lemen et al. 2012, Sol. Phys. 275, 17), to "
+    "0.1";
+
 // The widths are ours: a Gaussian of some 0.35 of log10 T over half its height (Schmelz and Martens 2005,
 // astro-ph/0511487, find 0.2 to 0.3 for single lines; an imager's band adds the neighbouring ions).
 constexpr Band kBands[] = {
+    {9.4, "Fe17+", "Fe XVIII 93.93 Å", {6.80, 0.16, kAiaBand}},
+    {13.1, "Fe20+", "Fe XXI 128.75 Å", {7.00, 0.15, kAiaBand}},
     {17.1, "Fe8+", "Fe IX 171.07 Å", {5.85, 0.16, kEquilibrium}},
     {19.5, "Fe11+", "Fe XII 195.12 Å", {6.20, 0.14, kEquilibrium}},
+    {21.1, "Fe13+", "Fe XIV 211.32 Å", {6.30, 0.14, kAiaBand}},
     {28.4, "Fe14+", "Fe XV 284.16 Å", {6.35, 0.15, kEquilibrium}},
     {30.4, "He+", "He II 303.78 Å", {4.90, 0.20, kTransitionRegion}},
+    {33.5, "Fe15+", "Fe XVI 335.41 Å", {6.40, 0.15, kAiaBand}},
     {530.3, "Fe13+", "Fe XIV, the green line", {6.30, 0.14, kEquilibrium}},
     {637.4, "Fe9+", "Fe X, the red line", {6.05, 0.14, kEquilibrium}},
 };

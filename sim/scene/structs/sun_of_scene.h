@@ -103,8 +103,12 @@ struct Loop {
   double brightening_width = 0.15;  ///< standard deviation, of the loop's height
   std::vector<double> rayleigh;     ///< per line: of density 1, to a unit of path
   double temperature_mk = 0.0;      ///< if not 0, lines with a temperature response have it
-  double voxel = 0.0;               ///< if not 0, it is rendered by a grid of this edge
-  int blur = 0, sharpen = 0;        ///< how often that grid is blurred, and then sharpened
+  /// Of each strand, the mean time between the flares that heat it; 0: none, it shines steadily.
+  double heating_interval_s = 0.0;
+  double heating_temperature_mk = 10.0;  ///< to which a flare heats a strand
+  double heating_density_cm3 = 1e9;      ///< its electrons when the flare comes
+  double voxel = 0.0;                    ///< if not 0, it is rendered by a grid of this edge
+  int blur = 0, sharpen = 0;             ///< how often that grid is blurred, and then sharpened
 };
 
 enum class CoronaLight {

@@ -114,5 +114,30 @@ TEST(SunRotation, IsTheMeanOfInstantsInAnExposure) {
   EXPECT_GT(off(exposed, light(one)), 0.01 * largest(mean));
 }
 
+// What only shines adds up however it moves.
+TEST(SunRotation, IsTheMeanOfInstantsForLoopsThatFlaresHeat) {
+  for (const char* rotation : {"none", "differential"}) {
+    Scene scene = a_sun("rotation = \"" + std::string(rotation) + "\"\n");
+    scene.chromospheres.clear();
+    scene.loops[0].heating_interval_s = 20000.0;
+    scene.time.exposure_s = 40000.0;
+    scene.time.instants = 4;
+    const Image exposed = light(scene);
+    Image mean = exposed;
+    std::fill(mean.data.begin(), mean.data.end(), 0.0f);
+    Scene one = scene;
+    one.time.exposure_s = 0.0;
+    one.time.instants = 1;
+    for (int k = 0; k < 4; ++k) {
+      one.time.start_s = 10000.0 * k;
+      const Image at = light(one);
+      for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += at.data[i] / 4.0f;
+    }
+    EXPECT_LT(off(exposed, mean), 1e-5 * largest(mean)) << rotation;
+    one.time.start_s = 0.0;
+    EXPECT_GT(off(exposed, light(one)), 0.01 * largest(mean)) << rotation;
+  }
+}
+
 }  // namespace
 }  // namespace vegard::sim::sun_rotation_test

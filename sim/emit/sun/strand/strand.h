@@ -22,6 +22,7 @@ struct Strand {
   std::vector<std::array<T, 3>> points;  ///< 3 n + 1 control points of n pieces
   T radius_first, radius_last;           ///< linear in t from the chain's start to its end
   std::vector<T> along;  ///< density in the middle, at equal steps of t from 0 to 1, linear in between; >= 2
+  std::vector<T> line_gain{};  ///< factor of its light per emission line; empty: 1
   int pieces() const { return static_cast<int>(points.size() / 3); }
 };
 

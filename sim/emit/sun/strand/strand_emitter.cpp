@@ -20,6 +20,11 @@ PlacedJoint<double> values_of(const PlacedJoint<T>& at) {
           value_of(at.distance)};
 }
 
+template <class T>
+bool is_dark(const std::vector<T>& gains) {
+  return std::none_of(gains.begin(), gains.end(), [](const T& gain) { return value_of(gain) > 0.0; });
+}
+
 SegmentBox box_of(const PlacedJoint<double>& a, const PlacedJoint<double>& b) {
   // Where segments meet at an angle their outer sides reach past the joint.
   constexpr double kMinCosine = 0.05;
@@ -48,7 +53,13 @@ StrandEmitter<T>::StrandEmitter(const Strands<T>& strands, const Sun& sun, const
   frame_.observer(observer.data());
   std::vector<StrandJoint<T>> joints;
   std::vector<SegmentBox> boxes;
+  std::uint32_t shining = 0;
   for (const Strand<T>& strand : strands.all) {
+    if (!strand.line_gain.empty()) {
+      if (is_dark(strand.line_gain)) continue;
+      gain_.insert(gain_.end(), strand.line_gain.begin(), strand.line_gain.end());
+      ++shining;
+    }
     joints.clear();
     add_joints(strand, joints);
     for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -57,6 +68,7 @@ StrandEmitter<T>::StrandEmitter(const Strands<T>& strands, const Sun& sun, const
       if constexpr (!std::is_same_v<T, double>) joints_.push_back(placed);
       if (j == 0) continue;
       segments_.push_back(static_cast<std::uint32_t>(plain_.size() - 2));
+      if (shining > 0) strand_of_.push_back(shining - 1);
       boxes.push_back(box_of(plain_[plain_.size() - 2], plain_.back()));
     }
   }
@@ -82,9 +94,22 @@ void StrandEmitter<T>::march_ray(const T enu[3], const T& end_km, double blur, s
   const Vec3<double> plain_nearest = values3(nearest), plain_direction = values3(direction);
   const T stop = ray_stop(frame_, ray, radius_, end_km);
   const double first = value_of(ray.observer), last = value_of(stop);
-  T column(0.0);
-  double weighted = 0.0, entry = last;
+  T column(0.0), of_line[kMaxLines];
+  if (!gain_.empty())
+    for (T& one : of_line) one = T(0.0);
+  double weighted = 0.0, weight = 0.0, entry = last;
   bool met = false;
+  // Adds a segment's column to every line's, with its strand's factors.
+  const auto add_lines = [&](std::uint32_t segment, const T& more, double weighted_s) {
+    const T* gain = gains_of(segment);
+    double bright = 0.0;
+    for (std::size_t l = 0; l < light_.size(); ++l) {
+      of_line[l] = of_line[l] + more * gain[l];
+      bright += value_of(gain[l]) * value_of(light_[l]);
+    }
+    weighted += bright * weighted_s;
+    weight += bright * value_of(more);
+  };
   tree_.visit(plain_nearest, plain_direction, first, last, blur, [&](std::uint32_t segment) {
     const std::uint32_t j = segments_[segment];
     SegmentLight<double> plain;
@@ -92,22 +117,30 @@ void StrandEmitter<T>::march_ray(const T enu[3], const T& end_km, double blur, s
                        plain))
       return;
     met = true;
-    weighted += plain.weighted_s;
+    if (gain_.empty()) weighted += plain.weighted_s;
     entry = std::min(entry, plain.entry_s);
     if constexpr (std::is_same_v<T, double>) {
-      column += plain.column;
+      if (gain_.empty())
+        column += plain.column;
+      else
+        add_lines(segment, plain.column, plain.weighted_s);
     } else {
       SegmentLight<T> whole;
       if (segment_light(joints_[j], joints_[j + 1], falloff_, blur, nearest, direction, ray.observer, stop,
-                        whole))
-        column = column + whole.column;
+                        whole)) {
+        if (gain_.empty())
+          column = column + whole.column;
+        else
+          add_lines(segment, whole.column, plain.weighted_s);
+      }
     }
   });
   if (!met) return;
   for (int l = 0; l < out.lines; ++l)
-    out.rayleigh[static_cast<std::size_t>(l) * rays + index] = column * light_[l];
+    out.rayleigh[static_cast<std::size_t>(l) * rays + index] =
+        (gain_.empty() ? column : of_line[l]) * light_[l];
   out.entry_km[index] = (entry - first) * frame_.unit_km();
-  const double value = value_of(column);
+  const double value = gain_.empty() ? value_of(column) : weight;
   if (value > 0.0) out.depth_km[index] = (weighted / value - first) * frame_.unit_km();
 }
 

@@ -36,6 +36,10 @@ class StrandEmitter : public Emitter<T> {
  private:
   void march_ray(const T enu[3], const T& end_km, double blur, std::size_t ray, std::size_t rays,
                  const BundleLight<T>& out) const;
+  /// Per line, of the strand of a segment: where strands have factors.
+  const T* gains_of(std::uint32_t segment) const {
+    return gain_.data() + strand_of_[segment] * light_.size();
+  }
 
   SunFrame<T> frame_;
   double radius_;  ///< of the photosphere
@@ -44,6 +48,9 @@ class StrandEmitter : public Emitter<T> {
   std::vector<PlacedJoint<double>> plain_;  ///< by their values
   std::vector<PlacedJoint<T>> joints_;      ///< empty if T is double
   std::vector<std::uint32_t> segments_;     ///< the joint that each begins with; it ends with the next
+  // Of strands with factors per line, else empty:
+  std::vector<T> gain_;                   ///< [strand][line]
+  std::vector<std::uint32_t> strand_of_;  ///< [segment]
   SegmentTree tree_;
 };
 

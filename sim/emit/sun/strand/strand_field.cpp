@@ -54,6 +54,7 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
   double bytes = 0.0;
   for (std::size_t s = 0; s < strands.all.size(); ++s) {
     strands_.push_back(pieces_of(strands.all[s], lattice_));
+    gain_.insert(gain_.end(), strands.all[s].line_gain.begin(), strands.all[s].line_gain.end());
     bytes += static_cast<double>(strands_.back().pieces.size() * sizeof(StrandPiece)) +
              bricks_about(strands_.back()) * sizeof(ReachOfStrand);
     if (bytes > static_cast<double>(memory_limit)) refuse_thinness();
@@ -87,19 +88,19 @@ bool StrandField::is_dark(const Box3& box) const {
   return true;
 }
 
-double StrandField::density_at(const double place[3]) const {
-  if (reaches_.empty()) return 0.0;
-  if (place[0] * place[0] + place[1] * place[1] + place[2] * place[2] < sun_radius_ * sun_radius_) return 0.0;
+template <class Use>
+void StrandField::visit(const double place[3], const Use& use) const {
+  if (reaches_.empty()) return;
+  if (place[0] * place[0] + place[1] * place[1] + place[2] * place[2] < sun_radius_ * sun_radius_) return;
   std::array<double, 3> at;
   int cell[3];
   for (int a = 0; a < 3; ++a) {
-    if (!(place[a] >= bounds_.low[a] && place[a] <= bounds_.high[a])) return 0.0;
+    if (!(place[a] >= bounds_.low[a] && place[a] <= bounds_.high[a])) return;
     at[a] = place[a] / lattice_.voxel - 0.5;  // counted as centres of voxels are
     cell[a] = static_cast<int>(std::floor((at[a] + 0.5) / SparseGrid::kEdge));
   }
   auto [first, last] = std::equal_range(reaches_.begin(), reaches_.end(),
                                         BrickCoordinate{cell[0], cell[1], cell[2]}, BeforeCell());
-  double sum = 0.0;
   while (first != last) {
     const std::uint32_t strand = first->strand;
     const PiecesOfStrand& of = strands_[strand];
@@ -107,8 +108,13 @@ double StrandField::density_at(const double place[3]) const {
     for (; first != last && first->strand == strand; ++first)
       for (std::uint32_t p = first->first; p < first->last; ++p)
         update_nearest(of, p, inverse_square(of.pieces[p]), at.data(), nearest);
-    if (nearest.square < NearestPiece::kNone) sum += density_from(of, falloff_, nearest, at);
+    if (nearest.square < NearestPiece::kNone) use(strand, density_from(of, falloff_, nearest, at));
   }
+}
+
+double StrandField::density_at(const double place[3]) const {
+  double sum = 0.0;
+  visit(place, [&](std::uint32_t, double density) { sum += density; });
   return sum;
 }
 
@@ -116,9 +122,17 @@ void StrandField::sample(std::size_t count, const double* const point[3], float*
                          float* density) const {
   for (std::size_t i = 0; i < count; ++i) {
     const double place[3] = {point[0][i], point[1][i], point[2][i]};
-    const double here = density_at(place);
     density[i] = 0.0f;
-    for (std::size_t l = 0; l < rate_.size(); ++l) emission[l][i] = static_cast<float>(here * rate_[l]);
+    if (gain_.empty()) {
+      const double here = density_at(place);
+      for (std::size_t l = 0; l < rate_.size(); ++l) emission[l][i] = static_cast<float>(here * rate_[l]);
+      continue;
+    }
+    double of_line[kMaxLines] = {};
+    visit(place, [&](std::uint32_t strand, double here) {
+      for (std::size_t l = 0; l < rate_.size(); ++l) of_line[l] += here * gain_[strand * rate_.size() + l];
+    });
+    for (std::size_t l = 0; l < rate_.size(); ++l) emission[l][i] = static_cast<float>(of_line[l] * rate_[l]);
   }
 }
 

@@ -32,12 +32,17 @@ class StrandField : public LightField {
   double density_at(const double place[3]) const;
 
  private:
+  /// Calls use(number of a strand, its density there) for those that light the place.
+  template <class Use>
+  void visit(const double place[3], const Use& use) const;
+
   RadialFalloff falloff_;
   double unit_cm_, sun_radius_;
   std::vector<double> rate_;  ///< photons cm^-3 s^-1 of density 1, per line
   Box3 bounds_;
   SparseGrid lattice_;  ///< its bricks are the cells; it holds none
   std::vector<PiecesOfStrand> strands_;
+  std::vector<double> gain_;            ///< [strand][line], of strands with factors per line; else empty
   std::vector<ReachOfStrand> reaches_;  ///< by cell, then strand, then piece
 };
 

@@ -104,6 +104,15 @@ TEST(IdleSunParameter, WhatCountsForNothingIsRefused) {
   EXPECT_NE(complaint(scene, "sun.azimuth_deg"), "");
 }
 
+TEST(IdleSunParameter, FlaresSetALoopsTemperature) {
+  Scene scene = scene_of_all();
+  EXPECT_NE(complaint(scene, "loop.loop.heating_temperature_mk"), "") << "none heat it";
+  scene.loops[0].heating_interval_s = 1000.0;
+  EXPECT_EQ(complaint(scene, "loop.loop.heating_temperature_mk"), "");
+  EXPECT_NE(complaint(scene, "loop.loop.temperature_mk"), "");
+  EXPECT_EQ(complaint(scene, "loop.loop.height"), "");
+}
+
 TEST(IdleSunParameter, AnEjectionOfAge0DoesNotMove) {
   Scene scene = scene_of_all();
   EXPECT_EQ(complaint(scene, "ejection.ejection.acceleration_m_s2"), "");

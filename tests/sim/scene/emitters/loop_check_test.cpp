@@ -33,5 +33,11 @@ TEST(LoopCheck, RefusesFiltersWithoutAGrid) {
   EXPECT_EQ(error_of(loop("sharpen = 1\n")).key, "loop.a.sharpen");
 }
 
+TEST(LoopCheck, RefusesHeatingThatNobodyCouldShow) {
+  EXPECT_EQ(parse_scene(loop("heating_interval_s = 500\n"), "a.toml").loops.at(0).heating_interval_s, 500.0);
+  EXPECT_EQ(error_of(loop("heating_interval_s = 0.5\n")).key, "loop.a.heating_interval_s");
+  EXPECT_EQ(error_of(loop("heating_interval_s = 500\nvoxel = 0.5\n")).key, "loop.a.heating_interval_s");
+}
+
 }  // namespace
 }  // namespace vegard::sim::loop_check_test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -19,7 +20,9 @@ Scene scene_of_everything() {
 }
 
 struct Another {
-  void operator()(double* value) const { *value = std::nextafter(*value, 1e9); }
+  void operator()(double* value) const {
+    *value = std::nextafter(*value, std::numeric_limits<double>::infinity());
+  }
   void operator()(std::string* value) const { *value += "x"; }
   void operator()(bool* value) const { *value = !*value; }
   void operator()(KindRef value) const { value.set(value.number() + 1); }
