@@ -6,17 +6,21 @@
 #include "sim/base/number/escaping_share.h"
 #include "sim/emit/grid/grid_march.h"
 #include "sim/emit/grid/grid_trilinear.h"
+#include "sim/emit/grid/phase_function.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr int kInputs = 7;  // of a ray: where it begins and its direction, in voxels, and the extinction
+// Of a ray: where it begins and its direction, in voxels, the extinction and the asymmetry of scattering.
+constexpr int kInputs = 8, kExtinction = 6, kAsymmetry = 7;
 using RayDual = Dual<double, Tangents<double, kInputs>>;
 
 template <class N>
 struct RayLight {
   N light[kMaxLines];  ///< sums of the samples
   N depth;             ///< optical
+  N scattered;         ///< of a lamp of flux 1, by an albedo of 1, in rayleighs to 10^6 photons cm^-2 s^-1
+  double scattered_km = 0.0;  ///< the same times the distance
   double weight = 0.0, weighted_km = 0.0, entry_km = std::numeric_limits<double>::infinity();
 };
 
@@ -40,11 +44,56 @@ RayDual kept_through(const RayDual& depth) {
   return {kept, depth.d * -kept};
 }
 
-/// One ray, sample by sample. `extinction` per km.
+/// What lights the grid.
+struct Lamp {
+  const LampPlace& place;
+  const LampColumns& columns;
+  double voxel_km;
+};
+
+double with_input(double value, int, double) { return value; }
+RayDual with_input(double value, int input, const RayDual&) {
+  RayDual out(value);
+  out.d.t[input] = 1.0;
+  return out;
+}
+double on_ray(const GridRay& ray, int axis, double t, double) { return ray.from[axis] + t * ray.along[axis]; }
+RayDual on_ray(const GridRay& ray, int axis, double t, const RayDual&) {
+  RayDual out(ray.from[axis] + t * ray.along[axis]);
+  out.d.t[axis] = 1.0;
+  out.d.t[3 + axis] = t;
+  return out;
+}
+
+/// 4 pi times the phase function towards the ray's beginning, and the lamp's flux, at the distance t.
+template <class N>
+N lamp_at(const Lamp& lamp, const GridRay& ray, double t, const N& asymmetry) {
+  N to_lamp[3], square(0.0), cosine(0.0), flux(1.0);
+  for (int a = 0; a < 3; ++a) {
+    if (lamp.place.is_far)
+      to_lamp[a] = N(lamp.place.at[a]);
+    else
+      to_lamp[a] = N(lamp.place.at[a]) - on_ray(ray, a, t, asymmetry);
+    square = square + to_lamp[a] * to_lamp[a];
+    cosine = cosine + to_lamp[a] * with_input(ray.along[a], 3 + a, asymmetry);
+  }
+  cosine = cosine * lamp.voxel_km;
+  if (!lamp.place.is_far) {
+    if (value_of(square) <= lamp.place.stop * lamp.place.stop) return N(0.0);
+    constexpr double kNearest = 0.5;  // voxels, within which a point's light is left out
+    if (value_of(square) < kNearest * kNearest) return N(0.0);
+    cosine = cosine / square_root(square);
+    flux = N(1.0) / square;
+  }
+  return flux * henyey_greenstein(cosine, asymmetry) * (4.0 * kPi);
+}
+
+/// One ray, sample by sample. `extinction` per km. Without a lamp nothing is scattered.
 template <class N>
 RayLight<N> march_ray(const GridBricks& grid, const GridRay& ray, double end_km, double step_km, bool absorbs,
-                      const N& extinction) {
+                      const N& extinction, const Lamp* lamp, const N& asymmetry) {
   RayLight<N> out;
+  out.scattered = N(0.0);
   for (N& light : out.light) light = N(0.0);
   out.depth = N(0.0);
   walk_bricks(grid, ray, end_km, [&](std::int32_t brick, const int at[3], double enter, double leave) {
@@ -61,6 +110,12 @@ RayLight<N> march_ray(const GridBricks& grid, const GridRay& ray, double end_km,
         const N x = extinction * sample(cell, grid.density(brick), 1, t, extinction) * step_km;
         seen = kept_through(out.depth) * escaping_share(x);
         out.depth = out.depth + x;
+        if (lamp != nullptr) {
+          const N column = sample(cell, lamp->columns.of_brick(brick), 1, t, extinction);
+          const N light = seen * x * lamp_at(*lamp, ray, t, asymmetry) * kept_through(extinction * column);
+          out.scattered = out.scattered + light;
+          out.scattered_km += value_of(light) * t;
+        }
       }
       for (int l = 0; l < grid.lines(); ++l) {
         N light = sample(cell, emission + l, grid.stride(), t, extinction);
@@ -85,18 +140,28 @@ FreeDual chained(const RayDual& value, const FreeDual (&input)[kInputs]) {
 
 template <class T>
 GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-                            const Sun* sun, double share, double turned_rad)
+                            const Sun* sun, double share, double turned_rad, int threads)
     : grid_(grid),
       home_(grid_home(grid, volume, sun, number, turned_rad)),
       extinction_(number(volume.extinction_per_km)),
       step_km_(volume.step_voxels * home_.voxel_km),
-      absorbs_(grid.has_density() && volume.extinction_per_km > 0.0) {
+      absorbs_(grid.has_density() && volume.extinction_per_km > 0.0),
+      albedo_(number(volume.albedo)),
+      asymmetry_(number(volume.asymmetry)) {
   for (T& light : home_.light)
     if (share != 1.0) light = light * share;
-  // A free extinction that is 0 at present has a derivative.
+  // A free extinction that is 0 at present has a derivative, and so has an albedo.
+  bool scatters = volume.albedo > 0.0;
   if constexpr (std::is_same_v<T, FreeDual>)
-    for (const double tangent : extinction_.d.t)
-      absorbs_ = absorbs_ || (grid.has_density() && tangent != 0.0);
+    for (int i = 0; i < kTangentWidth; ++i) {
+      absorbs_ = absorbs_ || (grid.has_density() && extinction_.d.t[i] != 0.0);
+      scatters = scatters || albedo_.d.t[i] != 0.0;
+    }
+  is_lit_ = absorbs_ && scatters && volume.lamp != VolumeLamp::none && !grid.empty();
+  if (!is_lit_) return;
+  lamp_ = lamp_place(grid, volume, sun, turned_rad);
+  flux_ = lamp_flux(grid, volume, sun);
+  columns_ = LampColumns(grid, lamp_, home_.voxel_km, threads);
 }
 
 template <class T>
@@ -139,7 +204,12 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
   }
   using N = std::conditional_t<std::is_same_v<T, double>, double, RayDual>;
   N extinction(value_of(extinction_));
-  if constexpr (std::is_same_v<T, FreeDual>) extinction.d.t[6] = 1.0;
+  N asymmetry(value_of(asymmetry_));
+  if constexpr (std::is_same_v<T, FreeDual>) {
+    extinction.d.t[kExtinction] = 1.0;
+    asymmetry.d.t[kAsymmetry] = 1.0;
+  }
+  const Lamp lamp{lamp_, columns_, home_.voxel_km};
   for (std::size_t r = 0; r < rays.count; ++r) {
     T input[kInputs], along[3];
     along_of(r, along);
@@ -151,14 +221,26 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
       way.along[a] = value_of(along[a]);
     }
     way.aim();
-    input[6] = extinction_;
-    const RayLight<N> sum = march_ray<N>(grid_, way, rays.end_km[r], step_km_, absorbs_, extinction);
+    input[kExtinction] = extinction_;
+    input[kAsymmetry] = asymmetry_;
+    const RayLight<N> sum = march_ray<N>(grid_, way, rays.end_km[r], step_km_, absorbs_, extinction,
+                                         is_lit_ ? &lamp : nullptr, asymmetry);
+    double own = 0.0, from_lamp = 0.0;
     for (int l = 0; l < out.lines; ++l) {
       out.rayleigh[l * rays.count + r] = scale[l] * chained(sum.light[l], input);
       if (absorbs_) out.kept[l * rays.count + r] = chained(kept_through(sum.depth), input);
+      if (!is_lit_) continue;
+      own += value_of(out.rayleigh[l * rays.count + r]);
+      const T scattered = albedo_ * chained(sum.scattered, input) * flux_[l];
+      from_lamp += value_of(scattered);
+      out.rayleigh[l * rays.count + r] = out.rayleigh[l * rays.count + r] + scattered;
     }
     out.entry_km[r] = sum.entry_km;
     if (sum.weight > 0.0) out.depth_km[r] = sum.weighted_km / sum.weight;
+    if (from_lamp > 0.0) {
+      const double lit_km = sum.scattered_km / value_of(sum.scattered);
+      out.depth_km[r] = own > 0.0 ? (own * out.depth_km[r] + from_lamp * lit_km) / (own + from_lamp) : lit_km;
+    }
   }
 }
 

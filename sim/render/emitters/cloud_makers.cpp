@@ -54,7 +54,8 @@ void add_volumes(const EmitterInputs<T>& in, Emitters<T>& all) {
                     volume.frame == VolumeFrame::sun && in.scene.sun.rotation != SolarRotation::none),
         [&](double instant) {
           return std::make_unique<GridEmitter<T>>(grid, volume, in.number, &in.scene.sun, share,
-                                                  grid_turn_rad(grid, volume, &in.scene.sun, instant));
+                                                  grid_turn_rad(grid, volume, &in.scene.sun, instant),
+                                                  in.threads);
         },
         all);
   }

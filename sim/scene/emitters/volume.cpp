@@ -28,6 +28,16 @@ std::vector<Declaration> volume_rows() {
       row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
           .means("light of density 1 of its grid \"density\", per emission line, to a km of path (a unit of the Sun's frame), in place of the file's emission grids; empty: none"),
       row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
+      row("albedo", &Volume::albedo).within(0, 1).may_be_free(ParameterScale::linear).means("share of the extinction that is scattering, once, of the lamp's light; 0: none"),
+      row("asymmetry", &Volume::asymmetry).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the angle by which light is scattered (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),
+      row("lamp_kind", &Volume::lamp).one_of<VolumeLamp>({{"none", VolumeLamp::none}, {"direction", VolumeLamp::direction}, {"point", VolumeLamp::point}, {"sun", VolumeLamp::sun}})
+          .means("what lights it: nothing, parallel light, a point, or the scene's Sun by its photosphere_rayleigh"),
+      row("lamp_azimuth_deg", &Volume::lamp_azimuth_deg).in("deg").within(-720, 720).means("where parallel light comes from, from north to the east; on the Sun the heliographic longitude"),
+      row("lamp_elevation_deg", &Volume::lamp_elevation_deg).in("deg").within(-90, 90).means("the same above the horizon; on the Sun the heliographic latitude"),
+      row("lamp_km", &Volume::lamp_km).of({"east", "north", "up"}).in("km").within(-1e9, 1e9)
+          .means("place of a point; on the Sun along the x, y and z of its frame, in its unit"),
+      row("lamp_flux", &Volume::lamp_flux).by_line().in("10⁶ cm⁻² s⁻¹").within(0, 1e18)
+          .means("photons of the lamp per emission line, through an area across them: of parallel light, or of a point at a distance of 1 km (a unit of the Sun's frame)"),
   };
   // clang-format on
 }
@@ -44,6 +54,56 @@ void check_the_volume(const Scene& scene, const Volume& volume) {
                 std::to_string(scene.emission.lines.size()) + " emission lines",
             "one per line of emission.lines, in its order", ""},
            "density_rayleigh");
+  if (volume.lamp == VolumeLamp::none) return;
+  if (volume.lamp == VolumeLamp::sun) {
+    if (!scene.sun.shown) refuse({"the Sun is not in the scene", "shown = true in [sun]", ""}, "lamp_kind");
+    if (all_zero(scene.sun.photosphere_rayleigh))
+      refuse({"the scene's Sun is dark", "photosphere_rayleigh in [sun]", "or another lamp"}, "lamp_kind");
+    return;
+  }
+  if (volume.lamp_flux.size() != scene.emission.lines.size())
+    refuse({std::to_string(volume.lamp_flux.size()) + " numbers for " +
+                std::to_string(scene.emission.lines.size()) + " emission lines",
+            "one per line of emission.lines, in its order", ""},
+           "lamp_flux");
+}
+
+std::optional<Complaint> why_volume_inert(const Scene& scene, const ParameterPath& path) {
+  const std::string& key = path.row->key;
+  if (path.row->table == "sun") {
+    // What a lamp is worked out from is known by its value alone.
+    for (const Volume& volume : scene.volumes)
+      if (volume.lamp == VolumeLamp::sun &&
+          (is_one_of(key, {"photosphere_rayleigh", "limb_darkening", "limb_darkening_square"}) ||
+           (volume.frame == VolumeFrame::site &&
+            is_one_of(key, {"azimuth_deg", "elevation_deg", "distance_km"}))))
+        return Complaint{
+            "the Sun lights the volume '" + volume.name + "', whose derivative by " + key + " is not known",
+            "another number", "leave it out of fit.free, or set the volume's lamp to another"};
+    return std::nullopt;
+  }
+  if (path.row->table != "volume") return std::nullopt;
+  const Volume& volume = scene.volumes[static_cast<std::size_t>(path.element)];
+  const std::string name = "volume." + volume.name;
+  const bool scatters = volume.albedo > 0.0 || frees(scene, name + ".albedo"),
+             absorbs = volume.extinction_per_km > 0.0 || frees(scene, name + ".extinction_per_km");
+  const bool of_lamp = key.rfind("lamp_", 0) == 0;
+  if (key == "albedo" || key == "asymmetry" || of_lamp) {
+    if (volume.lamp == VolumeLamp::none) return inert("no lamp lights the volume", key, "name a lamp");
+    if (!absorbs) return inert("the volume has no extinction", key, "give it an extinction_per_km");
+    if (key != "albedo" && !scatters) return inert("the volume scatters nothing", key, "give it an albedo");
+  }
+  const bool is_direction = is_one_of(key, {"lamp_azimuth_deg", "lamp_elevation_deg"});
+  if ((is_direction && volume.lamp != VolumeLamp::direction) ||
+      (key == "lamp_km" && volume.lamp != VolumeLamp::point) ||
+      (key == "lamp_flux" && volume.lamp == VolumeLamp::sun))
+    return inert("the lamp is of another kind", key, "leave it out");
+  const bool stands = volume.lamp == VolumeLamp::point ||
+                      (volume.lamp == VolumeLamp::sun && volume.frame == VolumeFrame::sun);
+  if (key == "shift_km" && stands && scatters && absorbs)
+    return Complaint{"the volume is moved against its lamp, by which the derivative is not known",
+                     "a lamp far off", "leave shift_km out of fit.free"};
+  return std::nullopt;
 }
 
 void check_volumes(const Scene& scene) {
@@ -95,6 +155,7 @@ EmitterKind volume_kind() {
   kind.stay_at = volumes_stay_at;
   kind.rows = volume_rows;
   kind.check = check_volumes;
+  kind.why_inert = why_volume_inert;
   kind.on_sun = volumes_on_sun;
   kind.light_locations = where_volumes_are;
   return kind;

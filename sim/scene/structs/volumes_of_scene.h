@@ -185,6 +185,14 @@ struct Node {
 /// Where a file is at home.
 enum class VolumeFrame { site, sun };
 
+/// What lights a volume that scatters.
+enum class VolumeLamp {
+  none,
+  direction,  ///< parallel light from a direction of the sky
+  point,      ///< a point, near or within it
+  sun         ///< the scene's Sun
+};
+
 /// Light from an OpenVDB file, as vegard volume writes it (docs/openvdb.md).
 struct Volume {
   std::string name = "volume";
@@ -195,6 +203,13 @@ struct Volume {
   double extinction_per_km = 0.0;        ///< of density 1 of its grid "density"
   std::vector<double> density_rayleigh;  ///< light of that density, per line, to a km of path; empty: none
   double step_voxels = 0.5;              ///< of the march
+  double albedo = 0.0;     ///< share of the extinction that is scattering; 0: nothing is scattered
+  double asymmetry = 0.0;  ///< mean cosine of the angle by which it scatters (Henyey and Greenstein's g)
+  VolumeLamp lamp = VolumeLamp::none;
+  double lamp_azimuth_deg = 180.0, lamp_elevation_deg = 45.0;  ///< of a direction
+  std::array<double, 3> lamp_km{0.0, 0.0, 100.0};              ///< of a point: east, north, up
+  /// Per line, in 10^6 photons cm^-2 s^-1: of a direction; of a point at a distance of 1 km (or 1 unit).
+  std::vector<double> lamp_flux;
   /// The site whose frame the volume is given in, if that is not the scene's; as of a footprint.
   std::optional<Site> home;
 };

@@ -54,6 +54,18 @@ const Bad bad_free_volumes[] = {
      "[[nebula]]\nglow = 'n'\nglow_rayleigh = [1, 1, 1]\n[[node]]\nname = 'n'\n[fit]\nfree = "
      "['node.n.waist']\n",
      7, "node.n.waist", "of kind \"sphere\", so waist has no effect"},
+    {"albedo_without_a_lamp",
+     "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\n[fit]\nfree = ['volume.volume.albedo']\n", 5,
+     "volume.volume.albedo", "no lamp lights the volume"},
+    {"asymmetry_of_what_does_not_scatter",
+     "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\nlamp_kind = 'direction'\nlamp_flux = [1, 1, "
+     "1]\n[fit]\nfree = ['volume.volume.asymmetry']\n",
+     7, "volume.volume.asymmetry", "scatters nothing"},
+    {"place_against_a_point",
+     "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\nalbedo = 0.5\nlamp_kind = 'point'\nlamp_flux = "
+     "[1, 1, "
+     "1]\n[fit]\nfree = ['volume.volume.shift_km']\n",
+     8, "volume.volume.shift_km.east", "moved against its lamp"},
     {"node_of_no_nebula", "[[node]]\nname = 'n'\n[fit]\nfree = ['node.n.radius']\n", 4, "node.n.radius",
      "no nebula that is marched physically"},
 };

@@ -14,6 +14,12 @@ class BadVolume : public testing::TestWithParam<Bad> {};
 TEST_P(BadVolume, IsRefusedWithLineKeyAndReason) { expect_refused(GetParam()); }
 
 const Bad bad_volumes[] = {
+    {"lamp_without_flux", "[[volume]]\nfile = 'a.vdb'\nlamp_kind = 'direction'\n", 1,
+     "volume.volume.lamp_flux", "0 numbers for 3 emission lines"},
+    {"lamp_of_a_sun_that_is_not_there", "[[volume]]\nfile = 'a.vdb'\nlamp_kind = 'sun'\n", 3,
+     "volume.volume.lamp_kind", "the Sun is not in the scene"},
+    {"lamp_of_a_dark_sun", "[sun]\nshown = true\n[[volume]]\nfile = 'a.vdb'\nlamp_kind = 'sun'\n", 5,
+     "volume.volume.lamp_kind", "the scene's Sun is dark"},
     {"no_points", "[[footprint]]\n", 1, "footprint.arc.east_km", "a spline through 0 points"},
     {"one_point", "[[footprint]]\neast_km = [1]\nnorth_km = [1]\n", 2, "footprint.arc.east_km",
      "2 to 1000 points"},
