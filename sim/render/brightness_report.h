@@ -14,7 +14,7 @@
 
 namespace vegard::sim {
 
-/// What the eye makes of the most luminous spot. docs/physics.md, "What the eye sees".
+/// What the eye makes of the most luminous spot. docs/optics.md, "What the eye sees".
 struct EyeReport {
   std::string vision;            ///< "scotopic", "mesopic" or "photopic" (CIE 191:2010)
   double cone_share = 0.0;       ///< of colour, 0 to 1

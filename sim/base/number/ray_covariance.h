@@ -13,7 +13,7 @@ struct Rays {
 /// smear of the variance `smear_km2` along it.
 ///
 /// The light of rays is log-normal, exp(c g - c^2 / 2), with the autocorrelation rho = exp(-4 ln 2 (d / w)^2)
-/// of g (docs/physics.md, Rays): its covariance is exp(c^2 rho) - 1 = sum of c^2n rho^n / n!, each term a
+/// of g (docs/physics.md, rays): its covariance is exp(c^2 rho) - 1 = sum of c^2n rho^n / n!, each term a
 /// Gaussian of variance w^2 / (8 n ln 2), to which the smear adds twice its own. The logarithm of light that
 /// is log-normal still, to a good approximation (Fenton 1960, doi:10.1109/TCOM.1960.1097606: sums of
 /// log-normal numbers), has the covariance ln(1 + that).

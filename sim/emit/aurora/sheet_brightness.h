@@ -2,7 +2,7 @@
 // electrons and in watts.
 //
 // Sources: Baranoski et al. 2000, table 1, for the coefficient's classes 1 to 4 (1, 10, 100 and 1000 kR of
-// 557.7 nm; docs/physics.md, row B21); docs/physics.md, "Photometry" and "Brightness for people".
+// 557.7 nm; docs/physics.md, row B21); "Photometry"; docs/optics.md, "Brightness for people".
 #pragma once
 
 #include <optional>

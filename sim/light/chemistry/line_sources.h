@@ -10,7 +10,7 @@
 //
 // Metastable atoms are in a steady state: production over losses by light and collisions. Left out: transport
 // of atoms, O(1D) by thermal electrons, the nightglow, scattered sunlight. Sources: data/electrons;
-// docs/physics.md.
+// docs/electrons.md.
 #pragma once
 
 #include <string>

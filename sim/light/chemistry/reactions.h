@@ -1,6 +1,6 @@
 // What ions and excited atoms of the upper air do: rate coefficients, yields, Einstein coefficients.
 //
-// Source: data/electrons/reactions.csv, which names the source of every number; docs/physics.md, "Chemistry".
+// Source: data/electrons/reactions.csv, which names the source of every number; docs/electrons.md.
 // None of them is from GLOW's files.
 #pragma once
 

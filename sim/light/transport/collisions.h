@@ -1,7 +1,7 @@
 // What electrons of 0.3 eV to some 100 keV hit in the upper air: cross-sections of N2, O2 and O.
 //
 // Source: data/electrons/cross_sections.csv and data/electrons/shells.csv, which name the source of every
-// number; docs/physics.md rows T1 to T4. None of them is from GLOW.
+// number; docs/electrons.md rows T1 to T4. None of them is from GLOW.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // From rayleighs per line to linear RGB.
 //
 // Source: CIE 15 (1931 2 degree observer, data/cie); Baranoski et al. 2000, section 4.2, equations (5)-(7);
-// docs/physics.md row B24. A rayleigh counts photons; colour needs power: each line is weighted by 1 /
+// docs/optics.md row B24. A rayleigh counts photons; colour needs power: each line is weighted by 1 /
 // wavelength.
 #pragma once
 

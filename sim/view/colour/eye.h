@@ -7,7 +7,7 @@
 // and the blue-grey that vision by rods is shown in (equation 15). What the rods see is the scotopic
 // luminance, as in Jensen et al. 2000, "Night rendering" (the tone mapping paper has photopic pictures only):
 // hence the Purkinje shift, and red light that rods do not see. Nothing of acuity, noise or the time that
-// adaptation takes is in it. docs/physics.md, "What the eye sees".
+// adaptation takes is in it. docs/optics.md, "What the eye sees".
 #pragma once
 
 #include "sim/view/colour/colour.h"

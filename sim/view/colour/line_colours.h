@@ -25,7 +25,7 @@ Vector3 line_colour(const Scene& scene, double wavelength_nm);
 std::vector<Vector3> line_colours(const Scene& scene);
 
 /// The 3 x 3 that leads from the sensor's raw channels, all on one scale, to the linear RGB of pictures:
-/// white balance, then the matrix (docs/physics.md, "Cameras"). The identity for sensor.response = "cie",
+/// white balance, then the matrix (docs/optics.md, "Cameras"). The identity for sensor.response = "cie",
 /// which has no raw channels of its own.
 Matrix3 rgb_from_raw(const Scene& scene);
 

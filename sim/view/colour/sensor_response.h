@@ -1,7 +1,7 @@
 // What a sensor makes of light of one wavelength: the CIE 1931 observer, a camera's three channels, the
 // channels of an imager behind narrow filters, or a grey one that counts photons of any wavelength alike.
 //
-// Sources: docs/physics.md, "Cameras". A camera's raw channels are scaled so that green is 1 for a
+// Sources: docs/optics.md, "Cameras". A camera's raw channels are scaled so that green is 1 for a
 // kilorayleigh of 557.7 nm at unit gain, as the observer's luminance is. White balance and matrix lead from
 // them to linear RGB; the matrix of the rule "colorimetric" is that which leads best, by least squares with
 // white kept, from channels balanced to D65 to the primaries, for D65 light off 96 smooth reflectances:

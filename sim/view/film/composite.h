@@ -1,7 +1,7 @@
 // Compositing in linear light: pictures behind and before the aurora, at the camera's size.
 //
 // Source: Baranoski et al. 2000, section 5 (the background initialises the colour buffer, the aurora is
-// added, what the foreground covers is filtered out); docs/physics.md row B31. Porter and Duff 1984,
+// added, what the foreground covers is filtered out); docs/optics.md row B31. Porter and Duff 1984,
 // doi:10.1145/964965.808606, for colour multiplied by its coverage.
 #pragma once
 

@@ -9,7 +9,7 @@
 // Source: EMVA standard 1288, release 3.1 (2016), section 2, for the linear model of photon, dark and
 // quantisation noise; Healey and Kondepudy 1994, IEEE TPAMI 16, 267, doi:10.1109/34.276126, for the same of
 // cameras. Left out: fixed patterns, blooming, hot pixels, cosmic rays, noise reduction and sharpening of
-// makers. docs/physics.md, "Sensor".
+// makers. docs/optics.md, "Sensor".
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 // the line of sight is left out. An observer above 80 km, where the aurora begins, looks at it without any
 // air between.
 //
-// Sources: docs/physics.md, "Air and sky".
+// Sources: docs/optics.md, "Air and sky".
 #pragma once
 
 #include <algorithm>

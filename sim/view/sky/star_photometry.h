@@ -1,4 +1,4 @@
-// How bright and of which colour stars are to a sensor, above the air and below it. docs/physics.md, "Stars".
+// How bright and of which colour stars are to a sensor, above the air and below it. docs/optics.md, "Stars".
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 // site and its time, lifted by refraction (sim/view/sky/star_place.h, the same door as a calibration's). With
 // them whatever else stands there: planets, the Moon's disc, the Milky Way.
 //
-// Sources: docs/physics.md, "Stars". The air of [air] dims and reddens them, each channel as its wavelength
+// Sources: docs/optics.md, "Stars". The air of [air] dims and reddens them, each channel as its wavelength
 // of 610, 550 or 465 nm; they do not twinkle.
 #pragma once
 

@@ -67,7 +67,7 @@ TEST(PointFile, PlyHoldsWhatItsHeaderSays) {
   EXPECT_EQ(numbers[1], -200250.0f);
   EXPECT_EQ(numbers[2], 100000.0f);
   EXPECT_EQ(numbers[4], 1e15f);
-  // docs/physics.md row B24: 557.7 nm is (0.210, 1.381, -0.161) in SMPTE-C, about so in sRGB; 630.0 nm is
+  // docs/optics.md row B24: 557.7 nm is (0.210, 1.381, -0.161) in SMPTE-C, about so in sRGB; 630.0 nm is
   // red.
   EXPECT_EQ(numbers[7], 1.0f);
   EXPECT_EQ(numbers[8], 0.0f);

@@ -13,7 +13,7 @@ namespace vegard::sim::colour_test {
 namespace {
 
 TEST(Colour, LinesHaveTheirSmpteCValues) {
-  // docs/physics.md row B24, to three digits behind the point.
+  // docs/optics.md row B24, to three digits behind the point.
   const auto expect = [](double nm, double r, double g, double b) {
     const Vector3 rgb = rgb_of_line(nm, Primaries::smpte_c);
     EXPECT_NEAR(rgb[0], r, 6e-4) << nm;
