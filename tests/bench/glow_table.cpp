@@ -1,4 +1,4 @@
-// The program's light beside GLOW's own columns, as the Markdown of docs/validation.md:
+// The program's light beside GLOW's own columns, as Markdown (docs/validation.md has some of it):
 //
 //     build/release/tests/glow_table
 //
