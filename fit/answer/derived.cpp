@@ -14,6 +14,7 @@
 #include "sim/light/line_light.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,6 +10,7 @@
 #include "fit/map/curtains.h"
 #include "fit/map/map_verdicts.h"
 #include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
 namespace {

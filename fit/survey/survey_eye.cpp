@@ -6,7 +6,6 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
-#include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/file/named_files.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/decoding_word.h"

@@ -19,7 +19,7 @@
 #include "fit/photo/pointing/exchange/aida_camera.h"
 #include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/direction_map.h"

@@ -13,7 +13,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/version.h"
-#include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/line_of.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

@@ -14,7 +14,7 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/version.h"
-#include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
 namespace {

@@ -109,14 +109,6 @@ PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km) {
   return place;
 }
 
-bool is_latitude_given(const Scene& scene) {
-  return scene.lines.count("site.latitude_deg") > 0 || scene.site.latitude_deg != Site{}.latitude_deg;
-}
-
-bool is_longitude_given(const Scene& scene) {
-  return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != Site{}.longitude_deg;
-}
-
 std::vector<double> band_places_km(const Sheet& sheet) {
   std::vector<double> places;
   for (int i = 0; i < kBandPlaces; ++i) places.push_back((part(i, kBandPlaces) - 0.5) * sheet.length_km);

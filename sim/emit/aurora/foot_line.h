@@ -40,10 +40,6 @@ double wrapped_longitude_deg(double longitude_deg);
 /// All NaN beyond the sphere's edge.
 PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km);
 
-/// Whether somebody has said where the site is: the scene's file does, or the value is not the default.
-bool is_latitude_given(const Scene& scene);
-bool is_longitude_given(const Scene& scene);
-
 /// How far a sheet's line may be off to the side, against the coordinate along it.
 struct FootBand {
   std::string sheet;

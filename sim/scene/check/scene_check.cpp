@@ -250,15 +250,24 @@ void check_panorama(const Scene& scene) {
   refuse_elsewhere("march.glow", scene.march.glow != 0.0, "glow would end at a panorama's seams");
 }
 
-/// What stands in the real sky needs a time.
-void check_sky_time(const Scene& scene) {
-  if (!scene.site.time_utc.empty()) return;
+/// What goes by the real sky or the real field needs a time and a place. (igrf_year() asks for the time.)
+void check_time_and_place(const Scene& scene) {
   const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
     if (!is_set) return;
-    complain(
-        {what + " at an unknown time", "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
-        {scene.file, 0, key});
+    const Origin origin{scene.file, 0, key};
+    if (scene.site.time_utc.empty() && key != "field.model")
+      complain({what + " by the time, which is not given",
+                "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
+               origin);
+    for (const bool is_latitude : {true, false})
+      if (!(is_latitude ? is_latitude_given(scene) : is_longitude_given(scene))) {
+        const std::string of_place = is_latitude ? "latitude" : "longitude";
+        complain({what + " by the site's " + of_place + ", which is not given",
+                  "site.latitude_deg and site.longitude_deg, east positive", ""},
+                 origin);
+      }
   };
+  needs("field.model", scene.field.model == FieldModel::igrf, "the reference field (\"igrf\") goes");
   needs("stars.source", scene.stars.shown && scene.stars.source == StarSource::catalogue,
         "the catalogue's stars stand in the sky");
   needs("stars.planets", scene.stars.planets, "planets stand in the sky");
@@ -383,7 +392,7 @@ void validate(const Scene& scene) {
   check_response(scene);
   check_blur(scene);
   check_panorama(scene);
-  check_sky_time(scene);
+  check_time_and_place(scene);
   check_profile_files(scene);
   check_sensor(scene);
   check_splines(scene);

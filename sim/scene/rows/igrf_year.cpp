@@ -19,7 +19,9 @@ double igrf_year(const Scene& scene) {
              {scene.file, line_of(scene, "field.model"), "field.model"});
   };
   const std::optional<double> seconds = utc_seconds(time);
-  if (!seconds) refuse("the reference field (\"igrf\") changes with the years, and the scene has no time");
+  const std::string of_field = "the reference field (\"igrf\") ";
+  if (time.empty()) refuse(of_field + "changes with the years, and the scene has no time");
+  if (!seconds) refuse(of_field + "is not known for " + time);
   const std::string text = utc_text(*seconds);
   const int year = std::stoi(text.substr(0, 4));
   const auto start = [](int of) {
@@ -29,7 +31,7 @@ double igrf_year(const Scene& scene) {
   };
   const std::optional<double> first = start(year), next = start(year + 1);
   if (year < static_cast<int>(kFirstIgrfYear) || year >= static_cast<int>(kLastIgrfYear) || !first || !next)
-    refuse("the reference field (\"igrf\") is not known for " + time);
+    refuse(of_field + "is not known for " + time);
   return year + (*seconds - *first) / (*next - *first);
 }
 

@@ -12,4 +12,12 @@ int line_of(const Scene& scene, const std::string& key) {
   return 0;
 }
 
+bool is_latitude_given(const Scene& scene) {
+  return scene.lines.count("site.latitude_deg") > 0 || scene.site.latitude_deg != Site{}.latitude_deg;
+}
+
+bool is_longitude_given(const Scene& scene) {
+  return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != Site{}.longitude_deg;
+}
+
 }  // namespace vegard::sim
