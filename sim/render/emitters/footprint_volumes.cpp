@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "sim/emit/aurora/motion.h"
 #include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
 #include "sim/emit/footprint/map/make_footprint.h"
+#include "sim/emit/footprint/map/plane_grid.h"
 #include "sim/emit/footprint/map/precipitation_footprint.h"
 #include "sim/light/profile_table.h"
 #include "sim/render/beams/altitude_slabs.h"
@@ -35,7 +35,9 @@ struct EnergyRange {
 };
 
 /// What counts of a footprint's light in a part of a scene: colours are no light of excited atoms.
-void take_share(const Scene& scene, const Footprint& f, ProfileTable& table) {
+void take_part(const Scene& scene, const Footprint& f, const LightShare& of_lines, ProfileTable& table) {
+  if (!of_lines.empty())
+    for (HeightProfile& profile : table.of_energy) take_share(of_lines, profile);
   const auto& shares = scene.emission.altitude_share;
   if (shares.empty()) return;
   if (f.light == FootprintLight::lines) {
@@ -53,11 +55,12 @@ struct Profiles {
   ProfileChanges changes;
 };
 
-Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& range, bool with_slopes) {
+Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& range, bool with_slopes,
+                     const LightShare& of_lines) {
   Profiles profiles;
   profiles.usual = footprint_profiles(scene, f, range.least, range.most);
   if (!with_slopes) {
-    take_share(scene, f, profiles.usual);
+    take_part(scene, f, of_lines, profiles.usual);
     return profiles;
   }
   profiles.changes = profile_changes(scene.emission.lines, scene, f, profiles.usual);
@@ -65,7 +68,7 @@ Profiles profiles_of(const Scene& scene, const Footprint& f, const EnergyRange& 
     for (ProfileTable* table : {&profiles.changes.by_flux, &profiles.changes.by_oxygen})
       *table = colours_table(*table, colour_ladder(scene, f));
   for (ProfileTable* table : {&profiles.usual, &profiles.changes.by_flux, &profiles.changes.by_oxygen})
-    take_share(scene, f, *table);
+    take_part(scene, f, of_lines, *table);
   return profiles;
 }
 
@@ -86,25 +89,37 @@ void dim(FootprintGrid<T>& grid, double share) {
   for (T& flux : grid.flux_mw_m2) flux = flux * share;
 }
 
-/// The map of a box at an instant, with that share of its light, and in `own` the footprint with what the map
-/// says itself.
+/// The map of a box, the mean over instants, with that share of its light, and in `own` the footprint with
+/// what the map says itself.
 template <class T>
 PlaneFootprint<T> plane_at(const Scene& scene, const Footprint& f, const VolumeFiles& files,
-                           const NumberAs<T>& number, double instant_s, double share, int threads,
-                           Footprint& own) {
-  PlaneFootprint<T> map;
-  own = f;
-  if (const PrecipitationMap* precipitation = map_of(f, files)) {
-    own = with_map(f, *precipitation);
-    map = precipitation_plane<T>(f, *precipitation);
+                           const NumberAs<T>& number, const std::vector<double>& instants_s, double share,
+                           int threads, Footprint& own) {
+  const PrecipitationMap* precipitation = map_of(f, files);
+  own = precipitation != nullptr ? with_map(f, *precipitation) : f;
+  const auto at = [&](double instant_s) {
+    if (precipitation == nullptr)
+      return make_plane_footprint<T>(scene, f, footprint_pictures(files, f), number, threads, instant_s);
+    PlaneFootprint<T> map = precipitation_plane<T>(f, *precipitation);
     const EastNorth drift = drifted_km(f, instant_s);
     map.west_km += drift.east;
     map.south_km += drift.north;
-  } else {
-    map = make_plane_footprint<T>(scene, f, footprint_pictures(files, f), number, threads, instant_s);
+    return map;
+  };
+  std::vector<PlaneFootprint<T>> maps{at(instants_s.front())};
+  if (instants_s.size() > 1) {
+    const EastNorth drift = drifted_km(f, instants_s.front());
+    const EastNorth rest{maps[0].west_km - drift.east, maps[0].south_km - drift.north};
+    std::vector<EastNorth> corners;
+    for (const double instant : instants_s) {
+      const EastNorth way = drifted_km(f, instant);
+      corners.push_back({rest.east + way.east, rest.north + way.north});
+      if (!only_drifts(f) && corners.size() > 1) maps.push_back(at(instant));
+    }
+    maps = {mean_of(maps, corners)};
   }
-  dim(map.grid, share);
-  return map;
+  dim(maps[0].grid, share);
+  return std::move(maps[0]);
 }
 
 }  // namespace
@@ -112,45 +127,47 @@ PlaneFootprint<T> plane_at(const Scene& scene, const Footprint& f, const VolumeF
 template <class T>
 std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& f,
                                               const VolumeFiles& files, const NumberAs<T>& number,
-                                              int threads, const FootprintInstant& when) {
+                                              int threads, const FootprintLook& look) {
   constexpr bool kSlopes = !std::is_same_v<T, double>;
-  const double instant = when.instant_s.value_or(scene.time.start_s);
+  const std::vector<double> instants =
+      look.instants_s.empty() ? std::vector<double>{scene.time.start_s} : look.instants_s;
+  const double instant = instants.front();
   EnergyRange range;
   if (f.model == FootprintModel::curtain) {
     for (const double energy : f.point_energy) {
       range.least = std::min(range.least, std::log(energy));
       range.most = std::max(range.most, std::log(energy));
     }
-    const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+    const Profiles profiles = profiles_of(scene, f, range, kSlopes, look.of_lines);
     return curtain_emitter<T>(scene, f, profiles.usual, profiles.changes, number,
-                              {drifted_km(f, instant), turned_deg(f, instant), when.share});
+                              {drifted_km(f, instant), turned_deg(f, instant), look.share});
   }
   if (f.shape == FootprintShape::shell) {
     CubeFootprint<double> map = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instant);
     for (FootprintGrid<double>& face : map.face) {
       range.take(face);
-      dim(face, when.share);
+      dim(face, look.share);
     }
-    const Profiles profiles = profiles_of(scene, f, range, kSlopes);
+    const Profiles profiles = profiles_of(scene, f, range, kSlopes, look.of_lines);
     return cube_footprint_emitter<T>(scene, f, std::move(map), profiles.usual, profiles.changes, number,
                                      threads);
   }
   Footprint own;
-  PlaneFootprint<T> map = plane_at<T>(scene, f, files, number, instant, when.share, threads, own);
+  PlaneFootprint<T> map = plane_at<T>(scene, f, files, number, instants, look.share, threads, own);
   range.take(map.grid);
   // Numbers of the scene are known by their place in it.
   const Footprint& drawn = map_of(f, files) != nullptr ? own : f;
-  const Profiles profiles = profiles_of(scene, drawn, range, kSlopes);
+  const Profiles profiles = profiles_of(scene, drawn, range, kSlopes, look.of_lines);
   return plane_footprint_emitter<T>(scene, drawn, std::move(map), profiles.usual, profiles.changes, number,
                                     threads);
 }
 
 template std::unique_ptr<Emitter<double>> footprint_emitter(const Scene&, const Footprint&,
                                                             const VolumeFiles&, const NumberAs<double>&, int,
-                                                            const FootprintInstant&);
+                                                            const FootprintLook&);
 template std::unique_ptr<Emitter<FreeDual>> footprint_emitter(const Scene&, const Footprint&,
                                                               const VolumeFiles&, const NumberAs<FreeDual>&,
-                                                              int, const FootprintInstant&);
+                                                              int, const FootprintLook&);
 
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& f, const VolumeFiles& files,
                                             int threads) {
@@ -162,39 +179,24 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
       range.take(face);
       dim(face, share);
     }
-    return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false).usual, threads);
+    return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false, {}).usual,
+                                threads);
   }
   Footprint own;
   PlaneFootprint<double> map = plane_at<double>(
-      scene, f, files, [](const double& number) { return number; }, instant, share, threads, own);
+      scene, f, files, [](const double& number) { return number; }, {instant}, share, threads, own);
   range.take(map.grid);
-  return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false).usual,
+  return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false, {}).usual,
                                threads);
-}
-
-double substorm_share(const Scene& scene, const Footprint& f, double instant_s) {
-  // Sheets have theirs.
-  return f.source == FootprintSource::sheets ? 1.0 : substorm_level(scene.substorm, instant_s);
 }
 
 namespace {
 
 template <class T>
 void add_footprints(const EmitterInputs<T>& in, Emitters<T>& all) {
-  const std::vector<double> instants = instants_s(in.scene.time);
-  for (const Footprint& footprint : in.scene.footprints) {
-    if (footprint.source != FootprintSource::sheets && moves_by_itself(footprint)) {
-      for (const double instant : instants)
-        all.push_back(footprint_emitter<T>(
-            in.scene, footprint, in.files, in.number, in.threads,
-            {instant, substorm_share(in.scene, footprint, instant) / static_cast<double>(instants.size())}));
-      continue;
-    }
-    double share = 0.0;
-    for (const double instant : instants) share += substorm_share(in.scene, footprint, instant);
-    all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads,
-                                       {{}, share / static_cast<double>(instants.size())}));
-  }
+  for (const Footprint& footprint : in.scene.footprints)
+    for (const FootprintLook& look : footprint_looks(in.scene, footprint))
+      all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads, look));
 }
 
 void add_footprint_fields(const FieldInputs& in, std::vector<NamedField>& all) {

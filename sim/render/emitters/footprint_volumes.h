@@ -2,32 +2,23 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "sim/emit/footprint/map/make_footprint.h"
 #include "sim/light/colours_profile.h"
 #include "sim/light/emitter.h"
 #include "sim/light/profile_table.h"
+#include "sim/render/emitters/footprint_looks.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
-/// When a footprint is looked at, and with which share of its light.
-struct FootprintInstant {
-  std::optional<double> instant_s{};  ///< none: the scene's start
-  double share = 1.0;
-};
-
-/// T is double or FreeDual. The footprint is one of the scene's. An exposure of one that moves by itself is
-/// the sum of its instants, each with its share.
+/// T is double or FreeDual. The footprint is one of the scene's. An exposure's light is the sum of all looks,
+/// of which this is one. Those of a box may have several instants.
 template <class T>
 std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& footprint,
                                               const VolumeFiles& files, const NumberAs<T>& number,
-                                              int threads, const FootprintInstant& when = {});
-
-/// What the substorm leaves of a footprint's light, where its source does not go by it already.
-double substorm_share(const Scene& scene, const Footprint& footprint, double instant_s);
+                                              int threads, const FootprintLook& look = {});
 
 /// As a field in the observer's east, north and up, at the scene's start.
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,

@@ -16,6 +16,12 @@ inline bool moves_by_itself(const Footprint& f) {
          (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0);
 }
 
+/// Whether all that the clock does to it is to move it as a whole.
+inline bool only_drifts(const Footprint& f) {
+  return f.source != FootprintSource::sheets && !(f.flow_turns_per_s > 0.0) &&
+         !(f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0);
+}
+
 /// Where the Gaussian across a spline is narrower than this many cells it is drawn as wide as this, and as
 /// much fainter: the samples of a narrower one would not add up to it.
 inline constexpr double kNarrowestCells = 0.7;

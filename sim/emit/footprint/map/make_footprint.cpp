@@ -48,7 +48,7 @@ PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const Footprin
     case FootprintSource::spline:
       return spline_plane(f, number, threads, centre_moves);
     case FootprintSource::sheets:
-      return sheet_plane(scene, f, number, threads);
+      return sheet_plane(scene, f, number, threads, scene.time.start_s - instant_s);
     case FootprintSource::noise:
       return as_free(noise_plane(f, scene.seed, index_of(scene, f), instant_s, threads), f, number);
     case FootprintSource::precipitation:  // which precipitation_plane() makes

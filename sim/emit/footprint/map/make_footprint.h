@@ -21,13 +21,13 @@ inline EastNorth drifted_km(const Footprint& footprint, double instant_s) {
 double turned_deg(const Footprint& footprint, double instant_s);
 
 /// Of a footprint of shape "box", at an instant of the scene's clock (none: its start); of the sheets it is
-/// the mean over all instants of the exposure, wound up by as much as at this one. The map's flux is in mW
-/// m^-2; energies are over footprint.energy_kev. For T = FreeDual it carries the derivatives by every number
-/// that `number` gives a tangent: east_km, north_km, center_km, width_km, energy_flux_mw_m2, point_flux and
-/// point_energy; of a footprint that flows only by center_km, energy_flux_mw_m2 and point_energy, which the
-/// flow does not depend on. The grid itself stays where center_km has it. The same for every number of
-/// threads. Throws Error(scene) where derivatives need more memory than kMaxMapBytes
-/// (sim/scene/structs/footprint_size.h).
+/// the mean over all instants of the exposure, as if that began then, wound up by as much as at this one. The
+/// map's flux is in mW m^-2; energies are over footprint.energy_kev. For T = FreeDual it carries the
+/// derivatives by every number that `number` gives a tangent: east_km, north_km, center_km, width_km,
+/// energy_flux_mw_m2, point_flux and point_energy; of a footprint that flows only by center_km,
+/// energy_flux_mw_m2 and point_energy, which the flow does not depend on. The grid itself stays where
+/// center_km has it. The same for every number of threads. Throws Error(scene) where derivatives need more
+/// memory than kMaxMapBytes (sim/scene/structs/footprint_size.h).
 template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& footprint,
                                        const FootprintPictures& pictures, const NumberAs<T>& number,

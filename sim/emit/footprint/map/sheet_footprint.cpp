@@ -37,10 +37,10 @@ double flux_scale(const Scene& scene, int sheet) {
 /// Where the feet of one layer's beams come down, as a grid of flux; and, of a sheet whose energy varies
 /// along its curve, of flux times the logarithm of the energy over that of `ln_unit`.
 template <class T>
-void deposit(const Scene& scene, const LayerOfFeet& which, double scale, const T& ln_unit,
+void deposit(const Scene& scene, const LayerOfFeet& which, double age_s, double scale, const T& ln_unit,
              const NumberAs<T>& number, PlaneFootprint<T>& on) {
   Sheet sheet = scene.sheets[which.sheet];
-  const double instant = instants_s(scene.time)[which.instant];
+  const double instant = instants_s(scene.time)[which.instant] - age_s;
   const auto scaled = [&](const double& n, double by = 1.0) { return number(n) * by; };
   const SheetShape<T> shape = sheet_shape<T>(scene, which.sheet, which.arc, instant, scaled);
   const StretchOfSheet stretch = stretch_of(sheet, instant);
@@ -113,8 +113,8 @@ int footprint_beams(const Sheet& sheet, double cell_km) {
 }
 
 template <class T>
-PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const NumberAs<T>& number,
-                              int threads) {
+PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const NumberAs<T>& number, int threads,
+                              double age_s) {
   PlaneFootprint<T> plane = plane_grid<T>(f);
   FootprintGrid<T>& grid = plane.grid;
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
@@ -138,7 +138,7 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
       some[i] = plane_grid<T>(f);
       some[i].grid.flux_mw_m2.assign(grid.cells(), T(0.0));
       const LayerOfFeet& layer = layers[first + i];
-      deposit(scene, layer, scales[layer.sheet], ln_unit, number, some[i]);
+      deposit(scene, layer, age_s, scales[layer.sheet], ln_unit, number, some[i]);
     });
     for (std::size_t i = 0; i < count; ++i) {
       const T ln_energy =
@@ -157,7 +157,9 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& f, const Numb
   return plane;
 }
 
-template PlaneFootprint<double> sheet_plane(const Scene&, const Footprint&, const NumberAs<double>&, int);
-template PlaneFootprint<FreeDual> sheet_plane(const Scene&, const Footprint&, const NumberAs<FreeDual>&, int);
+template PlaneFootprint<double> sheet_plane(const Scene&, const Footprint&, const NumberAs<double>&, int,
+                                            double);
+template PlaneFootprint<FreeDual> sheet_plane(const Scene&, const Footprint&, const NumberAs<FreeDual>&, int,
+                                              double);
 
 }  // namespace vegard::sim

@@ -13,10 +13,11 @@ namespace vegard::sim {
 /// light, not their lengths) and patches are those of the sheets. An exposure is the mean of its instants.
 /// Where sheets overlap the flux adds, and ln E is the mean, weighed by flux. A sheet of given brightness has
 /// the flux that Maxwellian electrons of its energy need for it. The grid's number for energy is ln(E /
-/// footprint.energy_kev). For T = FreeDual `number` may give tangents to the sheets' numbers.
+/// footprint.energy_kev). For T = FreeDual `number` may give tangents to the sheets' numbers. All of it as it
+/// was `age_s` before.
 template <class T>
 PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number,
-                              int threads);
+                              int threads, double age_s = 0.0);
 
 /// Beams laid out per layer of a sheet, for cells of this edge.
 int footprint_beams(const Sheet& sheet, double cell_km);

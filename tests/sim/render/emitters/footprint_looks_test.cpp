@@ -1,0 +1,152 @@
+// The light of footprints that move lags behind their electrons (docs/physics.md, rows B18 and B26).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "sim/emit/aurora/motion.h"
+#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/light/atmosphere.h"
+#include "sim/light/excited_atom.h"
+#include "sim/render/emitters/footprint_looks.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/lines/emission_lines.h"
+
+namespace vegard::sim::footprint_looks_test {
+namespace {
+
+const std::string kArc =
+    "[[footprint]]\ncenter_km = [0, 0]\nsize_km = [300, 300]\ncell_km = 2\n"
+    "east_km = [-100, 100]\nnorth_km = [10, 40]\nwidth_km = 12\n";
+const std::string kDrift = "drift_km_s = [0.3, 0.4]\n";
+
+Scene scene_of(const std::string& text) { return parse_scene(text, "a.toml"); }
+
+std::vector<FootprintLook> looks_of(const Scene& scene) {
+  return footprint_looks(scene, scene.footprints[0]);
+}
+
+double part(const FootprintLook& look, std::size_t line, int altitude) {
+  return look.share * (look.of_lines.empty() ? 1.0 : look.of_lines[line][altitude]);
+}
+
+double tau_s(const Scene& scene, std::size_t line, int altitude) {
+  return effective_lifetime_s(*find_emission_line(scene.emission.lines[line]),
+                              standard_air(HeightProfile::altitude_km(altitude)));
+}
+
+int at_altitude(double km) {
+  int a = 0;
+  while (HeightProfile::altitude_km(a) < km) ++a;
+  return a;
+}
+
+TEST(FootprintLooks, AreOneWithoutAPastWhereNothingChanges) {
+  for (const std::string& text :
+       {kArc, kArc + kDrift + "[emission]\nlag = \"none\"\n", kArc + kDrift + "light = \"colours\"\n"}) {
+    const std::vector<FootprintLook> looks = looks_of(scene_of(text));
+    ASSERT_EQ(looks.size(), 1u) << text;
+    EXPECT_EQ(looks[0].share, 1.0);
+    EXPECT_TRUE(looks[0].of_lines.empty());
+  }
+}
+
+// Light is moved in time, none is made or lost: single precision, and as many sums as there are looks.
+TEST(FootprintLooks, AddUpToTheWholeLightOfEveryLineAtEveryAltitude) {
+  for (const std::string& text :
+       {kArc + kDrift, kArc + kDrift + "[time]\nexposure_s = 30\ninstants = 5\n",
+        kArc + "flow_turns_per_s = 0.1\n", kArc + kDrift + "model = \"curtain\"\n",
+        std::string("[[footprint]]\nshape = \"shell\"\nface_cells = 64\nlatitude_deg = [66, 67]\n"
+                    "longitude_deg = [-8, 8]\nwidth_km = 200\ndrift_km_s = [0.5, 0]\n")}) {
+    const Scene scene = scene_of(text);
+    const std::vector<FootprintLook> looks = looks_of(scene);
+    ASSERT_GT(looks.size(), 2u) << text;
+    for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
+      for (int a = 0; a < HeightProfile::kAltitudes; a += 20) {
+        double sum = 0.0;
+        for (const FootprintLook& look : looks) sum += part(look, l, a);
+        EXPECT_NEAR(sum, 1.0, 1e-5) << text << " line " << l;
+      }
+  }
+}
+
+// The mean age of light is its atoms' effective lifetime. An interval of age that doubles counts evenly in
+// the logarithm: its mean is 1/ln 2 = 1.443 times its start, between 1.33 and 1.5 of what an exponential has
+// there; the first, a sixteenth of the 24 s in which the arc drifts over its width, counts as none.
+TEST(FootprintLooks, AreOnAverageAsOldAsTheAtomsThatShine) {
+  const Scene scene = scene_of(kArc + kDrift + "[time]\nstart_s = 1000\n");
+  const std::vector<FootprintLook> looks = looks_of(scene);
+  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+    if (is_prompt(*find_emission_line(scene.emission.lines[l]))) continue;
+    for (const double km : {180.0, 220.0, 260.0, 299.0}) {
+      const int a = at_altitude(km);
+      const double tau = tau_s(scene, l, a);
+      double mean = 0.0;
+      for (const FootprintLook& look : looks)
+        for (const double instant : look.instants_s)
+          mean += part(look, l, a) / static_cast<double>(look.instants_s.size()) * (1000.0 - instant);
+      EXPECT_NEAR(mean, tau, 0.06 * tau + 1.5) << scene.emission.lines[l] << " nm at " << km << " km";
+    }
+  }
+}
+
+// After a step of the electrons' flux, within a second, of 557.7 and 630.0 nm 1 - exp(-t/tau) is there.
+TEST(FootprintLooks, RiseAfterAStepAsExcitedAtomsDo) {
+  for (const double since_s : {2.0, 20.0, 60.0, 200.0}) {
+    const Scene scene =
+        scene_of(kArc +
+                 "[substorm]\nquiet = 0\ngrown = 0\nonset_s = -0.5\ngrowth_s = 1\nexpansion_s = 1\n"
+                 "recovery_s = 1e6\n[time]\nstart_s = " +
+                 std::to_string(since_s) + "\n");
+    const std::vector<FootprintLook> looks = looks_of(scene);
+    ASSERT_EQ(looks.size(), 1u);
+    for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+      const bool at_once = is_prompt(*find_emission_line(scene.emission.lines[l]));
+      for (const double km : {120.0, 200.0, 280.0}) {
+        const int a = at_altitude(km);
+        const double want = at_once ? 1.0 : 1.0 - std::exp(-since_s / tau_s(scene, l, a));
+        // Eight looks evenly in the logarithm of an interval that doubles.
+        EXPECT_NEAR(part(looks[0], l, a), want, 0.03)
+            << scene.emission.lines[l] << ' ' << km << ' ' << since_s;
+      }
+    }
+  }
+}
+
+TEST(MeanOf, KeepsFluxAndCentreOfWhatIsShifted) {
+  PlaneFootprint<double> plane;
+  plane.west_km = -3.0;
+  plane.south_km = 5.0;
+  plane.cell_km = 2.0;
+  plane.grid = {3, 2, {1.0, 2.0, 0.0, 0.5, 0.0, 4.0}, {0.1, 0.2, 0.0, 0.3, 0.0, 0.4}};
+  const std::vector<EastNorth> corners{{-3.0, 5.0}, {1.7, 4.1}, {12.3, 9.9}};
+  const PlaneFootprint<double> mean = mean_of<double>({plane}, corners);
+  const auto moments = [](const PlaneFootprint<double>& of) {
+    std::vector<double> m(4, 0.0);
+    for (int r = 0; r < of.grid.rows; ++r)
+      for (int c = 0; c < of.grid.columns; ++c) {
+        const std::size_t i = static_cast<std::size_t>(r) * of.grid.columns + c;
+        const double flux = of.grid.flux_mw_m2[i];
+        m[0] += flux;
+        m[1] += flux * (of.west_km + (c + 0.5) * of.cell_km);
+        m[2] += flux * (of.south_km + (r + 0.5) * of.cell_km);
+        m[3] += flux * of.grid.ln_energy[i];
+      }
+    return m;
+  };
+  const std::vector<double> one = moments(plane), all = moments(mean);
+  double east = 0.0, north = 0.0;
+  for (const EastNorth& corner : corners) {
+    east += (corner.east - plane.west_km) / 3.0;
+    north += (corner.north - plane.south_km) / 3.0;
+  }
+  EXPECT_NEAR(all[0], one[0], 1e-12);
+  EXPECT_NEAR(all[1], one[1] + one[0] * east, 1e-11);
+  EXPECT_NEAR(all[2], one[2] + one[0] * north, 1e-11);
+  EXPECT_NEAR(all[3], one[3], 1e-12);
+}
+
+}  // namespace
+}  // namespace vegard::sim::footprint_looks_test
