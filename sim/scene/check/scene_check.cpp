@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/rows/igrf_year.h"
@@ -250,15 +251,29 @@ void check_panorama(const Scene& scene) {
   refuse_elsewhere("march.glow", scene.march.glow != 0.0, "glow would end at a panorama's seams");
 }
 
-/// What goes by the real sky or the real field needs a time and a place. (igrf_year() asks for the time.)
+/// The real sky of a date without its time of day would be a guess, and one of
+/// other centuries is not known.
+void check_sky_time(const Scene& scene, const std::string& what, const Origin& origin) {
+  const std::string& time = scene.site.time_utc;
+  const std::string expected =
+      "site.time_utc of the years 1900 to 2200, such "
+      "as \"2019-09-01T05:00:00Z\"";
+  if (time.empty()) complain({what + " by the time, which is not given", expected, ""}, origin);
+  if (utc_seconds(time)) return;
+  const bool is_date = has_form(time, "0000-00-00");
+  complain({what + " by the time, but '" + time + "' " +
+                (is_date ? "has no time of day" : "is outside of the years that it is known for"),
+            expected, is_date ? "midnight is '" + time + "T00:00:00Z'" : ""},
+           {scene.file, 0, "site.time_utc"});
+}
+
+/// What goes by the real sky or the real field needs a time and a place.
+/// (igrf_year() asks for the time.)
 void check_time_and_place(const Scene& scene) {
   const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
     if (!is_set) return;
     const Origin origin{scene.file, 0, key};
-    if (scene.site.time_utc.empty() && key != "field.model")
-      complain({what + " by the time, which is not given",
-                "site.time_utc, in ISO 8601 such as \"2019-09-01T05:00:00Z\"", ""},
-               origin);
+    if (key != "field.model") check_sky_time(scene, what, origin);
     for (const bool is_latitude : {true, false})
       if (!(is_latitude ? is_latitude_given(scene) : is_longitude_given(scene))) {
         const std::string of_place = is_latitude ? "latitude" : "longitude";

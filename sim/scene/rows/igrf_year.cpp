@@ -18,7 +18,8 @@ double igrf_year(const Scene& scene) {
               "or field.model = \"dipole\""},
              {scene.file, line_of(scene, "field.model"), "field.model"});
   };
-  const std::optional<double> seconds = utc_seconds(time);
+  std::optional<double> seconds = utc_seconds(time);
+  if (!seconds && has_form(time, "0000-00-00")) seconds = utc_seconds(time + "T00:00:00Z");  // it is slow
   const std::string of_field = "the reference field (\"igrf\") ";
   if (time.empty()) refuse(of_field + "changes with the years, and the scene has no time");
   if (!seconds) refuse(of_field + "is not known for " + time);

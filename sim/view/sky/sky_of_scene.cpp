@@ -1,6 +1,5 @@
 #include "sim/view/sky/sky_of_scene.h"
 
-#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -26,8 +25,11 @@ Observer observer_of(const Scene& scene) {
 
 double julian_date_at(const Scene& scene, double instant_s) {
   const std::optional<double> start = julian_date(scene.site.time_utc);
-  assert(start);
-  return start.value_or(kJ2000) + instant_s / kSecondsOfDay;
+  if (!start)
+    refuse_scene_key(scene.file, "site.time_utc",
+                     "the real sky of '" + scene.site.time_utc + "' is not known",
+                     "date and time of day of the years 1900 to 2200, such as \"2019-09-01T05:00:00Z\"", "");
+  return *start + instant_s / kSecondsOfDay;
 }
 
 Twilight twilight_at(const Scene& scene) {

@@ -10,7 +10,8 @@ namespace vegard::sim {
 /// (sim/view/sky/air.h).
 Observer observer_of(const Scene& scene);
 
-/// At an instant of the scene's own clock, whose zero is site.time_utc; that must be there.
+/// At an instant of the scene's own clock, whose zero is site.time_utc. Throws Error(scene) if that is no
+/// time of the years 1900 to 2200.
 double julian_date_at(const Scene& scene, double instant_s);
 
 /// The twilight with its sun where twilight.sun says; not shown if that stands lower than twilight was

@@ -40,16 +40,19 @@ TEST(IdleKeys, TellNothingOfWhatCountsOrIsAsItWouldBe) {
 TEST(IdleKeys, KnowWhichNumbersAFieldHas) {
   const std::string numbers = "inclination_deg = 70\npole_latitude_deg = 81\n";
   const auto told = [&](const std::string& model) {
-    const Scene scene = parse_scene("[site]\ntime_utc = \"2015-03-01T00:00:00Z\"\n[field]\nmodel = \"" +
-                                        model + "\"\n" + numbers + "[[sheet]]\n",
-                                    "x.toml");
+    const Scene scene = parse_scene(
+        "[site]\nlatitude_deg = 67\nlongitude_deg = 20\ntime_utc = "
+        "\"2015-03-01T00:00:00Z\"\n[field]\nmodel "
+        "= \"" +
+            model + "\"\n" + numbers + "[[sheet]]\n",
+        "x.toml");
     std::string all;
     for (const std::string& one : inert_keys(scene)) all += one.substr(0, one.find(": ", 9)) + " ";
     return all;
   };
-  EXPECT_EQ(told("uniform"), "x.toml:6: field.pole_latitude_deg ");
-  EXPECT_EQ(told("dipole"), "x.toml:5: field.inclination_deg ");
-  EXPECT_EQ(told("igrf"), "x.toml:5: field.inclination_deg x.toml:6: field.pole_latitude_deg ");
+  EXPECT_EQ(told("uniform"), "x.toml:8: field.pole_latitude_deg ");
+  EXPECT_EQ(told("dipole"), "x.toml:7: field.inclination_deg ");
+  EXPECT_EQ(told("igrf"), "x.toml:7: field.inclination_deg x.toml:8: field.pole_latitude_deg ");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "sim/scene/table/parameter_table.h"
 
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/igrf_year.h"
 #include "sim/scene/rows/spline_rates.h"
 
 #include <cmath>
@@ -395,6 +397,50 @@ TEST(Validate, WantsATimeInIso8601) {
     scene.site.time_utc = time;
     EXPECT_THROW(validate(scene), Error) << time;
   }
+}
+
+TEST(Validate, WantsTheTimeAndThePlaceOfTheRealSky) {
+  const auto error_of = [](const std::string& shown, const std::string& site) {
+    try {
+      parse_scene("[site]\n" + site + shown, "a.toml");
+    } catch (const Error& error) {
+      return error.details();
+    }
+    return ErrorDetails{};
+  };
+  const std::string place = "latitude_deg = 67.8\nlongitude_deg = 20.4\n";
+  for (const std::string shown :
+       {"[stars]\nshown = true\nsource = 'catalogue'\n", "[stars]\nplanets = true\n",
+        "[stars]\nmilky_way = true\n", "[moon]\nshown = true\n", "[moon]\nskylight = true\n",
+        "[twilight]\nshown = true\nsun = 'time'\n"}) {
+    EXPECT_EQ(error_of(shown, place + "time_utc = '2012-03-08T21:00:00Z'\n").problem, "") << shown;
+    EXPECT_EQ(error_of(shown, place + "time_utc = '2012-03-08T21:00Z'\n").problem, "") << shown;
+    const ErrorDetails never = error_of(shown, place);
+    EXPECT_NE(never.problem.find("by the time, which is not given"), std::string::npos) << shown;
+    EXPECT_NE(never.expected.find("of the years 1900 to 2200"), std::string::npos) << shown;
+    const ErrorDetails day = error_of(shown, place + "time_utc = '2012-03-08'\n");
+    EXPECT_NE(day.problem.find("'2012-03-08' has no time of day"), std::string::npos) << shown;
+    EXPECT_EQ(day.key, "site.time_utc");
+    EXPECT_EQ(day.line, 4);
+    for (const std::string year : {"1899", "2201"}) {
+      const ErrorDetails other = error_of(shown, place + "time_utc = '" + year + "-06-01T12:00:00Z'\n");
+      EXPECT_NE(other.problem.find("outside of the years"), std::string::npos) << shown << year;
+    }
+    const std::string time = "time_utc = '2012-03-08T21:00:00Z'\n";
+    EXPECT_NE(error_of(shown, "longitude_deg = 20.4\n" + time).problem.find("latitude"), std::string::npos);
+    EXPECT_NE(error_of(shown, "latitude_deg = 67.8\n" + time).problem.find("longitude"), std::string::npos);
+    // 0 is a longitude like any other where it is given.
+    EXPECT_EQ(error_of(shown, "latitude_deg = 51.5\nlongitude_deg = 0\n" + time).problem, "") << shown;
+  }
+}
+
+TEST(Validate, TakesADateForTheReferenceField) {
+  const auto scene_of = [](const std::string& time) {
+    return parse_scene("[site]\nlatitude_deg = 67.8\nlongitude_deg = 20.4\ntime_utc = '" + time +
+                           "'\n[field]\nmodel = 'igrf'\n",
+                       "a.toml");
+  };
+  EXPECT_EQ(igrf_year(scene_of("2012-03-08")), igrf_year(scene_of("2012-03-08T00:00:00Z")));
 }
 
 TEST(Validate, WantsASteepField) {
