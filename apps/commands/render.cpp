@@ -163,10 +163,20 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   return text;
 }
 
-sim::Scene auto_exposed(const RenderRequest& options, const sim::Scene& scene) {
+std::optional<sim::Scene> auto_exposed(const RenderRequest& options, const sim::Scene& scene) {
   sim::RenderOptions render_options;
   render_options.threads = options.threads;
-  return sim::auto_exposed(scene, kBrightest, render_options);
+  std::optional<sim::Scene> exposed = sim::auto_exposed(scene, kBrightest, render_options);
+  if (!exposed)
+    tell(
+        "vegard: --auto-exposure found none: %s; the exposure is the scene's "
+        "own\n",
+        fmt::format("by no gain is one pixel in a thousand at {}, for want of "
+                    "light or because sky.level is "
+                    "brighter",
+                    kBrightest)
+            .c_str());
+  return exposed;
 }
 
 std::string exposure_text(const sim::Scene& scene) {
@@ -180,7 +190,9 @@ int run_render(const RenderRequest& request) {
   const sim::Scene as_given = scene_of(options.scene);
   note_inert_keys(as_given);
   check_outputs(options, as_given);
-  const sim::Scene scene = options.auto_exposure ? auto_exposed(options, as_given) : as_given;
+  const std::optional<sim::Scene> exposed =
+      options.auto_exposure ? auto_exposed(options, as_given) : std::nullopt;
+  const sim::Scene& scene = exposed ? *exposed : as_given;
   double bytes_per_px = 0.0;
   for (const std::string& name : {options.output, options.lines, options.raw})
     if (!name.empty())
@@ -222,7 +234,7 @@ int run_render(const RenderRequest& request) {
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
   say("%s: %s\n", written.c_str(), summary.c_str());
-  if (options.auto_exposure) say("exposed with %s\n", exposure_text(scene).c_str());
+  if (exposed) say("exposed with %s\n", exposure_text(scene).c_str());
   if (options.grain) say("%s\n", grain_text(scene, grain).c_str());
   return good;
 }

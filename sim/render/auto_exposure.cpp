@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/render/reduced_scene.h"
+#include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::sim {
 namespace {
@@ -17,39 +18,51 @@ constexpr double kShareAbove = 0.001;  // of the pixels
 // What it is found from, whatever the scene's own.
 constexpr double kGainPerKilorayleigh = 0.01, kIso = 100.0;
 
+void scale_gain(Sensor& sensor, double factor) {
+  sensor.gain_per_kilorayleigh = kGainPerKilorayleigh * factor;
+  sensor.iso = kIso * factor;
+}
+
+/// What of a picture no gain changes: sky.level and nebulae of the literal
+/// march, as far as the ground and what absorbs leave it.
+Image constant_light(Scene scene, const RenderOptions& options) {
+  constexpr double kNearlyNothing = 1e-9;
+  scale_gain(scene.sensor, kNearlyNothing);
+  if (!has_emitters_of_sheets(scene)) scene.sheets.clear();  // they hide nothing
+  return render(scene, options).rgb;
+}
+
 }  // namespace
 
-Scene auto_exposed(const Scene& scene, double white, RenderOptions options) {
+std::optional<Scene> auto_exposed(const Scene& scene, double white, RenderOptions options) {
   Reduction reduction;
   reduction.most = {kMaxPixels, kMaxPixels};
   reduction.points = kMaxPoints;
   Scene small = reduced_scene(scene, reduction);
   small.composite = {};
-  small.sensor.gain_per_kilorayleigh = kGainPerKilorayleigh;
-  small.sensor.iso = kIso;
+  scale_gain(small.sensor, 1.0);
   options.progress = {};
   options.pictures = nullptr;
   options.memory = nullptr;
   options.sheet_layers = false;
-  const Rendering seen = render(small, options);
+  const Image seen = render(small, options).rgb, constant = constant_light(small, options);
   // How many times the gain takes each pixel to white.
   std::vector<double> factors;
-  for (int y = 0; y < seen.aurora.height; ++y)
-    for (int x = 0; x < seen.aurora.width; ++x) {
+  for (int y = 0; y < seen.height; ++y)
+    for (int x = 0; x < seen.width; ++x) {
       double factor = std::numeric_limits<double>::infinity();
       for (int c = 0; c < 3; ++c) {
-        const double night_sky = seen.night_sky.empty() ? 0.0 : seen.night_sky.at(x, y, c);
-        const double light = seen.aurora.at(x, y, c) + night_sky, rest = seen.rgb.at(x, y, c) - light;
+        const double rest = constant.at(x, y, c), light = seen.at(x, y, c) - rest;
         if (light > 0.0) factor = std::min(factor, std::max(0.0, white - rest) / light);
       }
       factors.push_back(factor);
     }
   const auto at = static_cast<std::ptrdiff_t>(kShareAbove * static_cast<double>(factors.size()));
-  if (factors.empty()) return scene;
+  if (factors.empty()) return std::nullopt;
   std::nth_element(factors.begin(), factors.begin() + at, factors.end());
   const double factor = factors[static_cast<std::size_t>(at)];
+  if (!(factor > 0.0) || !std::isfinite(factor)) return std::nullopt;
   Scene exposed = scene;
-  if (!(factor > 0.0) || !std::isfinite(factor)) return exposed;
   if (scene.sensor.exposure == ExposureRule::gain)
     exposed.sensor.gain_per_kilorayleigh = kGainPerKilorayleigh * factor;
   else

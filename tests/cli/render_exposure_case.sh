@@ -8,6 +8,10 @@ expect_exit 0 render "$SCENES/small.toml" -o other.png --auto-exposure
 cmp -s auto.png other.png || fail "the picture depends on the gain that the scene had"
 expect_exit 0 render "$SCENES/small.toml" -o camera.png --auto-exposure --set 'sensor.exposure="camera"' --set time.exposure_s=4
 expect_stdout "exposed with sensor.iso = "
+# Where no gain does it, that is told, and the scene's own stays.
+expect_exit 0 render "$SCENES/small.toml" -o day.png --auto-exposure --set 'sky.level=[1.0, 1.0, 1.0]'
+expect_stderr "--auto-exposure found none"
+! grep -q "exposed with" "$stdout" || fail "a gain is told that was not found"
 
 expect_exit 0 render "$SCENES/small.toml" -o plain.png
 expect_exit 0 render "$SCENES/small.toml" -o grain.png --grain
