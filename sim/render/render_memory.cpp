@@ -92,7 +92,8 @@ const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
 const Image& RenderMemory::night_sky() {
   // Of the time the sensor's exposure alone, unless the sky follows it.
   std::set<std::string> others = volumes_and({"sheet", "composite", "ground", "fit"});
-  if (!night_sky_moves(*scene_)) others.insert({"stars", "moon", "time"});
+  const bool moved = night_sky_.made_for && night_sky_moves(*night_sky_.made_for);
+  if (!moved && !night_sky_moves(*scene_)) others.insert({"stars", "moon", "time"});
   const auto same_exposure = [&](const Time& time) {
     return time.exposure_s == scene_->time.exposure_s && time.instants == scene_->time.instants;
   };

@@ -47,6 +47,12 @@ std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes() {
       {"fainter stars", [](Scene& s) { s.stars.faintest_magnitude = 7.5; }},
       {"brighter airglow", [](Scene& s) { s.airglow.green_rayleigh = 900.0; }},
       {"another town", [](Scene& s) { s.light_pollution.azimuth_deg = 10.0; }},
+      {"moonlight",
+       [](Scene& s) {
+         s.site.longitude_deg = 20.0, s.site.time_utc = "2012-03-08T21:00:00Z", s.moon.skylight = true;
+       }},
+      {"later moonlight", [](Scene& s) { s.time.start_s += 3600.0; }},
+      {"no moonlight", [](Scene& s) { s.moon.skylight = false; }},
       {"other primaries", [](Scene& s) { s.sensor.primaries = Primaries::rec2020; }},
       {"the sky", [](Scene& s) { s.sky.level[1] = 0.01; }},
       {"less blur", [](Scene& s) { s.blur.width_deg[0] = 0.2; }},
