@@ -46,6 +46,7 @@ Scene sky_over_ground(const Scene& scene) {
   sky.sensor.vignetting_cos_power = 0.0;
   sky.sensor.vignetting = Sensor().vignetting;
   sky.ground.shown = false;
+  if (sky.moon.skylight) sky.moon.shown = true;  // what lights the air lights the ground
   // A blur moves light about and leaves its sum.
   sky.blur.model = BlurModel::angle;
   std::fill(sky.blur.width_deg.begin(), sky.blur.width_deg.end(), 0.0);

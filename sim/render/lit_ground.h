@@ -20,7 +20,8 @@ struct GroundIllumination {
   double lux() const { return aurora_lx + night_sky_lx + stars_lx; }
 };
 
-/// The same scene before a camera that sees all of its sky, and with nothing on the ground.
+/// The same scene before a camera that sees all of its sky, and with nothing on the ground. With
+/// moon.skylight its Moon is there, shown or not.
 Scene sky_over_ground(const Scene& scene);
 
 /// Of that scene's pictures, as render() has them (sim/render/render.h has both in one call).

@@ -68,6 +68,12 @@ TEST(LitGround, HasTheMoonsShare) {
   const GroundIllumination light = light_on_ground(scene);
   EXPECT_GT(light.stars_lx, 0.15);
   EXPECT_LT(light.stars_lx, 0.32);
+  // A Moon that lights the air lights the ground, whether its disc is drawn or not.
+  scene.moon.shown = false;
+  scene.moon.skylight = true;
+  const GroundIllumination of_both = light_on_ground(scene);
+  EXPECT_DOUBLE_EQ(of_both.stars_lx, light.stars_lx);
+  EXPECT_GT(of_both.night_sky_lx, 0.0);
 }
 
 // The aurora's lux do not hang on how it is looked at: twice the light is twice the lux, and a turned camera
