@@ -189,7 +189,11 @@ Scene with_enough_beams(const Scene& scene, const FilmGeometry& film) {
         sheet.points_per_px * px2_per_km2(scene, sheet, sights) / points_per_km * line_length_km(sheet);
     const int said = beams_per_layer(sheet);
     const double most = std::min(kMaxMoreBeams * said, static_cast<double>(kSheetMaxBeams));
-    sheet.beams = std::max(said, static_cast<int>(std::min(std::ceil(beams), most)));
+    // In steps of the square root of 2: with every other number all beams stand
+    // elsewhere, and if it followed a moving sheet or camera, grain would
+    // flicker from one picture to the next.
+    const double steps = std::max(0.0, std::ceil(2.0 * std::log2(beams / said)));
+    sheet.beams = static_cast<int>(std::min(std::ceil(said * std::exp2(0.5 * steps)), most));
     sheet.beams_per_km = 0.0;
   }
   return enough;

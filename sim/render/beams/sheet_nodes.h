@@ -21,7 +21,8 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
                                     double fineness = 1.0);
 
 /// The scene with as many beams as Sheet::points_per_px asks for on this film, at least those that it has, at
-/// most 16 times as many.
+/// most 16 times as many, and else those times a power of the square root of 2: what moves a little keeps
+/// its beams.
 Scene with_enough_beams(const Scene& scene, const FilmGeometry& film);
 
 }  // namespace vegard::sim

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "sim/emit/aurora/sheet.h"
@@ -59,7 +60,9 @@ TEST(EnoughBeams, GoWithThePixels) {
   Scene scene = curtain(1280);
   const double of_1280 = beams_for(scene);
   EXPECT_GT(of_1280, 1.2 * beams_per_layer(scene.sheets[0]));
-  EXPECT_NEAR(beams_for(curtain(1920)) / of_1280, 2.25, 0.01);
+  // 2.25 times as many, to within a step up or down.
+  EXPECT_GT(beams_for(curtain(1920)) / of_1280, 2.25 / std::sqrt(2.0) - 0.01);
+  EXPECT_LT(beams_for(curtain(1920)) / of_1280, 2.25 * std::sqrt(2.0) + 0.01);
   EXPECT_EQ(beams_for(curtain(120)), beams_per_layer(scene.sheets[0])) << "not fewer than are said";
   scene.sheets[0].path_step *= 2.0;
   EXPECT_NEAR(beams_for(scene) / of_1280, 2.0, 0.01);
@@ -67,6 +70,34 @@ TEST(EnoughBeams, GoWithThePixels) {
   EXPECT_EQ(beams_for(scene), beams_per_layer(scene.sheets[0]));
   scene.sheets[0].points_per_px = 1000.0;
   EXPECT_EQ(beams_for(scene), 16 * beams_per_layer(scene.sheets[0]));
+}
+
+// Of a curtain that moves 12 m between two pictures of 1280 pixels at 25 pictures a second (0.4 pixels at
+// most).
+TEST(EnoughBeams, LeaveAMovingSheetItsGrain) {
+  Scene scene = curtain(1280);
+  scene.sheets[0].drift_km_s = {0.0, 0.3};
+  const int at_first = beams_for(scene);
+  EXPECT_GT(at_first, beams_per_layer(scene.sheets[0]));
+  int changes = 0, before = at_first;
+  for (int frame = 1; frame <= 50; ++frame) {
+    scene.time.start_s = 0.04 * frame;
+    const int now = beams_for(scene);
+    changes += now != before ? 1 : 0;
+    before = now;
+  }
+  EXPECT_LE(changes, 1) << "in two seconds";
+}
+
+TEST(EnoughBeams, GrowInStepsOfTheSquareRootOfTwo) {
+  Scene scene = curtain(1280);
+  double before = beams_for(scene);
+  for (int step = 0; step < 4; ++step) {
+    scene.sheets[0].points_per_px *= std::sqrt(2.0);
+    const double now = beams_for(scene);
+    EXPECT_NEAR(now / before, std::sqrt(2.0), 1e-3);
+    before = now;
+  }
 }
 
 }  // namespace
