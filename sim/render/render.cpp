@@ -278,7 +278,14 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
     RenderOptions of_sky;
     of_sky.threads = options.threads;
     of_sky.stop = options.stop;
-    result.ground = ground_layer(scene, light_on_ground(scene, of_sky), options.threads);
+    // Of the scene as it was given: how many beams this camera's picture takes
+    // is no matter there.
+    const auto on_ground = [&] { return light_on_ground(as_given, of_sky); };
+    const GroundIllumination light = options.memory != nullptr
+                                         ? options.memory->on_ground(as_given, options.stop, on_ground)
+                                         : on_ground();
+    if (stopped()) return {};
+    result.ground = ground_layer(scene, light, options.threads);
   }
   if (stopped()) return {};
   result.rgb = result.aurora;

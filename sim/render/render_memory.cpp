@@ -40,8 +40,9 @@ std::set<std::string> volumes_and(std::set<std::string> tables) {
 }  // namespace
 
 template <class T>
-bool RenderMemory::is_good(const Kept<T>& kept, const std::set<std::string>& but_for) const {
-  return kept.made_for && kept.threads == threads_ && same_values(*kept.made_for, *scene_, but_for);
+bool RenderMemory::is_good(const Kept<T>& kept, const Scene& scene,
+                           const std::set<std::string>& but_for) const {
+  return kept.made_for && kept.threads == threads_ && same_values(*kept.made_for, scene, but_for);
 }
 
 void RenderMemory::look_at(const Scene& scene, int threads) {
@@ -59,7 +60,7 @@ std::shared_ptr<const Volumes> RenderMemory::volumes() {
   const auto same_size = [&](const Camera& camera) {
     return camera.width == scene_->camera.width && camera.height == scene_->camera.height;
   };
-  if (!is_good(volumes_, others) || !same_size(volumes_.made_for->camera))
+  if (!is_good(volumes_, *scene_, others) || !same_size(volumes_.made_for->camera))
     volumes_ = {*scene_, threads_, std::make_shared<Volumes>(*scene_, threads_, true)};
   return volumes_.value;
 }
@@ -69,7 +70,8 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
   // How widely the atoms' light is spread, and so on which films, is a matter of the camera.
   const std::set<std::string> others =
       scene_->blur.model == BlurModel::physical ? lights_and({"sensor"}) : lights_and({"camera", "sensor"});
-  if (!is_good(exposer_, others) || !same_film(film, film_of_exposer_) || light != volumes_of_exposer_) {
+  if (!is_good(exposer_, *scene_, others) || !same_film(film, film_of_exposer_) ||
+      light != volumes_of_exposer_) {
     exposer_ = {*scene_, threads_,
                 std::make_unique<Exposer>(*scene_, film, threads_, 0.0, BeamSampling{}, light)};
     film_of_exposer_ = film;
@@ -79,7 +81,7 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
 }
 
 const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
-  if (!is_good(stars_, volumes_and({"sheet", "sky", "composite", "ground", "fit"}))) {
+  if (!is_good(stars_, *scene_, volumes_and({"sheet", "sky", "composite", "ground", "fit"}))) {
     stars_ = {};
     Image light = star_light(*scene_, instants_s(scene_->time), stop, threads_);
     stars_.value = std::move(light);
@@ -97,9 +99,19 @@ const Image& RenderMemory::night_sky() {
   const auto same_exposure = [&](const Time& time) {
     return time.exposure_s == scene_->time.exposure_s && time.instants == scene_->time.instants;
   };
-  if (!is_good(night_sky_, others) || !same_exposure(night_sky_.made_for->time))
+  if (!is_good(night_sky_, *scene_, others) || !same_exposure(night_sky_.made_for->time))
     night_sky_ = {*scene_, threads_, night_sky_light(*scene_, threads_)};
   return night_sky_.value;
+}
+
+const GroundIllumination& RenderMemory::on_ground(
+    const Scene& as_given, const std::atomic<bool>* stop,
+    const std::function<GroundIllumination()>& light_on_ground) {
+  if (!is_good(ground_, as_given, {"camera", "composite", "ground", "fit"})) {
+    ground_ = {{}, threads_, light_on_ground()};
+    if (stop == nullptr || !stop->load()) ground_.made_for = as_given;  // else it is dark
+  }
+  return ground_.value;
 }
 
 }  // namespace vegard::sim

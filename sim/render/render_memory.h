@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 
 #include "sim/base/image.h"
 #include "sim/render/film.h"
+#include "sim/render/lit_ground.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 
@@ -30,6 +32,11 @@ class RenderMemory {
   const Image& stars(const std::atomic<bool>* stop);
   const Image& night_sky();
 
+  /// What falls on the ground of that scene as it was given, before it got beams for its own picture: no
+  /// camera has a part in it. `light_on_ground` tells it where it is not known yet.
+  const GroundIllumination& on_ground(const Scene& as_given, const std::atomic<bool>* stop,
+                                      const std::function<GroundIllumination()>& light_on_ground);
+
  private:
   /// A part, and the scene that it was made for: good for every other that has the same values, but for those
   /// of tables that have no part in it.
@@ -40,7 +47,7 @@ class RenderMemory {
     T value{};
   };
   template <class T>
-  bool is_good(const Kept<T>& kept, const std::set<std::string>& but_for) const;
+  bool is_good(const Kept<T>& kept, const Scene& scene, const std::set<std::string>& but_for) const;
 
   std::shared_ptr<const Volumes> volumes();
 
@@ -51,6 +58,7 @@ class RenderMemory {
   FilmGeometry film_of_exposer_;
   std::shared_ptr<const Volumes> volumes_of_exposer_;
   Kept<Image> stars_, night_sky_;
+  Kept<GroundIllumination> ground_;
 };
 
 }  // namespace vegard::sim

@@ -53,6 +53,15 @@ std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes() {
        }},
       {"later moonlight", [](Scene& s) { s.time.start_s += 3600.0; }},
       {"no moonlight", [](Scene& s) { s.moon.skylight = false; }},
+      {"ground",
+       [](Scene& s) {
+         s.camera.elevation_deg = 5.0, s.camera.roll_deg = 0.0, s.ground.shown = true;
+         s.sheets[0].points_per_px = 4.0;  // more beams the nearer a camera looks
+       }},
+      {"the camera turns above the ground", [](Scene& s) { s.camera.azimuth_deg -= 60.0; }},
+      {"and zooms", [](Scene& s) { s.camera.hfov_deg = 12.0; }},
+      {"darker ground", [](Scene& s) { s.ground.albedo = 0.2; }},
+      {"the ground under less light", [](Scene& s) { s.sheets[0].energy_flux_mw_m2 *= 0.5; }},
       {"other primaries", [](Scene& s) { s.sensor.primaries = Primaries::rec2020; }},
       {"the sky", [](Scene& s) { s.sky.level[1] = 0.01; }},
       {"less blur", [](Scene& s) { s.blur.width_deg[0] = 0.2; }},
@@ -75,6 +84,7 @@ TEST(RenderMemory, LeavesThePictureAsItIs) {
     EXPECT_EQ(remembered.rayleigh.data, afresh.rayleigh.data) << what;
     EXPECT_EQ(remembered.stars.data, afresh.stars.data) << what;
     EXPECT_EQ(remembered.night_sky.data, afresh.night_sky.data) << what;
+    EXPECT_EQ(remembered.ground.data, afresh.ground.data) << what;
     EXPECT_EQ(remembered.rgb.data, afresh.rgb.data) << what;
     EXPECT_EQ(remembered.deflection_points, afresh.deflection_points) << what;
     if (what != "nothing") {
@@ -98,6 +108,28 @@ TEST(RenderMemory, KeepsWhatHasNotChanged) {
   scene.sheets[0].energy_kev += 1.0;
   memory.look_at(scene, 1);
   EXPECT_EQ(memory.stars(nullptr).data.data(), stars);
+}
+
+TEST(RenderMemory, KeepsTheGroundsLightWhileTheCameraTurns) {
+  Scene scene = scene_of_everything();
+  scene.ground.shown = true;
+  RenderMemory memory;
+  int asked = 0;
+  const auto lux = [&] {
+    memory.look_at(scene, 1);
+    const auto light = [&] { return ++asked, light_on_ground(scene); };
+    return memory.on_ground(scene, nullptr, light).lux();
+  };
+  const double before = lux();
+  EXPECT_GT(before, 0.0);
+  scene.camera.azimuth_deg += 40.0;
+  scene.camera.hfov_deg = 20.0;
+  scene.ground.albedo = 0.1;
+  EXPECT_EQ(lux(), before);
+  EXPECT_EQ(asked, 1);
+  scene.sheets[0].energy_flux_mw_m2 *= 2.0;
+  EXPECT_GT(lux(), before);
+  EXPECT_EQ(asked, 2);
 }
 
 TEST(RenderMemory, DoesNotKeepStarsThatWereInterrupted) {
