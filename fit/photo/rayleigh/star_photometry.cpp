@@ -33,9 +33,10 @@ std::vector<PlacedStar> placed_stars(const sim::Scene& scene, double julian_date
   const sim::Observer observer{scene.site.latitude_deg, scene.site.longitude_deg, scene.site.altitude_m,
                                settings.refracting_air};
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
-  // All of the catalogue: what is not measured may still disturb.
+  // All of the catalogue, to magnitude 6: what is not measured may still
+  // disturb.
   std::vector<PlacedStar> placed;
-  for (const sim::BrightStar& star : sim::bright_stars()) {
+  for (const sim::BrightStar& star : sim::catalogue_stars()) {
     const std::array<double, 3> enu = sim::direction_of_star(star.place, observer, julian_date);
     PlacedStar one;
     if (enu[2] < 0.0 || !sim::pixel_of_enu(view, enu.data(), one.x_px, one.y_px)) continue;
@@ -102,7 +103,7 @@ void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture)
   }
 }
 
-/// Whether stars can tell the extinction: they stand an airmass and a half apart at the ends and are not few.
+/// Whether stars can tell the extinction: they stand 0.7 airmasses apart at the ends and are not few.
 bool tell_extinction(const std::vector<FactorDatum>& data) {
   constexpr std::size_t kMinStars = 10;
   constexpr double kMinSpan = 0.7;
@@ -152,7 +153,7 @@ void StarPhotometer::add(const CountPicture& picture, double julian_date) {
     if (!light || !(steradians > 0.0) || !(light->sigma > 0.0)) continue;
     const double photons = star_photons_in_band(band_, one.star->magnitude, one.star->colour_index);
     const double rayleighs = photons * kSquareCm / (sim::kPhotonsPerRayleigh_m2_s_sr * steradians);
-    Sum& sum = sums_[one.star->hip];
+    Sum& sum = sums_[one.star - sim::catalogue_stars().data()];
     if (sum.star.pictures == 0) {
       sum.star.name = one.star->label();
       sum.star.magnitude = one.star->magnitude;
@@ -192,7 +193,7 @@ void StarPhotometer::take_means(Sum& sum) {
 
 StarFactor StarPhotometer::answer(const std::string& name) const {
   std::vector<Sum> stars;
-  for (const auto& [hip, sum] : sums_) {
+  for (const auto& [star, sum] : sums_) {
     stars.push_back(sum);
     take_means(stars.back());
   }

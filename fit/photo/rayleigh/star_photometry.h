@@ -9,6 +9,7 @@
 // share of the star's light; the factor is for light below the air.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -92,7 +93,8 @@ class StarPhotometer {
   sim::Scene scene_;
   FilterBand band_;
   StarPhotometrySettings settings_;
-  std::map<int, Sum> sums_;  ///< by the stars' numbers
+  std::map<std::ptrdiff_t, Sum> sums_;  ///< by the stars' places in catalogue_stars(); not all have a
+                                        ///< number
 };
 
 /// Kasten and Young 1989, doi:10.1364/AO.28.004735.
