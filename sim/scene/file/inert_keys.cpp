@@ -12,6 +12,8 @@
 namespace vegard::sim {
 namespace {
 
+constexpr double kCatalogueEnds_mag = 6.0;  // data/stars/README.md
+
 /// The same sheets by name and form, and nothing else.
 Scene unsaid(const Scene& scene) {
   std::string text;
@@ -45,6 +47,11 @@ std::string problem_of(const Scene& scene, const ParameterPath& path) {
            "energy_kev "
            "sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has heights by "
            "energy";
+  if (table == "stars" && key == "faintest_magnitude" && scene.stars.source == StarSource::catalogue &&
+      scene.stars.faintest_magnitude > kCatalogueEnds_mag)
+    return "the catalogue's stars end at V = 6, so none that is fainter is "
+           "shown; stars.source = \"drawn\" "
+           "has them";
   const auto complaint = inert_number_complaint(scene, path);
   return complaint ? complaint->problem : std::string();
 }

@@ -63,6 +63,10 @@ std::optional<Complaint> inert_number_complaint(const Scene& scene, const Parame
   if (path.row->table == "camera") {
     const LensModel model = scene.camera.model;
     const bool pinhole = model == LensModel::pinhole, radial = key == "k1" || key == "k2" || key == "k3";
+    if ((key == "hfov_deg" || key == "focal_px") &&
+        (model == LensModel::equirectangular || model == LensModel::cube))
+      return Complaint{"the camera is a panorama (\"" + word_of(model) + "\"), so " + key + " has no effect",
+                       expected, "a panorama sees all around; its scale is camera.width"};
     if ((key == "hfov_deg" && !pinhole) || (key == "focal_px" && pinhole) ||
         (radial && !pinhole && model != LensModel::polynomial)) {
       return Complaint{"the lens is \"" + word_of(model) + "\", so " + key + " has no effect", expected,

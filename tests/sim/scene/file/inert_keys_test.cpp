@@ -37,6 +37,40 @@ TEST(IdleKeys, TellNothingOfWhatCountsOrIsAsItWouldBe) {
   EXPECT_TRUE(inert_keys(parse_scene(write_scene(scene), "y.toml")).empty());
 }
 
+TEST(IdleKeys, KnowThatAPanoramaHasNoFocalLength) {
+  const auto told = [](const std::string& camera) {
+    return inert_keys(parse_scene("[camera]\nwidth = 400\nheight = 200\n" + camera, "x.toml"));
+  };
+  for (const std::string model : {"equirectangular", "cube"}) {
+    const std::string size =
+        model == "cube" ? "height = 300\nmodel = \"cube\"\n" : "height = 200\nmodel = \"equirectangular\"\n";
+    for (const std::string& number : {std::string("focal_px = 100\n"), std::string("hfov_deg = 50\n")}) {
+      const std::vector<std::string> found = inert_keys(
+          parse_scene("[camera]\nwidth = 400\ncube_layout = \"cross\"\n" + size + number, "x.toml"));
+      ASSERT_EQ(found.size(), 1u) << model << number;
+      EXPECT_NE(found[0].find("panorama"), std::string::npos) << found[0];
+    }
+  }
+  EXPECT_EQ(told("focal_px = 100\n").size(), 1u) << "of a pinhole";
+  EXPECT_TRUE(told("hfov_deg = 50\n").empty());
+}
+
+TEST(IdleKeys, KnowWhereTheCatalogueOfStarsEnds) {
+  const auto told = [](const std::string& stars) {
+    return inert_keys(
+        parse_scene("[site]\nlatitude_deg = 67\nlongitude_deg = 20\ntime_utc = "
+                    "\"2015-03-01T00:00:00Z\"\n[stars]\nshown = true\n" +
+                        stars,
+                    "x.toml"));
+  };
+  const std::vector<std::string> found = told("source = \"catalogue\"\nfaintest_magnitude = 12\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].rfind("x.toml:8: stars.faintest_magnitude: ", 0), 0u) << found[0];
+  EXPECT_NE(found[0].find("V = 6"), std::string::npos);
+  EXPECT_TRUE(told("source = \"catalogue\"\nfaintest_magnitude = 6\n").empty());
+  EXPECT_TRUE(told("faintest_magnitude = 12\n").empty()) << "of random stars";
+}
+
 TEST(IdleKeys, KnowWhichNumbersAFieldHas) {
   const std::string numbers = "inclination_deg = 70\npole_latitude_deg = 81\n";
   const auto told = [&](const std::string& model) {
