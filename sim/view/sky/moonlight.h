@@ -23,8 +23,10 @@ T moonlit_airmass(const T& sine_of_elevation) {
   return 1.0 / square_root(1.0 - 0.96 * (1.0 - sine_of_elevation * sine_of_elevation));
 }
 
-/// How the scattered light varies with the angle from the Moon, in their units: equations (16) to (18) and
-/// (21).
+/// How the scattered light varies with the angle from the Moon, in their units: equations (16) to (19) and
+/// (21). Within 10 degrees of the Moon aerosol scatters by (19), 6.2e7 over the square of the angle, where
+/// that is more than (18): from 8.46 degrees inwards, where the two are equal, so that there is no step (at
+/// 10 degrees (19) is 22 % less). Within the Moon's own edge, 0.26 degrees, it is as at the edge.
 template <class T>
 T moonlit_by_molecules(const T& cosine) {
   return std::pow(10.0, 5.36) * (1.06 + cosine * cosine);
@@ -33,7 +35,12 @@ template <class T>
 T moonlit_by_aerosol(const T& cosine) {
   const T angle_deg =
       arctangent(square_root(1.0 - cosine * cosine + 1e-12), cosine) * (1.0 / kRadiansPerDegree);
-  return exponential((6.15 - angle_deg * (1.0 / 40.0)) * std::log(10.0));
+  constexpr double kMoonsEdge_deg = 0.26, kNearMoon_deg = 10.0, kNearMoon = 6.2e7;
+  const T far = exponential((6.15 - angle_deg * (1.0 / 40.0)) * std::log(10.0));
+  if (value_of(angle_deg) >= kNearMoon_deg) return far;
+  if (value_of(angle_deg) < kMoonsEdge_deg) return T(kNearMoon / (kMoonsEdge_deg * kMoonsEdge_deg));
+  const T near = kNearMoon / (angle_deg * angle_deg);
+  return value_of(near) > value_of(far) ? near : far;
 }
 
 /// The moonlit sky of a scene; of nothing where the Moon is down or moon.skylight is off.

@@ -34,6 +34,33 @@ TEST(MoonlitSky, HidesFaintStars) {
   EXPECT_EQ(moonlit_luminance_cd_m2(0.0, 60.0, 60.0, 70.0, 0.0), 0.0);
 }
 
+double aerosol_at(double angle_deg) { return moonlit_by_aerosol(std::cos(angle_deg * kRadiansPerDegree)); }
+
+// Their equation (19) near the Moon, (18) from 10 degrees on; one over into the other without a step.
+TEST(MoonlitSky, HasAnAureole) {
+  for (const double angle : {0.3, 1.0, 2.0, 5.0, 8.0})
+    EXPECT_NEAR(aerosol_at(angle) * angle * angle / 6.2e7, 1.0, 1e-5) << angle;
+  for (const double angle : {10.0, 10.1, 40.0, 100.0, 170.0})
+    EXPECT_NEAR(aerosol_at(angle) / std::pow(10.0, 6.15 - angle / 40.0), 1.0, 1e-6) << angle;
+  EXPECT_EQ(aerosol_at(0.05), aerosol_at(0.2)) << "the disc";
+  // Nowhere steeper than (19) itself, which loses 2 / angle of itself to a degree.
+  for (double angle = 0.2; angle < 30.0; angle *= 1.001)
+    EXPECT_LT(std::abs(std::log(aerosol_at(1.001 * angle) / aerosol_at(angle))), 0.0021) << angle;
+}
+
+TEST(MoonlitSky, HasExactSlopesInItsAureole) {
+  using One = Dual<double, Tangents<double, 1>>;
+  for (const double angle : {0.1, 0.5, 3.0, 8.0, 9.0, 20.0}) {
+    One cosine(std::cos(angle * kRadiansPerDegree));
+    cosine.d.t[0] = 1.0;
+    const double step = 1e-4 * (1.0 - value_of(cosine));
+    const double slope =
+        (moonlit_by_aerosol(value_of(cosine) + step) - moonlit_by_aerosol(value_of(cosine) - step)) /
+        (2.0 * step);
+    EXPECT_NEAR(moonlit_by_aerosol(cosine).d.t[0], slope, 1e-5 * std::abs(slope)) << angle;
+  }
+}
+
 Scene moonlit_scene() {
   Scene scene;
   scene.site.latitude_deg = 67.84;
