@@ -3,6 +3,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -49,16 +51,38 @@ std::map<std::string, std::string> all_files(const CommandText& program) {
   return files;
 }
 
+/// Makes a folder with those above it; the ones that were missing are added to `made`, the outermost first.
+void make_folder(const std::filesystem::path& folder, std::vector<std::filesystem::path>& made) {
+  std::error_code error;
+  if (folder.empty() || std::filesystem::exists(folder, error)) return;
+  make_folder(folder.parent_path(), made);
+  if (std::filesystem::create_directory(folder, error)) made.push_back(folder);  // else writing tells
+}
+
+/// All of them or none: no file gets its name before every one is written.
+void write_files(const std::map<std::string, std::string>& texts, const ManualRequest& request) {
+  std::vector<std::filesystem::path> folders;
+  std::vector<std::unique_ptr<sim::WholeFile>> files;
+  try {
+    for (const auto& [name, text] : texts) {
+      const std::filesystem::path path = std::filesystem::path(request.folder) / name;
+      make_folder(path.parent_path(), folders);
+      files.push_back(std::make_unique<sim::WholeFile>(path.string(), request.overwrite));
+      files.back()->write(text);
+    }
+    for (const std::unique_ptr<sim::WholeFile>& file : files) file->commit();
+  } catch (...) {
+    files.clear();
+    std::error_code error;  // what is not empty stays
+    for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+      std::filesystem::remove(*folder, error);
+    throw;
+  }
+}
+
 int run_manual(const ManualRequest& request, const CommandText& program) {
   if (!request.folder.empty()) {
-    for (const auto& [name, text] : all_files(program)) {
-      const std::filesystem::path path = std::filesystem::path(request.folder) / name;
-      std::error_code error;
-      std::filesystem::create_directories(path.parent_path(), error);  // else writing tells
-      sim::WholeFile file(path.string(), request.overwrite);
-      file.write(text);
-      file.commit();
-    }
+    write_files(all_files(program), request);
     return good;
   }
   if (!request.shell.empty()) {

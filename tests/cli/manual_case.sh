@@ -5,6 +5,14 @@ for page in vegard vegard-fit vegard-render vegard-survey vegard-survey-run vega
 expect_exit 2 manual -o share
 expect_one_message
 expect_exit 0 manual -o share --overwrite
+# All of them or none, nor an empty folder: one file is in the way, the last of all.
+mkdir -p other/zsh/vendor-completions
+echo mine >other/zsh/vendor-completions/_vegard
+expect_exit 2 manual -o other
+expect_one_message
+[[ $(find other | wc -l) == 4 && $(cat other/zsh/vendor-completions/_vegard) == mine ]] || fail "left: $(find other | tr '\n' ' ')"
+expect_exit 0 manual -o other --overwrite
+[[ $(find other -type f | wc -l) == $(find share -type f | wc -l) ]] || fail "not all of them are written"
 # Every subcommand of the help has its page, and every long option of a subcommand stands on it.
 expect_exit 0 --help
 mapfile -t commands < <(sed -n '/^Subcommands:/,$s/^  \([a-z][a-z-]*\).*/\1/p' "$stdout")
