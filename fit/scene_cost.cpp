@@ -1,9 +1,11 @@
 #include "fit/scene_cost.h"
 
 #include <cassert>
+#include <cmath>
 
 #include "fit/fit_observations.h"
 #include "fit/search/profile_rounds.h"
+#include "sim/scene/rows/value_words.h"
 
 namespace vegard::fit {
 
@@ -22,8 +24,20 @@ std::vector<double> SceneCost::start() const {
   return values;
 }
 
+std::string SceneCost::beyond_limits(const std::vector<double>& values) const {
+  for (std::size_t j = 0; j < free_.size(); ++j) {
+    const FreeNumber& number = free_[j];
+    if (values[j] >= number.min && values[j] <= number.max) continue;
+    const std::string is = number.label() + " = " + sim::short_real_text(values[j]) + " is ";
+    if (!std::isfinite(number.max)) return is + "less than " + sim::short_real_text(number.min);
+    if (!std::isfinite(number.min)) return is + "more than " + sim::short_real_text(number.max);
+    return is + "not within " + sim::short_real_text(number.min) + " to " + sim::short_real_text(number.max);
+  }
+  return {};
+}
+
 bool SceneCost::evaluate(const std::vector<double>& values, double* residuals, double* jacobian) const {
-  assert(values.size() == free_.size());
+  assert(values.size() == free_.size() && beyond_limits(values).empty());
   std::vector<double> coordinates;
   for (std::size_t j = 0; j < free_.size(); ++j) coordinates.push_back(free_[j].coordinate(values[j]));
   const double* parameters[] = {coordinates.data()};

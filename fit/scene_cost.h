@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fit/compare/observation.h"
@@ -33,10 +34,14 @@ class SceneCost {
   /// Where a fit would start.
   std::vector<double> start() const;
 
+  /// What is wrong with values that no scene may have: "sheet.main.energy_kev = 25 is not within 0.05 to 20";
+  /// empty if nothing is.
+  std::string beyond_limits(const std::vector<double>& values) const;
+
   /// Residuals, in standard deviations, at values of free() in the scene's units, and, if `jacobian` is not
   /// null, their derivatives by the values, row-major [residual][free]. Both have their sizes already. False
-  /// where the model has no value: a tie that leads beyond its parameter's limits. A value at or beyond a
-  /// limit counts as one just inside (FreeNumber::coordinate()).
+  /// where the model has no value: a tie that leads beyond its parameter's limits. No value lies beyond its
+  /// limits (beyond_limits()); one at a limit counts as one just inside (FreeNumber::coordinate()).
   bool evaluate(const std::vector<double>& values, double* residuals, double* jacobian) const;
 
  private:

@@ -80,6 +80,8 @@ std::vector<double> values_of(const CostHandle& self, const std::optional<Double
   std::vector<double> at(values->data(), values->data() + values->size());
   for (const double value : at)
     if (!std::isfinite(value)) throw py::value_error("a value is no finite number");
+  const std::string beyond = self.cost->beyond_limits(at);
+  if (!beyond.empty()) throw py::value_error(beyond);
   return at;
 }
 
@@ -214,7 +216,10 @@ void bind_cost(py::module_& m) {
           "of_photographs", [](const CostHandle& c) { return c.cost->data_residuals(); },
           "How many of them are the photographs', which come first; the others are priors' (int).")
       .def("residuals", &residuals, py::arg("values") = py::none(),
-           "(residuals,), float64, in standard deviations; NaN where the model has no value.")
+           "(residuals,), float64, in standard deviations; NaN where the model "
+           "has no value. ValueError for "
+           "values\n"
+           "beyond their limits.")
       .def(
           "jacobian",
           [](const CostHandle& c, const std::optional<Doubles>& values) {

@@ -65,9 +65,25 @@ TEST(SceneCost, AValueAtItsLimitCountsAsOneJustInside) {
   scene.fit.free[1].max = 6.0;
   const Photo photo = tests::rendered_photo(tests::small_scene());
   const SceneCost cost(scene, {&photo}, 1);
-  const Evaluated at = evaluated(cost, {190.0, 6.0}), beyond = evaluated(cost, {190.0, 9.0});
-  EXPECT_EQ(at.residuals, beyond.residuals);
+  EXPECT_EQ(cost.beyond_limits({190.0, 6.0}), "");
+  const double just_inside = cost.free()[1].value(cost.free()[1].coordinate(6.0));
+  EXPECT_LT(just_inside, 6.0);
+  EXPECT_GT(just_inside, 5.9999);
+  const Evaluated at = evaluated(cost, {190.0, 6.0}), inside = evaluated(cost, {190.0, just_inside});
+  for (std::size_t i = 0; i < at.residuals.size(); ++i)
+    EXPECT_NEAR(at.residuals[i], inside.residuals[i], 1e-6);
   for (const double slope : at.jacobian) EXPECT_TRUE(std::isfinite(slope));
+}
+
+TEST(SceneCost, SaysWhichValueLiesBeyondWhichLimits) {
+  sim::Scene scene = scene_with_two_free();
+  scene.fit.free[1].min = 2.0;
+  scene.fit.free[1].max = 6.0;
+  const Photo photo = tests::rendered_photo(tests::small_scene());
+  const SceneCost cost(scene, {&photo}, 1);
+  EXPECT_EQ(cost.beyond_limits({190.0, 3.0}), "");
+  EXPECT_EQ(cost.beyond_limits({190.0, 9.0}), "sheet.main.energy_kev = 9 is not within 2 to 6");
+  EXPECT_EQ(cost.beyond_limits({190.0, -1.0}), "sheet.main.energy_kev = -1 is not within 2 to 6");
 }
 
 TEST(SceneCost, RefusesWhatAFitRefuses) {

@@ -98,6 +98,12 @@ def test_refuses_what_is_no_point(fit_scene, photo):
         cost.residuals([1.0, 2.0, 3.0])
     with pytest.raises(ValueError, match="finite"):
         cost.jacobian([np.nan, 3.0])
+    least, most = cost.limits[1]
+    assert np.isfinite(cost.residuals([220.0, most])).all()  # a limit is inside
+    for energy in (-1.0, 0.0, 0.9 * least, 1.1 * most, 1e9):
+        for ask in (cost.residuals, cost.jacobian, cost.residuals_and_jacobian):
+            with pytest.raises(ValueError, match="sheet.main.energy_kev = .* is not within .* to"):
+                ask([220.0, energy])
 
 
 def test_refuses_photographs_that_do_not_fit(fit_scene, photo, scene):
