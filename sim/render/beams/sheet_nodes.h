@@ -1,6 +1,6 @@
-// How densely sheets are looked at, by the pixels of a film where the camera sees them nearest: the nodes that
-// tell the expected picture, which is the mean over all draws of beams, and the beams that a picture of one
-// draw takes to be free of grain.
+// How densely sheets are looked at, by the pixels of a film where the camera sees them nearest: the nodes
+// that tell the expected picture, which is the mean over all draws of beams, and the beams that a picture of
+// one draw takes to be free of grain.
 #pragma once
 
 #include <vector>
