@@ -28,7 +28,7 @@ std::string versions() {
 }
 
 int report(const std::string& message, int exit_code) {
-  apps::tell("vegard: %s\n", message.c_str());
+  apps::complain("vegard", message);
   return exit_code;
 }
 

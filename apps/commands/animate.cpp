@@ -18,6 +18,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
@@ -157,10 +158,12 @@ int run_animate(const AnimateRequest& request) {
   const std::vector<int> frames = frames_of(options, scene);
   sim::validate(scene_of_frame(scene, frames.back(), frames_per_second));  // time has limits
   if (options.list) {
-    for (const int frame : frames)
-      say("%s\n", fmt::format("{} time.start_s={}", frame,
-                              scene_of_frame(scene, frame, frames_per_second).time.start_s)
-                      .c_str());
+    json_answer()["frames"] = Json::array();
+    for (const int frame : frames) {
+      const double start_s = scene_of_frame(scene, frame, frames_per_second).time.start_s;
+      say_result(fmt::format("{} time.start_s={}\n", frame, start_s));
+      json_answer()["frames"].push_back({{"frame", frame}, {"start_s", start_s}});
+    }
     return good;
   }
   if (options.output.empty())
@@ -221,6 +224,13 @@ int run_animate(const AnimateRequest& request) {
     throw;
   }
   const std::string size = fmt::format("{} x {} pixels", scene.camera.width, scene.camera.height);
+  json_answer() = {{"outputs", json_names({movie ? options.output : names.file(frames.front()),
+                                           movie || frames.size() == 1 ? "" : names.file(frames.back())})},
+                   {"frames", frames.size()},
+                   {"finished_before", before},
+                   {"width_px", scene.camera.width},
+                   {"height_px", scene.camera.height},
+                   {"frames_per_second", frames_per_second}};
   if (!movie) {
     say("%s to %s: %zu frames of %s, %zu of them finished before\n", names.file(frames.front()).c_str(),
         names.file(frames.back()).c_str(), frames.size(), size.c_str(), before);

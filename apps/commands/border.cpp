@@ -5,6 +5,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -13,6 +14,7 @@
 #include "fit/border/border.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_run.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 
 namespace vegard::apps {
@@ -47,10 +49,13 @@ int run_border(const BorderRequest& options, const std::string& command) {
   facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.decoding = photos.front().decoding;
   fit::write_border_run(options.out, options.overwrite, border, photos.front(), scene, facts);
+  answer_with(sim::input_bytes(options.out + "/border.json", "a border"));
+  json_answer()["report"] = options.out + "/report.html";
   for (std::size_t t = 0; t < border.traces.size(); ++t)
     if (border.traces[t].measured > 0) say("%s\n", fit::border_sentence(border, t, scene).c_str());
   for (const std::string& note : border.notes) say("%s\n", note.c_str());
-  if (border.measured == 0) say("no lower border was measured; the reason is given above\n");
+  if (border.measured == 0)
+    say_verdict(Tone::doubtful, "no lower border was measured; the reason is given above");
   say("%s\n", (options.out + "/report.html").c_str());
   return border.measured > 0 ? good : doubted;
 }

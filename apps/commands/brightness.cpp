@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
@@ -21,7 +22,6 @@ namespace {
 struct BrightnessRequest {
   SceneOptions scene;
   int threads = 0;
-  bool json = false;
   std::string memory_limit;
 };
 
@@ -61,8 +61,8 @@ int run_brightness(const BrightnessRequest& options) {
     std::fputs("vegard: interrupted\n", stderr);
     return interrupted;
   }
-  const std::string text = options.json ? brightness_json(report) : brightness_text(report);
-  say_text(text);
+  answer_with(brightness_json(report));
+  say_result(brightness_text(report));
   return good;
 }
 
@@ -73,7 +73,6 @@ void add_brightness_command(Program& program) {
   const Command command = program.add(
       "brightness", "Tell how bright a scene is: IBC, rayleighs, watts, luminance, what the eye sees");
   add_scene_options(command, options->scene);
-  command.flag("--json", options->json, "For programs");
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
   add_memory_option(command, options->memory_limit);

@@ -13,6 +13,7 @@
 #include "apps/commands/calibrate_options.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
@@ -102,6 +103,7 @@ class CalibrateOutputs {
   void commit() {
     for (const std::string& name : written_) claimed_.at(name)->commit();
   }
+  const std::vector<std::string>& written() const { return written_; }
   void tell() const {
     for (const std::string& name : written_) say("%s\n", name.c_str());
   }
@@ -388,6 +390,7 @@ int run_calibrate(const CalibrateOptions& options) {
     if (!seen.table.empty()) outputs.put(options.stars_out, seen.table);
     if (!seen.local) {
       outputs.commit();
+      json_answer()["outputs"] = json_names(outputs.written());
       outputs.tell();
       return seen.exit_code;
     }
@@ -431,6 +434,8 @@ int run_calibrate(const CalibrateOptions& options) {
   if (!options.overlay.empty()) outputs.put(options.overlay, fit::star_overlay(calibration, *photo));
   outputs.commit();
 
+  answer_with(fit::calibration_json(calibration, origin));
+  json_answer()["outputs"] = json_names(outputs.written());
   print(calibration);
   if (!frame.known) say("note: the picture's size was guessed from its stars: set --size or --image\n");
   outputs.tell();
@@ -446,7 +451,8 @@ void add_calibrate_command(Program& program) {
       "Find a camera's pointing, lens and distortion from the stars in its picture, or from maps of "
       "its directions");
   add_calibrate_options(command, *options);
-  command.runs([options] {
+  command.runs([options, json = command.option_of_name("--json")] {
+    if (json.given() && options->json.empty()) voice().is_json = true;
     options->image = picture_at(options->image, options->at);
     return run_calibrate(*options);
   });

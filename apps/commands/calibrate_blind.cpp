@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/photo/mask/circle.h"
@@ -71,6 +72,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
   finder.min_signal = options.min_signal;
   const fit::PictureStars picture = fit::recognise_picture(photo.linear, finder, usable);
   say("%s\n", fit::words_of(picture.recognition).c_str());
+  json_answer() = {{"found", picture.recognition.found}, {"words", fit::words_of(picture.recognition)}};
   BlindStars answer;
   if (!picture.recognition.found) {
     answer.exit_code = doubted;
@@ -79,7 +81,10 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
   const std::optional<fit::CircleFound> found_circle = fit::find_circle(photo);
   std::optional<fit::Circle> circle;
   if (found_circle) circle = found_circle->circle;
-  say_text(fit::words_of(fit::sky_place(picture.recognition.best, frame, circle), picture.recognition.best));
+  const std::string place =
+      fit::words_of(fit::sky_place(picture.recognition.best, frame, circle), picture.recognition.best);
+  json_answer()["place"] = place;
+  say_text(place);
   const auto is_shown = [&](const fit::SeenPlanet& planet) {
     if (circle && std::hypot(planet.x_px - circle->x_px, planet.y_px - circle->y_px) > circle->radius_px)
       return false;

@@ -185,7 +185,11 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       .type_name("YYYY-MM-DD");
   command.flag("--level", options.level, "With --date: the camera was held level");
   command.option("--residuals", options.residuals, "Write the stars' residuals").type_name("OUT.csv");
-  command.option("--json", options.json, "Write all of it: lenses, numbers, correlations, stars")
+  command
+      .option(
+          "--json", options.json,
+          "Write all of it: lenses, numbers, correlations, stars; without a name, print it in place of words")
+      .expected(0, 1)
       .type_name("OUT.json");
   command.option("--plot", options.plot, "Draw the residuals").type_name("OUT.svg|OUT.png");
   command.option("--overlay", options.overlay, "Draw the stars on the picture").type_name("OUT.png");

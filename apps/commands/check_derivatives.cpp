@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
@@ -22,17 +23,28 @@ std::string share_text(double share) { return std::isfinite(share) ? fmt::format
 void print(const std::vector<fit::DerivativeCheck>& checks) {
   std::size_t widest = 9;
   for (const fit::DerivativeCheck& check : checks) widest = std::max(widest, check.name.size());
-  say("Of each column of the Jacobian: its length (sigmas per natural step: the parameter itself, or one of "
+  say_result(
+      "Of each column of the Jacobian: its length (sigmas per natural step: the parameter itself, or one of "
       "its "
       "unit),\nand how far central differences are from it, relative, by step (share of a natural "
       "step).\n\n");
+  json_answer()["steps"] = fit::derivative_steps();
+  json_answer()["parameters"] = Json::array();
   std::string header = fmt::format("{:<{}}  {:>8}", "parameter", widest, "length");
   for (const double step : fit::derivative_steps()) header += fmt::format("  {:>7.0e}", step);
-  say("%s  best at  verdict\n", header.c_str());
+  say_result(header + "  best at  verdict\n");
   for (const fit::DerivativeCheck& check : checks) {
     std::string line = fmt::format("{:<{}}  {:>8}", check.name, widest, share_text(check.effect));
     for (const double difference : check.differences) line += fmt::format("  {:>7}", share_text(difference));
-    say("%s  %7.0e  %s\n", line.c_str(), check.best_step, fit::derivative_verdict_name(check.verdict));
+    const char* const verdict = fit::derivative_verdict_name(check.verdict);
+    say_result(line + fmt::format("  {:7.0e}  {}\n", check.best_step, verdict));
+    Json differences = Json::array();
+    for (const double difference : check.differences) differences.push_back(json_number(difference));
+    json_answer()["parameters"].push_back({{"name", check.name},
+                                           {"length", json_number(check.effect)},
+                                           {"differences", differences},
+                                           {"best_step", json_number(check.best_step)},
+                                           {"verdict", verdict}});
   }
 }
 
@@ -56,13 +68,16 @@ ExitCode print_derivative_check(const sim::Scene& scene, const fit::Photo& photo
   };
   const long differ = count(fit::DerivativeVerdict::differ), inert = count(fit::DerivativeVerdict::no_effect);
   if (differ == 0 && inert == 0) {
-    say("All derivatives agree with differences.\n");
+    say_result("All derivatives agree with differences.\n");
     return good;
   }
-  if (differ > 0) say("%ld of %zu derivatives differ from differences.\n", differ, checks.size());
-  if (inert > 0) say("%ld of %zu parameters have no effect on what is fitted.\n", inert, checks.size());
+  if (differ > 0)
+    say_result(fmt::format("{} of {} derivatives differ from differences.\n", differ, checks.size()));
+  if (inert > 0)
+    say_result(fmt::format("{} of {} parameters have no effect on what is fitted.\n", inert, checks.size()));
   if (inert == static_cast<long>(checks.size()))
-    say("Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
+    say_result(
+        "Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
         "held at "
         "0:\ncheck the best.toml of a run instead.\n");
   return doubted;

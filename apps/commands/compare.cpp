@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/report/table/run_comparison.h"
@@ -33,7 +34,7 @@ void print_table(const std::vector<std::vector<std::string>>& rows) {
       const std::string gap(widths[c] - columns_of(row[c]), ' ');
       line += c == 0 ? row[c] + gap : "  " + gap + row[c];
     }
-    say("%s\n", line.c_str());
+    say_result(line + "\n");
   }
 }
 
@@ -68,6 +69,33 @@ void print_parameters(const fit::RunComparison& comparison) {
   print_table(rows);
 }
 
+void answer_comparison(const fit::RunComparison& comparison, int values) {
+  Json& answer = json_answer();
+  answer = {{"best", comparison.runs[comparison.best].run.name},
+            {"values", values},
+            {"effective_sample_size", json_number(comparison.independent_values)},
+            {"runs", Json::array()},
+            {"sentences", comparison.sentences}};
+  for (const fit::ComparedRun& c : comparison.runs) {
+    Json run = {{"name", c.run.name},
+                {"verdict", c.run.verdict},
+                {"unknowns", c.run.unknowns},
+                {"chi2", json_number(c.run.chi2)},
+                {"dof", c.run.dof},
+                {"chi2_per_dof", json_number(c.run.chi2 / std::max(1, c.run.dof))},
+                {"aic", json_number(c.criteria.aic)},
+                {"bic", json_number(c.criteria.bic)},
+                {"aic_difference", json_number(c.aic_difference)},
+                {"bic_difference", json_number(c.bic_difference)},
+                {"parameters", Json::object()}};
+    for (const std::string& path : c.run.paths) {
+      const auto& number = c.run.parameters.at(path);
+      run["parameters"][path] = {{"value", json_number(number.value)}, {"sigma", json_number(number.sigma)}};
+    }
+    answer["runs"].push_back(run);
+  }
+}
+
 /// The best run's own verdict counts; a run that found nothing spoils the comparison.
 ExitCode exit_code_of(const fit::RunComparison& comparison) {
   for (const fit::ComparedRun& c : comparison.runs)
@@ -82,18 +110,22 @@ int run_compare(const std::vector<std::string>& directories) {
   for (const std::string& directory : directories) runs.push_back(fit::read_run(directory));
   const fit::RunComparison comparison = fit::compared(runs);
   print_criteria(comparison);
-  say("%d values, worth %s independent ones; chi2 is divided by %s in AIC and BIC\n", runs.front().values,
-      sim::short_number(comparison.independent_values, 3).c_str(),
-      sim::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3).c_str());
-  say("decoding: %s\n\n", runs.front().decoding.c_str());
+  say_result(fmt::format(
+      "{} values, worth {} independent ones; chi2 is divided by {} in AIC and BIC\n", runs.front().values,
+      sim::short_number(comparison.independent_values, 3),
+      sim::short_number(comparison.runs.front().run.chi2 / comparison.runs.front().criteria.chi2, 3)));
+  say_result("decoding: " + runs.front().decoding + "\n\n");
   print_parameters(comparison);
-  say("\n");
-  for (const std::string& sentence : comparison.sentences) say("%s\n", sentence.c_str());
+  say_result("\n");
+  for (const std::string& sentence : comparison.sentences) say_result(sentence + "\n");
   const ExitCode code = exit_code_of(comparison);
-  if (code == not_converged) say("Do not believe it: not all of the runs ended at an answer.\n");
+  const fit::RunSummary& best = comparison.runs[comparison.best].run;
+  if (code == not_converged)
+    say_verdict(Tone::bad, "Do not believe it: not all of the runs ended at an answer.", false);
   if (code == doubted)
-    say("Doubtful: the verdict on %s is \"%s\".\n", comparison.runs[comparison.best].run.name.c_str(),
-        comparison.runs[comparison.best].run.verdict.c_str());
+    say_verdict(Tone::doubtful, "Doubtful: the verdict on " + best.name + " is \"" + best.verdict + "\".",
+                false);
+  answer_comparison(comparison, runs.front().values);
   return code;
 }
 

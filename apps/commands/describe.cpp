@@ -8,6 +8,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -46,7 +47,8 @@ int run_describe(const DescribeRequest& options) {
   const std::string name = file_name_of(options.photo);
   if (options.output.empty() && !fit::frame_name(options.photo).is_chosen())
     if (const std::optional<std::string> other = other_file_text(options.photo)) {
-      say_text(*other);
+      json_answer() = {{"file", name}, {"words", *other}};
+      say_result(*other);
       return good;
     }
   const std::optional<fit::FrameIndex> frames = frames_of_photo(options.photo);
@@ -54,7 +56,9 @@ int run_describe(const DescribeRequest& options) {
     if (!options.output.empty())
       throw usage_error("--output", "a skymap is no picture to make a scene of", "no -o beside a skymap",
                         "vegard calibrate --skymap makes a camera of it");
-    say_text(sky_map_description_text(name, fit::read_sky_map(options.photo)));
+    const fit::SkyMapFile map = fit::read_sky_map(options.photo);
+    answer_with(sky_map_description_json(name, map));
+    say_result(sky_map_description_text(name, map));
     return good;
   }
   if (frames) {
@@ -62,7 +66,8 @@ int run_describe(const DescribeRequest& options) {
     if (index.frames.size() > 1) {
       // A scene is of one moment.
       if (!options.output.empty()) fit::refuse_without_frame(index.frames, options.photo);
-      say_text(frames_description_text(name, index));
+      answer_with(frames_description_json(name, index));
+      say_result(frames_description_text(name, index));
       return good;
     }
   }
@@ -72,7 +77,9 @@ int run_describe(const DescribeRequest& options) {
     file.write(start_scene(name, fit::photo_facts(metadata)));
     file.commit();
   }
-  say_text(description_text(name, metadata));
+  answer_with(description_json(name, metadata));
+  say_result(description_text(name, metadata));
+  if (!options.output.empty()) json_answer()["outputs"] = json_names({options.output});
   if (!options.output.empty()) say("%s\n", options.output.c_str());
   return good;
 }

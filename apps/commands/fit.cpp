@@ -18,6 +18,7 @@
 #include "apps/commands/check_derivatives.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
@@ -90,8 +91,8 @@ class Account {
     bar_.update(share, text);
     if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
     const std::optional<double> to_go = bar_.seconds_to_go();
-    apps::tell("%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
-               to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
+    apps::tell_progress("%s (%s%s)\n", text.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+                        to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
   }
 
  private:
@@ -178,7 +179,10 @@ std::string words_of_trust(const fit::DerivedNumber& d) {
 }
 
 void print_answer(const fit::FitResult& result, const std::string& report) {
-  say("%s\n", result.verdict_line.c_str());
+  say_verdict(result.verdict == fit::Verdict::good     ? Tone::good
+              : result.verdict == fit::Verdict::failed ? Tone::bad
+                                                       : Tone::doubtful,
+              result.verdict_line);
   for (const fit::CurveStep& step : result.curve_steps) say("%s\n", fit::curve_step_in_words(step).c_str());
   std::size_t widest = 0;
   std::size_t coefficients = 0, of_curves = 0;
@@ -277,7 +281,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   if (journal.dropped() > 0)
     tell("vegard: %d of %d steps of the journal are left out: %s, and each step rests on those before it\n",
          journal.dropped(), journal.dropped() + journal.found(), journal.why_dropped().c_str());
-  if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
+  if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
   fit::FitResult result = fitted(options, scene, photos, map, journal);
   if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
@@ -297,6 +301,8 @@ int run_fit(const FitRequest& options, const std::string& command) {
         stderr);
   else
     journal.remove();
+  answer_with(fit::result_json(result));
+  json_answer()["report"] = options.out + "/report.html";
   print_answer(result, options.out + "/report.html");
   return result.validation_interrupted ? interrupted : exit_code_of(result.verdict);
 }

@@ -12,6 +12,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
@@ -153,6 +154,14 @@ int run_grid(const GridRequest& options) {
   std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {:g} {}, {}", file.grid.bricks.size(),
                                    file.grid.voxel, length_words(file.metadata), channel_names(file.grid));
   for (const Step& step : steps) report += "; " + step.words;
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"bricks", file.grid.bricks.size()},
+                   {"voxel", file.grid.voxel},
+                   {"unit", length_words(file.metadata)},
+                   {"channels", Json::array()},
+                   {"filters", Json::array()}};
+  for (const auto& channel : file.grid.channels) json_answer()["channels"].push_back(channel.name);
+  for (const Step& step : steps) json_answer()["filters"].push_back(step.words);
   write(options, std::move(file), steps);
   say("%s: %s\n", options.output.c_str(), report.c_str());
   return good;

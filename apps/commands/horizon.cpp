@@ -13,6 +13,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -122,6 +123,12 @@ void measure_rounding(HorizonCamera& camera) {
   }
 }
 
+/// What was given has no error bar.
+Json answer_of(const fit::ErrorBar& bar) {
+  return {{"value", json_number(bar.value)},
+          {"sigma", bar.sigma > 0.0 ? json_number(bar.sigma) : Json(nullptr)}};
+}
+
 /// What the points say of the dip where it is not taken as known; a horizon that is all but straight says
 /// nothing, and is not asked.
 void print_dip_alone(const HorizonCamera& camera) {
@@ -135,6 +142,11 @@ void print_dip_alone(const HorizonCamera& camera) {
     const double layer_km = fit::layer_of_dip_km(alone.dip_deg.value, observer_km);
     const double slope =
         std::abs(fit::layer_of_dip_km(alone.dip_deg.value + 0.01, observer_km) - layer_km) / 0.01;
+    json_answer()["by_the_points_alone"] = {{"dip_deg", answer_of(alone.dip_deg)},
+                                            {"elevation_deg", answer_of(alone.elevation_deg)},
+                                            {"layer_km", layer_km},
+                                            {"layer_sigma_km", slope * alone.dip_deg.sigma},
+                                            {"rms_px", alone.rms_px}};
     say("  by the points alone: dip %s deg, elevation %s deg; a limb %s km high, rms %.2f px\n",
         sim::number_with_error(alone.dip_deg.value, alone.dip_deg.sigma).c_str(),
         sim::number_with_error(alone.elevation_deg.value, alone.elevation_deg.sigma).c_str(),
@@ -146,6 +158,8 @@ void print_dip_alone(const HorizonCamera& camera) {
   problem.hfov_deg.reset();
   try {
     const fit::HorizonCalibration alone = fit::calibrate_horizon(problem);
+    json_answer()["by_the_bending_alone"] = {{"hfov_deg", answer_of(alone.hfov_deg)},
+                                             {"rms_px", alone.rms_px}};
     say("  by the bending alone: a field of view of %s deg, rms %.2f px\n",
         sim::number_with_error(alone.hfov_deg.value, alone.hfov_deg.sigma).c_str(), alone.rms_px);
   } catch (const sim::Error& error) {
@@ -159,6 +173,16 @@ void print_answer(const HorizonCamera& camera) {
     // What was given has no error bar, and is repeated as it was.
     return bar.sigma > 0.0 ? sim::number_with_error(bar.value, bar.sigma) : sim::short_number(bar.value);
   };
+  json_answer() = {{"points", camera.problem.points.size()},
+                   {"dip_deg", answer_of(found.dip_deg)},
+                   {"hfov_deg", camera.lens ? Json(nullptr) : answer_of(found.hfov_deg)},
+                   {"hfov_source", camera.hfov_source},
+                   {"elevation_deg", answer_of(found.elevation_deg)},
+                   {"roll_deg", answer_of(found.roll_deg)},
+                   {"azimuth_deg", json_number(camera.azimuth_deg)},
+                   {"rms_px", json_number(found.rms_px)},
+                   {"point_error_px", json_number(found.used_error_px)},
+                   {"residuals_px", found.residual_px}};
   say("%zu points on the horizon, dip %s deg\n", camera.problem.points.size(), number(found.dip_deg).c_str());
   if (camera.lens)
     say("  %s\n", camera.hfov_source.c_str());
@@ -199,6 +223,7 @@ int run_horizon(const HorizonRequest& options) {
   }
   print_answer(camera);
   print_dip_alone(camera);
+  json_answer()["outputs"] = json_names({options.output});
   if (!options.output.empty()) say("%s\n", options.output.c_str());
   return good;
 }

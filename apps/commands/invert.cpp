@@ -14,6 +14,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
@@ -232,7 +233,6 @@ void spare(const InvertRequest& request, const std::vector<std::string>& inputs)
 
 int invert_line_maps(const InvertRequest& request) {
   if (!request.plot.empty()) throw usage_error("--plot", "it is of one set of lines", "no --map with it");
-  if (request.json) throw usage_error("--json", "it is of one set of lines", "no --map with it");
   if (request.outputs.empty())
     throw usage_error("--output", "maps have no text output", "-o OUT.fits or -o OUT.nc");
   std::vector<double> lines_nm;
@@ -289,6 +289,10 @@ int invert_line_maps(const InvertRequest& request) {
       fit::write_column_maps_netcdf(maps, facts, files[o]->temporary(), request.outputs[o]);
   }
   for (const auto& file : files) file->commit();
+  json_answer() = {{"outputs", json_names(request.outputs)},
+                   {"width_px", width},
+                   {"height_px", height},
+                   {"words", fit::column_maps_text(maps)}};
   say_text(fit::column_maps_text(maps));
   return good;
 }
@@ -343,7 +347,8 @@ int invert_lines(const InvertRequest& request) {
         fit::inversion_plot(chi2, answer, facts.spectrum + " electrons, tables " + facts.tables), format));
   if (output) output->commit();
   if (plot) plot->commit();
-  say_text(request.json ? json : fit::inversion_text(answer, facts));
+  answer_with(json);
+  say_result(fit::inversion_text(answer, facts));
   return answer.verdict == fit::ColumnVerdict::contradiction ? doubted : good;
 }
 
@@ -407,7 +412,6 @@ void add_invert_command(Program& program) {
       .type_name("OUT.json|.fits|.nc")
       .repeated();
   command.option("--plot", options->plot, "Draw chi2 over energy and flux").type_name("OUT.svg|OUT.png");
-  command.flag("--json", options->json, "Print JSON");
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");

@@ -8,6 +8,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/picture_lists.h"
 #include "apps/options/refusals.h"
@@ -176,6 +177,16 @@ void run_keogram(const KeogramOptions& options) {
   for (std::size_t i = 0; i < files.size(); ++i) fill(*files[i], keogram, look, options.outputs[i]);
   for (const auto& file : files) file->commit();
 
+  json_answer() = {{"outputs", json_names(options.outputs)},
+                   {"pictures", keogram.columns.size()},
+                   {"width_px", keogram.picture_width_px},
+                   {"height_px", keogram.picture_height_px},
+                   {"decoding", keogram.decoding},
+                   {"time_source", keogram.time_source},
+                   {"first_time", fit::time_text(keogram, keogram.columns.front().time)},
+                   {"last_time", fit::time_text(keogram, keogram.columns.back().time)},
+                   {"line", line_words(keogram.line)},
+                   {"places", keogram.positions()}};
   say("%zu pictures of %d x %d pixels, decoding: %s\n", keogram.columns.size(), keogram.picture_width_px,
       keogram.picture_height_px, keogram.decoding.c_str());
   say("times: %s; %s to %s\n", keogram.time_source.c_str(),

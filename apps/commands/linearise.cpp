@@ -10,6 +10,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
@@ -91,6 +92,11 @@ int run_linearise(const LineariseRequest& options) {
        "saturated.*: 1 where a full pixel has had a part in the value"}};
   file.write(sim::encode_exr({&photo.linear, &variance, &saturated}, attributes, options.output));
   file.commit();
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"width_px", photo.linear.width},
+                   {"height_px", photo.linear.height},
+                   {"decoding", photo.decoding},
+                   {"saturated_share", static_cast<double>(lost) / static_cast<double>(photo.usable.size())}};
   say("%s: %s\n", options.output.c_str(),
       fmt::format("{} x {} pixels, {}, {:.2f} % of the values saturated", photo.linear.width,
                   photo.linear.height, photo.decoding,
@@ -142,6 +148,18 @@ int run_rayleigh(const LineariseRequest& options) {
   if (!counts.is_noise_known)
     text += "note: a pixel's error is without its photons' noise: no gain_e_per_count\n";
   if (picture.unknown > 0) text += fmt::format("{} pixels are full or blank, and are NaN\n", picture.unknown);
+  json_answer() = {
+      {"outputs", json_names({options.output})},
+      {"width_px", picture.image.width},
+      {"height_px", picture.image.height},
+      {"wavelength_nm", filter.band.line_nm},
+      {"exposure_s", json_number(counts.exposure_s)},
+      {"min_rayleigh", json_number(picture.least)},
+      {"median_rayleigh", json_number(picture.median)},
+      {"max_rayleigh", json_number(picture.most)},
+      {"scale_error_share", picture.scale_error > 0.0 ? Json(picture.scale_error) : Json(nullptr)},
+      {"is_noise_known", counts.is_noise_known},
+      {"unknown_pixels", picture.unknown}};
   say("%s: %s", options.output.c_str(), text.c_str());
   return good;
 }

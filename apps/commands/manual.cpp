@@ -10,6 +10,7 @@
 
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/manual.h"
@@ -71,6 +72,8 @@ void write_files(const std::map<std::string, std::string>& texts, const ManualRe
       files.back()->write(text);
     }
     for (const std::unique_ptr<sim::WholeFile>& file : files) file->commit();
+    for (const auto& [name, text] : texts)
+      json_answer()["outputs"].push_back((std::filesystem::path(request.folder) / name).string());
   } catch (...) {
     files.clear();
     std::error_code error;  // what is not empty stays
@@ -80,20 +83,41 @@ void write_files(const std::map<std::string, std::string>& texts, const ManualRe
   }
 }
 
+Json command_json(const CommandText& command) {
+  Json json = {{"name", command.name},
+               {"words", command.words},
+               {"options", Json::array()},
+               {"subcommands", Json::array()}};
+  for (const OptionText& option : command.options)
+    json["options"].push_back({{"names", option.names},
+                               {"value", option.value},
+                               {"choices", option.choices},
+                               {"words", option.words},
+                               {"by_place", option.by_place},
+                               {"required", option.required}});
+  for (const CommandText& sub : command.subcommands) json["subcommands"].push_back(command_json(sub));
+  return json;
+}
+
 int run_manual(const ManualRequest& request, const CommandText& program) {
   if (!request.folder.empty()) {
     write_files(all_files(program), request);
     return good;
   }
   if (!request.shell.empty()) {
-    say_text(completion(program, request.shell));
+    json_answer() = {{"shell", request.shell}, {"completion", completion(program, request.shell)}};
+    say_result(completion(program, request.shell));
     return good;
   }
   const CommandText* command = request.command.empty() ? &program : find(program, request.command);
   if (command == nullptr)
     throw usage_error("COMMAND", "there is no subcommand '" + request.command + "'",
                       "one of vegard --help; of two words in quotes, \"survey run\"");
-  say_text(man_page(program, *command));
+  json_answer() = command_json(*command);
+  json_answer()["exit_codes"] = Json::array();
+  for (const ExitMeaning& exit : exit_meanings())
+    json_answer()["exit_codes"].push_back({{"code", static_cast<int>(exit.code)}, {"meaning", exit.words}});
+  say_result(man_page(program, *command));
   return good;
 }
 

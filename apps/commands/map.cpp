@@ -12,6 +12,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
@@ -58,8 +59,8 @@ class MapAccount {
     bar_.update(share, text);
     if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
     const std::optional<double> to_go = bar_.seconds_to_go();
-    apps::tell("%s (%s%s)\n", stage.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
-               to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
+    apps::tell_progress("%s (%s%s)\n", stage.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+                        to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
   }
 
  private:
@@ -121,7 +122,7 @@ int run_map(const MapRequest& options, const std::string& command) {
   const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
   fit::FileJournal journal(fit::journal_file(options.out), subject_of(options, scene, photos),
                            journal_mode(options));
-  if (journal.found() > 0) tell("vegard: going on after %d finished steps\n", journal.found());
+  if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
 
   fit::MapOptions map_options;
   map_options.threads = options.threads;
@@ -158,10 +159,13 @@ int run_map(const MapRequest& options, const std::string& command) {
     std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
   else
     journal.remove();
+  answer_with(sim::input_bytes(options.out + "/map.json", "a map"));
+  json_answer()["report"] = options.out + "/report.html";
   const std::vector<fit::QuantityVerdict> verdicts = fit::map_verdicts(result, curtains);
   for (const fit::QuantityVerdict& v : verdicts)
-    say("%s: %s%s%s (%s)\n", v.quantity.c_str(), fit::trust_name(v.trust), v.value.empty() ? "" : ", ",
-        v.value.c_str(), v.reason.c_str());
+    say_verdict(v.trust == fit::Trust::good ? Tone::good : Tone::doubtful,
+                v.quantity + ": " + fit::trust_name(v.trust) + (v.value.empty() ? "" : ", ") + v.value +
+                    " (" + v.reason + ")");
   say("%zu curtain%s\n%s\n", curtains.size(), curtains.size() == 1 ? "" : "s",
       (options.out + "/report.html").c_str());
   return exit_code_of(result, verdicts);

@@ -8,6 +8,7 @@
 #include "apps/commands/mask_parts.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
@@ -106,6 +107,15 @@ void run_mask(const MaskOptions& options) {
 
   say("%s: %d x %d pixels, decoding: %s\n", photo.file_name.c_str(), width, height, photo.decoding.c_str());
   for (const std::string& note : found.notes) say("%s\n", note.c_str());
+  json_answer() = {{"outputs", json_names({options.output, options.show, options.horizon_csv})},
+                   {"photo", photo.file_name},
+                   {"width_px", width},
+                   {"height_px", height},
+                   {"decoding", photo.decoding},
+                   {"parts", Json::array()},
+                   {"left_out_px", all - left},
+                   {"used_px", left},
+                   {"notes", found.notes}};
   fit::PixelSet before(width, height);
   for (const fit::MaskPart& part : found.parts) {
     const std::size_t earlier = before.count();
@@ -113,6 +123,9 @@ void run_mask(const MaskOptions& options) {
     std::string more = "; " + std::to_string(before.count() - earlier) + " px by it first";
     if (!options.show.empty()) more += ", " + part.colour_name;
     print_share(part.name.c_str(), part.out.count(), all, more);
+    json_answer()["parts"].push_back({{"name", part.name},
+                                      {"left_out_px", part.out.count()},
+                                      {"first_by_it_px", before.count() - earlier}});
   }
   print_share("left out", all - left, all, "");
   print_share("used", left, all, "");

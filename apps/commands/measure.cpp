@@ -21,6 +21,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -664,6 +665,8 @@ int Measuring::conclude() {
         result_.answer.push_back(stage.title + ": " + stage.found + " What would help: " + stage.lacking);
   write("report.html", measure_page(result_));
   write("measure.json", measure_json(result_));
+  answer_with(measure_json(result_));
+  json_answer()["report"] = in_run("report.html");
   say("\n");
   for (const std::string& sentence : result_.answer) say("%s\n", sentence.c_str());
   say("%s\n", in_run("report.html").c_str());

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/forms.h"
@@ -148,6 +149,44 @@ std::string parameter_listing(const std::string& scene_file) {
   return aligned(lines);
 }
 
+/// The rows of the listing, and what only scene files know.
+void answer_listing(const std::string& scene_file) {
+  Json rows = Json::array();
+  const auto add = [&](const std::string& path, const char* key, const std::string& value,
+                       const sim::ParameterRow& row) {
+    rows.push_back({{"path", path},
+                    {key, value},
+                    {"unit", row.unit},
+                    {"limits", sim::limits_text(row)},
+                    {"can_be_free", row.can_be_free},
+                    {"meaning", row.meaning}});
+  };
+  if (scene_file.empty()) {
+    for (const sim::ParameterRow& row : sim::parameter_table())
+      add(sim::path_pattern(row), "default", row.default_text, row);
+  } else {
+    const sim::Scene scene = sim::read_scene(scene_file);
+    for (const sim::ParameterPath& path : sim::all_paths(scene))
+      add(path.text, "value", sim::value_text(scene, path), *path.row);
+  }
+  json_answer()["parameters"] = rows;
+  Json keys = Json::array();
+  for (const sim::FileKey& key : sim::all_file_keys())
+    keys.push_back(
+        {{"path", key_path_of(key)}, {"unit", key.unit}, {"type", key.type}, {"meaning", key.meaning}});
+  json_answer()["in_scene_files_only"] = keys;
+}
+
+void answer_forms() {
+  Json forms = Json::array();
+  for (const sim::Form& form : sim::forms()) {
+    Json values = Json::object();
+    for (const auto& [key, value] : form.values) values[key] = value;
+    forms.push_back({{"name", form.name}, {"meaning", form.meaning}, {"sets", values}});
+  }
+  json_answer()["forms"] = forms;
+}
+
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
@@ -229,9 +268,12 @@ std::string forms_page() {
 }
 
 int run_params(const std::string& scene_file, ParameterOutput output) {
-  say_text(output == ParameterOutput::page    ? parameter_page()
-           : output == ParameterOutput::forms ? forms_page()
-                                              : parameter_listing(scene_file));
+  if (output == ParameterOutput::listing) answer_listing(scene_file);
+  if (output == ParameterOutput::forms) answer_forms();
+  if (output == ParameterOutput::page) answer_listing({});
+  say_result(output == ParameterOutput::page    ? parameter_page()
+             : output == ParameterOutput::forms ? forms_page()
+                                                : parameter_listing(scene_file));
   return good;
 }
 

@@ -11,6 +11,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -75,6 +76,10 @@ int run_points(const PointsRequest& options) {
   }
   const std::string beams =
       point_options.every == 1 ? "all beams" : fmt::format("one of {} beams", point_options.every);
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"points", points},
+                   {"one_of_beams", point_options.every},
+                   {"unit", options.unit}};
   say("%s: %s\n", options.output.c_str(), fmt::format("{} points, {}", points, beams).c_str());
   return good;
 }

@@ -14,6 +14,7 @@
 #include "apps/options/direction_maps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
@@ -97,9 +98,12 @@ void check_outputs(const ProfileRequest& options) {
 /// What to expect of it: lines closer than that are one to the sensor.
 void print_resolution(const sim::Scene& scene) {
   const sim::SensorResponse response(scene);
-  for (const double nm : scene.emission.lines)
-    say("%.1f nm: the sensor's window there is %.0f nm wide\n", nm,
-        sim::resolving_kernel(response, nm).fwhm_nm);
+  json_answer()["windows"] = Json::array();
+  for (const double nm : scene.emission.lines) {
+    const double width_nm = sim::resolving_kernel(response, nm).fwhm_nm;
+    say("%.1f nm: the sensor's window there is %.0f nm wide\n", nm, width_nm);
+    json_answer()["windows"].push_back({{"wavelength_nm", nm}, {"width_nm", json_number(width_nm)}});
+  }
 }
 
 fit::Photo photo_of(const ProfileRequest& options, const fit::Decoding& decoding,
@@ -253,6 +257,13 @@ void run_profile(const ProfileRequest& options) {
   table_file.commit();
   if (plot_file) plot_file->commit();
 
+  json_answer() = {{"outputs", json_names({options.output, options.plot})},
+                   {"photo", photo.file_name},
+                   {"width_px", photo.linear.width},
+                   {"height_px", photo.linear.height},
+                   {"decoding", photo.decoding},
+                   {"words", measured.words},
+                   {"details", measured.details}};
   say("%s: %s pixels, decoding: %s\n", photo.file_name.c_str(),
       sim::size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
   say("%s: %s\n", options.output.c_str(), measured.words.c_str());

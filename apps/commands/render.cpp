@@ -13,6 +13,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
@@ -148,6 +149,13 @@ std::string grain_text(const sim::Scene& scene, const std::vector<double>& grain
   return text;
 }
 
+float peak_of(const sim::Image& image, int channel) {
+  float peak = 0.0f;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) peak = std::max(peak, image.at(x, y, channel));
+  return peak;
+}
+
 std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   const sim::Image& image = rendering.rayleigh;
   std::string text = fmt::format("{} x {} pixels, ", image.width, image.height);
@@ -155,12 +163,25 @@ std::string facts(const sim::Scene& scene, const sim::Rendering& rendering) {
   if (!scene.sheets.empty()) text += fmt::format("{} deflection points, ", rendering.deflection_points);
   text += "peak";
   for (int l = 0; l < image.channels(); ++l) {
-    float peak = 0.0f;
-    for (int y = 0; y < image.height; ++y)
-      for (int x = 0; x < image.width; ++x) peak = std::max(peak, image.at(x, y, l));
-    text += fmt::format("{} {:.0f} R at {:.1f} nm", l > 0 ? "," : "", peak, scene.emission.lines[l]);
+    text +=
+        fmt::format("{} {:.0f} R at {:.1f} nm", l > 0 ? "," : "", peak_of(image, l), scene.emission.lines[l]);
   }
   return text;
+}
+
+void answer_facts(const sim::Scene& scene, const sim::Rendering& rendering) {
+  Json& answer = json_answer();
+  answer["width_px"] = rendering.rayleigh.width;
+  answer["height_px"] = rendering.rayleigh.height;
+  if (!scene.sheets.empty()) answer["deflection_points"] = rendering.deflection_points;
+  answer["lines"] = Json::array();
+  for (int l = 0; l < rendering.rayleigh.channels(); ++l)
+    answer["lines"].push_back({{"wavelength_nm", scene.emission.lines[static_cast<std::size_t>(l)]},
+                               {"peak_rayleigh", json_number(peak_of(rendering.rayleigh, l))}});
+  if (scene.sensor.exposure == sim::ExposureRule::gain)
+    answer["gain_per_kilorayleigh"] = scene.sensor.gain_per_kilorayleigh;
+  else
+    answer["iso"] = scene.sensor.iso;
 }
 
 std::optional<sim::Scene> auto_exposed(const RenderRequest& options, const sim::Scene& scene) {
@@ -227,12 +248,14 @@ int run_render(const RenderRequest& request) {
   if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
 
   const std::string summary = facts(scene, rendering);
+  answer_facts(scene, rendering);
   bar.update(0.8, "writing");
   write_outputs(options, scene, std::move(rendering));
   bar.finish();
   std::string written;
   for (const std::string& name : {options.output, options.lines, options.raw, camera_file(options)})
     if (!name.empty()) written += (written.empty() ? "" : ", ") + name;
+  json_answer()["outputs"] = json_names({options.output, options.lines, options.raw, camera_file(options)});
   say("%s: %s\n", written.c_str(), summary.c_str());
   if (exposed) say("exposed with %s\n", exposure_text(scene).c_str());
   if (options.grain) say("%s\n", grain_text(scene, grain).c_str());

@@ -12,6 +12,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
@@ -99,6 +100,12 @@ void run_sdf(const SdfRequest& options) {
     sim::write_display(options.output, field, format == sim::ImageFormat::jpeg ? 8 : 16, 95, {},
                        options.overwrite);
   const auto range = std::minmax_element(away.begin(), away.end());
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"width_px", field.width},
+                   {"height_px", field.height},
+                   {"pixels_above_threshold", lit},
+                   {"min_distance_px", *range.first},
+                   {"max_distance_px", *range.second}};
   say("%s: %d x %d pixels, %.3f %% of them above the threshold; distances from %.2f to %.2f px\n",
       options.output.c_str(), field.width, field.height,
       100.0 * static_cast<double>(lit) / static_cast<double>(away.size()), *range.first, *range.second);

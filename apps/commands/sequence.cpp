@@ -12,6 +12,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
@@ -265,6 +266,10 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     tell_row(rows.back(), false);
   }
   write_tables(folder, rows, options.netcdf);
+  json_answer() = {{"outputs", json_names({folder.file("sequence.csv"), folder.file("sequence.svg")})},
+                   {"frames", Json::array()}};
+  for (const fit::SequenceRow& row : rows)
+    json_answer()["frames"].push_back(Json::parse(fit::sequence_row_json(row)));
   say("%s\n", folder.file("sequence.csv").c_str());
   return exit_code_of(rows);
 }

@@ -12,6 +12,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_grid_options.h"
 #include "apps/options/scene_options.h"
@@ -139,6 +140,11 @@ int run_slices(const SlicesRequest& options) {
   const fit::Plot plot = slice_sheet(grid, *box, sheet);
   if (interrupted_here()) return interrupted;
   sim::write_whole(options.output, plot_bytes(plot, format), options.overwrite);
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"channel", grid.channels[sheet.channel].name},
+                   {"voxel", grid.voxel},
+                   {"unit", sheet.length},
+                   {"words", plot.note}};
   say("%s: %s\n", options.output.c_str(), plot.note.c_str());
   return good;
 }

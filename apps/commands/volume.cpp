@@ -11,6 +11,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_grid_options.h"
 #include "apps/options/scene_options.h"
@@ -89,6 +90,9 @@ int run_volume(const VolumeRequest& options) {
   const sim::VdbMetadata metadata = volume_metadata(scene, made);
   const std::string report = fmt::format("{} bricks of 8 x 8 x 8 voxels of {} {}", bricks, made.grid.voxel,
                                          made.unit_cm == 1e5 ? "km" : "units");
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"bricks", bricks},
+                   {made.unit_cm == 1e5 ? "voxel_km" : "voxel_units", made.grid.voxel}};
   sim::write_vdb(options.output, std::move(made.grid), metadata, out);
   say("%s: %s\n", options.output.c_str(), report.c_str());
   return good;

@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
 #include "sim/base/shown_text.h"
 #include "sim/scene/rows/nearest_name.h"
@@ -34,8 +35,9 @@ std::string quoted_for_shell(std::string_view word) {
 }
 
 int tell_bad_usage(const std::string& program, const std::string& message, const std::string& meant = {}) {
-  tell("%s: %s%s (see %s --help)\n", program.c_str(), sim::shortened_quotes(message).c_str(),
-       meant.empty() ? "" : ("; did you mean '" + meant + "'?").c_str(), program.c_str());
+  complain(program, sim::shortened_quotes(message) +
+                        (meant.empty() ? "" : "; did you mean '" + meant + "'?") + " (see " + program +
+                        " --help)");
   return bad_usage;
 }
 
@@ -106,6 +108,10 @@ CommandText text_of(const CLI::App& app) {
   for (const CLI::App* subcommand : app.get_subcommands({})) text.subcommands.push_back(text_of(*subcommand));
   return text;
 }
+
+/// Its help ends with the exit codes. One subcommand is enough: words that follow it are its own, even those
+/// that name another ("vegard manual render", a run's directory called "map").
+CLI::App* prepared(CLI::App* app) { return app->footer(exit_code_help())->require_subcommand(0, 1); }
 
 OutOfMemory out_of_memory(const std::string& command) {
   const auto is_one_of = [&](std::initializer_list<const char*> names) {
@@ -287,7 +293,7 @@ Option Command::flag(const std::string& names, bool& value, const std::string& w
 }
 
 Command Command::add(const std::string& name, const std::string& description) const {
-  return Command(app_->add_subcommand(name, description), exit_code_);
+  return Command(prepared(app_->add_subcommand(name, description)), exit_code_);
 }
 
 Option Command::option_of_name(const std::string& name) const { return Option(app_->get_option(name)); }
@@ -299,9 +305,22 @@ std::vector<Option> Command::order() const {
 }
 
 void Command::runs(std::function<int()> call) const {
+  app_->add_flag_function(
+      "-q,--quiet", [](std::int64_t) { voice().is_quiet = true; },
+      "No progress, notes or summary: only what is asked for, warnings and errors");
+  if (app_->get_option_no_throw("--json") == nullptr)
+    app_->add_flag_function(
+        "--json", [](std::int64_t) { voice().is_json = true; }, "Print one JSON object in place of words");
   app_->callback([call = std::move(call), code = exit_code_, name = full_name(*app_)] {
+    // A command may run others (vegard measure), and what they would answer is not asked for.
+    static int depth = 0;
+    struct Level {
+      Level() { ++depth; }
+      ~Level() { --depth; }
+    } const level;
     try {
       *code = call();
+      if (depth == 1 && voice().is_json) say_json(json_answer_text());
     } catch (const std::bad_alloc&) {
       throw out_of_memory(name);
     } catch (const std::length_error&) {  // more than any memory could hold
@@ -313,6 +332,7 @@ void Command::runs(std::function<int()> call) const {
 Program::Program(const std::string& name, const std::string& description,
                  const std::function<std::string()>& versions, int argc, const char* const* argv)
     : app_(std::make_unique<CLI::App>(description, name)), argc_(argc), argv_(argv) {
+  prepared(app_.get());
   if (versions)
     app_->set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
 }
@@ -320,7 +340,7 @@ Program::Program(const std::string& name, const std::string& description,
 Program::~Program() = default;
 
 Command Program::add(const std::string& name, const std::string& description) {
-  return Command(app_->add_subcommand(name, description), &exit_code_);
+  return Command(prepared(app_->add_subcommand(name, description)), &exit_code_);
 }
 
 std::string Program::command_line() const {
@@ -347,7 +367,7 @@ std::optional<int> Program::read() {
     if (error.get_exit_code() == 0) {
       std::ostringstream words;
       app_->exit(error, words, words);
-      say_text(words.str());
+      say_result(words.str());
       return good;
     }
     return tell_bad_usage(app_->get_name(), error.what(), meant_by(*app_, argc_, argv_));

@@ -1,6 +1,9 @@
 // What `vegard` tells the shell. The numbers are documented and part of the interface.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "sim/base/error.h"
 
 namespace vegard::apps {
@@ -17,6 +20,17 @@ enum ExitCode : int {
   interrupted = 130,      ///< Ctrl-C (SIGINT)
   terminated = 143,       ///< SIGTERM: a batch system or the end of a session
 };
+
+struct ExitMeaning {
+  ExitCode code;
+  const char* words;  ///< a sentence
+};
+
+/// All of them, for manuals.
+const std::vector<ExitMeaning>& exit_meanings();
+
+/// A paragraph of them, for --help.
+std::string exit_code_help();
 
 inline ExitCode exit_code_of(sim::ErrorKind kind) {
   switch (kind) {

@@ -52,17 +52,17 @@ sim::Scene scene_of(const SceneOptions& options) {
 }
 
 void note_inert_keys(const sim::Scene& scene) {
-  for (const std::string& line : sim::inert_keys(scene)) tell("vegard: note: %s\n", line.c_str());
+  for (const std::string& line : sim::inert_keys(scene)) tell_progress("vegard: note: %s\n", line.c_str());
   if (scene.blur.model != sim::BlurModel::physical) return;
   for (const sim::EmitterKind& kind : sim::emitter_kinds())
     if (kind.table != "footprint" && sim::is_drawn(kind, scene))
-      tell(
+      tell_progress(
           "vegard: note: the physical blur is of the air's excited atoms, and leaves what [%s] has as it "
           "is\n",
           kind.table.c_str());
   for (const sim::Footprint& footprint : scene.footprints)
     if (footprint.light == sim::FootprintLight::colours)
-      tell(
+      tell_progress(
           "vegard: note: the physical blur is of emission lines, and leaves the two colours of the footprint "
           "'%s' as they are\n",
           footprint.name.c_str());

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -27,10 +28,17 @@ void keep_failure() {
   if (first_failure == 0) first_failure = errno != 0 ? errno : EIO;
 }
 
+constexpr const char *kRed = "\033[31m", *kYellow = "\033[33m", *kPlain = "\033[0m";
+
 void put(const std::string& text, std::FILE* to) {
-  if (to == stdout) capture_output(text);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), to) != text.size() && to == stdout) keep_failure();
+}
+
+/// What a person reads on the standard output.
+void put_words(const std::string& text, bool is_summary) {
+  capture_output(text);
+  if (!voice().is_json && !(is_summary && voice().is_quiet)) put(text, stdout);
 }
 
 /// A format of one line makes one line, whatever is in the arguments.
@@ -67,12 +75,39 @@ void replace_closed_streams() {
   }
 }
 
-void say_text(const std::string& text) { put(sim::shown_lines(text), stdout); }
+Voice& voice() {
+  static Voice voice;
+  return voice;
+}
+
+bool may_have_colours(int stream) {
+  const char* const none = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return isatty(stream) == 1 && (none == nullptr || *none == '\0') && terminal != nullptr &&
+         std::string_view(terminal) != "dumb";
+}
+
+void say_text(const std::string& text) { put_words(sim::shown_lines(text), true); }
+
+void say_result(const std::string& text) { put_words(sim::shown_lines(text), false); }
+
+void say_verdict(Tone tone, const std::string& line, bool is_summary) {
+  const std::string text = sim::shown_text(line);
+  if (tone == Tone::good || !may_have_colours(STDOUT_FILENO)) {
+    put_words(text + '\n', is_summary);
+    return;
+  }
+  capture_output(text + '\n');
+  const bool is_silent = voice().is_json || (is_summary && voice().is_quiet);
+  if (!is_silent) put((tone == Tone::bad ? kRed : kYellow) + text + kPlain + '\n', stdout);
+}
+
+void say_json(const std::string& text) { put(text, stdout); }
 
 void say(const char* format, ...) {
   std::va_list arguments;
   va_start(arguments, format);
-  put(formatted(format, arguments), stdout);
+  put_words(formatted(format, arguments), true);
   va_end(arguments);
 }
 
@@ -81,6 +116,20 @@ void tell(const char* format, ...) {
   va_start(arguments, format);
   put(formatted(format, arguments), stderr);
   va_end(arguments);
+}
+
+void tell_progress(const char* format, ...) {
+  if (voice().is_quiet) return;
+  std::va_list arguments;
+  va_start(arguments, format);
+  put(formatted(format, arguments), stderr);
+  va_end(arguments);
+}
+
+void complain(const std::string& program, const std::string& message) {
+  const bool colours = may_have_colours(STDERR_FILENO);
+  put((colours ? kRed + program + ":" + kPlain : program + ":") + " " + sim::shown_text(message) + "\n",
+      stderr);
 }
 
 void show_output() {

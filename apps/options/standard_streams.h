@@ -12,11 +12,26 @@ namespace vegard::apps {
 /// printed. To be called before any file is opened.
 void replace_closed_streams();
 
-/// As std::printf; what stands before a line's end at the end of `format` is one line. A failure is kept for
-/// finish_output(): what a command has yet to write to files is worth more than its words.
+/// How much is said: --quiet and --json, which every subcommand has.
+struct Voice {
+  bool is_quiet = false;  ///< no progress, no notes and no summary; results, warnings and errors still
+  bool is_json = false;   ///< one JSON object (json_answer.h) in place of all words on the standard output
+};
+Voice& voice();
+
+/// As std::printf, a line of a summary; what stands before a line's end at the end of `format` is one line. A
+/// failure is kept for finish_output(): what a command has yet to write to files is worth more than its
+/// words.
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
 /// Of several lines.
 void say_text(const std::string& text);
+/// The same of what a command is asked to print, not of what it has written: said with --quiet too.
+void say_result(const std::string& text);
+/// A line of a verdict: yellow on a terminal if it is doubtful, red if it is bad.
+enum class Tone { good, doubtful, bad };
+void say_verdict(Tone tone, const std::string& line, bool is_summary = true);
+/// What --json promises, already JSON: said whatever else is not.
+void say_json(const std::string& text);
 
 /// While it lives, what is said is kept as well: for a report that quotes it. One at a time.
 class CapturedOutput {
@@ -33,8 +48,16 @@ class CapturedOutput {
   std::string text_;
 };
 
-/// The same on standard error, whose failures are nobody's.
+/// A warning, or how an interrupted command goes on: on standard error, whose failures are nobody's.
 [[gnu::format(printf, 1, 2)]] void tell(const char* format, ...);
+/// Progress and notes, which --quiet leaves out.
+[[gnu::format(printf, 1, 2)]] void tell_progress(const char* format, ...);
+/// An error: "PROGRAM: MESSAGE", the program's name in red on a terminal.
+void complain(const std::string& program, const std::string& message);
+
+/// Whether a stream may have colours: it is a terminal that knows them, and the user has not set NO_COLOR
+/// (https://no-color.org).
+bool may_have_colours(int stream);
 
 /// What was printed so far is to be seen now, before long work. Failures as in say().
 void show_output();

@@ -14,21 +14,6 @@
 namespace vegard::apps {
 namespace {
 
-struct ExitMeaning {
-  ExitCode code;
-  const char* meaning;
-};
-constexpr ExitMeaning kExits[] = {
-    {good, "All went well."},
-    {internal_error, "A fault of the program or of the machine."},
-    {bad_usage, "Wrong words on the command line, a bad scene, or an output that exists."},
-    {unreadable_input, "A photograph, mask, scene or table that cannot be read."},
-    {not_converged, "The fit did not converge."},
-    {doubted, "The fit converged to an answer that its verdict doubts, or a derivative differs."},
-    {unwritable_output, "An output that cannot be written."},
-    {interrupted, "Interrupted (also 129 and 143, by other signals)."},
-};
-
 /// In man's macros: no character of a text is one of theirs.
 std::string escaped(const std::string& text) {
   std::string out;
@@ -137,8 +122,8 @@ std::string man_page(const CommandText& program, const CommandText& command) {
   }
   text += options_section("ARGUMENTS", command, true) + options_section("OPTIONS", command, false);
   text += ".SH EXIT STATUS\n";
-  for (const ExitMeaning& exit : kExits)
-    text += fmt::format(".TP\n.B {}\n{}\n", static_cast<int>(exit.code), escaped(exit.meaning));
+  for (const ExitMeaning& exit : exit_meanings())
+    text += fmt::format(".TP\n.B {}\n{}\n", static_cast<int>(exit.code), escaped(exit.words));
   if (!whole) text += ".SH SEE ALSO\n.BR " + escaped(program.name) + " (1)\n";
   return text;
 }

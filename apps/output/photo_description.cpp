@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/json_answer.h"
 #include "fit/photo/frames/frame_name.h"
 #include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
@@ -96,6 +97,45 @@ class Listing {
  private:
   std::string text_;
 };
+
+template <class Value>
+void put(Json& json, const char* key, const std::optional<Value>& value) {
+  if (value) json[key] = *value;
+}
+
+Json description(const std::string& photo_name, const sim::PictureMetadata& metadata) {
+  Json json = {{"file", photo_name}};
+  put(json, "width_px", metadata.width_px);
+  put(json, "height_px", metadata.height_px);
+  json["orientation"] = metadata.orientation;
+  put(json, "make", metadata.make);
+  put(json, "model", metadata.model);
+  put(json, "lens", metadata.lens);
+  put(json, "imager", metadata.imager);
+  put(json, "site", metadata.site);
+  put(json, "mode", metadata.mode);
+  put(json, "focal_length_mm", metadata.focal_length_mm);
+  put(json, "focal_length_35mm_mm", metadata.focal_length_35mm_mm);
+  put(json, "focal_plane_px_per_mm", metadata.focal_plane_px_per_mm);
+  put(json, "exposure_s", metadata.exposure_s);
+  put(json, "f_number", metadata.f_number);
+  put(json, "iso", metadata.iso);
+  put(json, "taken_local", metadata.taken_local);
+  put(json, "utc_offset", metadata.utc_offset);
+  put(json, "taken_utc", sim::taken_utc(metadata));
+  put(json, "gps_time_utc", metadata.gps_time_utc);
+  put(json, "latitude_deg", metadata.latitude_deg);
+  put(json, "longitude_deg", metadata.longitude_deg);
+  put(json, "altitude_m", metadata.altitude_m);
+  const fit::PhotoFacts facts = fit::photo_facts(metadata);
+  json["scene"] = Json::array();
+  for (const fit::PhotoFact& fact : facts.facts)
+    json["scene"].push_back({{"path", fact.path}, {"value", fact.value}, {"source", fact.source}});
+  json["notes"] = facts.notes;
+  return json;
+}
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 }  // namespace
 
@@ -199,6 +239,38 @@ std::string sky_map_description_text(const std::string& file_name, const fit::Sk
     said.add("altitude", map.place->altitude_m, "m");
   }
   return said.text() + "note: it holds no picture; calibrate, profile and keogram take it as --skymap\n";
+}
+
+std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata) {
+  return text_of(description(photo_name, metadata));
+}
+
+std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index) {
+  sim::PictureMetadata metadata = fit::frame_metadata(index.frames.front(), index.words, file_name);
+  metadata.header_time_utc.reset();
+  Json json = description(file_name, metadata);
+  json["frames"] = Json::array();
+  for (const fit::FrameHead& frame : index.frames)
+    json["frames"].push_back({{"number", frame.number},
+                              {"time_utc", frame.time ? Json(frame.time->utc) : Json(nullptr)},
+                              {"exposure_s", json_number(frame.exposure_s)}});
+  return text_of(json);
+}
+
+std::string sky_map_description_json(const std::string& file_name, const fit::SkyMapFile& map) {
+  Json json = {
+      {"file", file_name},
+      {"width_px", map.map.width},
+      {"height_px", map.map.height},
+      {"arrays", map.arrays},
+      {"pixels_with_a_direction", std::count_if(map.map.elevation_deg.begin(), map.map.elevation_deg.end(),
+                                                [](float elevation) { return std::isfinite(elevation); })}};
+  if (map.place) {
+    json["latitude_deg"] = map.place->latitude_deg;
+    json["longitude_deg"] = map.place->longitude_deg;
+    json["altitude_m"] = map.place->altitude_m;
+  }
+  return text_of(json);
 }
 
 }  // namespace vegard::apps

@@ -27,4 +27,9 @@ std::string frames_description_text(const std::string& file_name, const fit::Fra
 /// Of a skymap: its size, how much of it looks at the sky and where, its place, and who takes it.
 std::string sky_map_description_text(const std::string& file_name, const fit::SkyMapFile& map);
 
+/// The three as JSON: what is known, with units in the names.
+std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata);
+std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index);
+std::string sky_map_description_json(const std::string& file_name, const fit::SkyMapFile& map);
+
 }  // namespace vegard::apps

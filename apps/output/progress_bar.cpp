@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/standard_streams.h"
+
 namespace vegard::apps {
 namespace {
 
@@ -62,7 +64,7 @@ std::string progress_line(const std::string& label, const ProgressPoint& now,
 }
 
 ProgressBar::ProgressBar(std::string label)
-    : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)), on_terminal_(isatty(STDERR_FILENO) == 1 && !voice().is_quiet) {}
 
 ProgressBar::~ProgressBar() { finish(); }
 

@@ -13,6 +13,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/animation/animation_frames.h"
@@ -128,6 +129,12 @@ int run_preview_frames(const sim::Scene& scene, const PreviewOptions& options) {
   // What is made once is made with the first.
   if (times_ms.size() > 1) times_ms.erase(times_ms.begin());
   const double middle_ms = median(times_ms);
+  json_answer() = {{"outputs", json_names({options.output})},
+                   {"frames", options.frames},
+                   {"width_px", width},
+                   {"height_px", height},
+                   {"median_ms_per_frame", middle_ms},
+                   {"first_frame_ms", first_ms}};
   say("%s\n",
       fmt::format("{}{} frames of {} x {} pixels: median {:.1f} ms a frame, {:.1f} frames per second; "
                   "the first, with what is made once, {:.1f} ms",

@@ -9,6 +9,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
@@ -77,7 +78,8 @@ sim::AirConditions conditions_of(const AtmosphereRequest& request) {
 
 int run_atmosphere(const AtmosphereRequest& request) {
   if (request.list) {
-    say_text(named_conditions_text());
+    answer_with(named_conditions_json());
+    say_result(named_conditions_text());
     return good;
   }
   const PlotFormat format = plot_format(request.plot, "--plot");
@@ -92,7 +94,9 @@ int run_atmosphere(const AtmosphereRequest& request) {
   if (plot) plot->write(plot_bytes(air_plot(column), format));
   if (output) output->commit();
   if (plot) plot->commit();
-  say_text(air_text(column));
+  answer_with(air_json(column));
+  json_answer()["outputs"] = json_names({request.output, request.plot});
+  say_result(air_text(column));
   return good;
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/json_answer.h"
+
 #include "sim/base/file/csv_text.h"
 
 namespace vegard::apps {
@@ -50,6 +52,31 @@ std::string air_text(const AirColumn& column) {
       return text + fmt::format("O overtakes N2 between {:g} and {:g} km\n", column.altitude_km[r - 1],
                                 column.altitude_km[r]);
   return text + fmt::format("O to N2: {:.3g} at {:g} km\n", ratio(last), column.altitude_km[last]);
+}
+
+std::string air_json(const AirColumn& column) {
+  const auto level = [&](std::size_t r) {
+    const sim::MsisAir& air = column.air[r];
+    return Json{{"altitude_km", column.altitude_km[r]}, {"temperature_k", air.temperature_k},
+                {"n2_cm3", air.of(sim::MsisGas::n2)},   {"o2_cm3", air.of(sim::MsisGas::o2)},
+                {"o_cm3", air.of(sim::MsisGas::o)},     {"mass_g_cm3", air.mass_g_cm3}};
+  };
+  std::size_t coldest = 0;
+  for (std::size_t r = 0; r < column.air.size(); ++r)
+    if (column.air[r].temperature_k < column.air[coldest].temperature_k) coldest = r;
+  return Json{{"model", "NRLMSISE-00"},
+              {"conditions", sim::condition_words(column.conditions)},
+              {"bottom", level(0)},
+              {"coldest", level(coldest)},
+              {"top", level(column.air.size() - 1)}}
+      .dump();
+}
+
+std::string named_conditions_json() {
+  Json conditions = Json::object();
+  for (const sim::NamedConditions& named : sim::named_conditions())
+    conditions[named.name] = sim::condition_words(named.conditions);
+  return Json{{"conditions", conditions}}.dump();
 }
 
 std::string named_conditions_text() {

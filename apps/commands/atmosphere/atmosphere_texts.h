@@ -24,7 +24,11 @@ std::string air_csv(const AirColumn& column);
 /// Lines: conditions, temperatures, where O overtakes N2.
 std::string air_text(const AirColumn& column);
 
-/// The conditions that have a name, a line each.
+/// The same as JSON, with the densities of the gases at the bottom and the top.
+std::string air_json(const AirColumn& column);
+
+/// The conditions that have a name, a line each, and as JSON.
 std::string named_conditions_text();
+std::string named_conditions_json();
 
 }  // namespace vegard::apps

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/options/json_answer.h"
 #include "sim/base/file/csv_text.h"
 
 namespace vegard::apps {
@@ -87,6 +88,35 @@ std::string electron_budget_text(const ElectronRun& run, const sim::FieldAir& co
   text += fmt::format("Fang et al. 2010: {:.3g} cm^-2 s^-1, most at {:.1f} km, {:.4g} cm^-3 s^-1\n",
                       sim::path_integral(column, run.fang_cm3_s), fang.altitude_km, fang.rate);
   return text;
+}
+
+std::string electron_budget_json(const ElectronRun& run, const sim::FieldAir& column,
+                                 const sim::ElectronRates& rates) {
+  const sim::ElectronBudget& budget = rates.budget;
+  const Peak peak = peak_of(column, all_ion_pairs(column, rates));
+  Json json = {{"electrons", run.electrons},
+               {"atmosphere", run.atmosphere},
+               {"bottom_km", column.altitude_km.front()},
+               {"top_km", column.altitude_km.back()},
+               {"share_of_energy",
+                {{"excitation", budget.excitation_ev / budget.incident_ev},
+                 {"ionisation", budget.ionisation_ev / budget.incident_ev},
+                 {"thermal", budget.thermal_ev / budget.incident_ev},
+                 {"back", budget.back_ev / budget.incident_ev},
+                 {"through", budget.through_ev / budget.incident_ev},
+                 {"missing", budget.missing_share()}}},
+               {"share_of_number_back", budget.back_number / budget.incident_number},
+               {"ion_pairs_cm2_s", budget.ion_pairs},
+               {"ev_per_ion_pair", budget.ev_per_ion_pair()},
+               {"peak_km", peak.altitude_km},
+               {"peak_ion_pairs_cm3_s", peak.rate}};
+  if (!run.fang_cm3_s.empty()) {
+    const Peak fang = peak_of(column, run.fang_cm3_s);
+    json["fang2010"] = {{"ion_pairs_cm2_s", sim::path_integral(column, run.fang_cm3_s)},
+                        {"peak_km", fang.altitude_km},
+                        {"peak_ion_pairs_cm3_s", fang.rate}};
+  }
+  return json.dump();
 }
 
 }  // namespace vegard::apps

@@ -25,4 +25,8 @@ std::string electron_rates_csv(const ElectronRun& run, const sim::FieldAir& colu
 std::string electron_budget_text(const ElectronRun& run, const sim::FieldAir& column,
                                  const sim::ElectronRates& rates);
 
+/// The same as JSON.
+std::string electron_budget_json(const ElectronRun& run, const sim::FieldAir& column,
+                                 const sim::ElectronRates& rates);
+
 }  // namespace vegard::apps

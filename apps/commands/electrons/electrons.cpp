@@ -15,6 +15,7 @@
 #include "apps/commands/electrons/electron_texts.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
@@ -82,7 +83,9 @@ int run_electrons(const ElectronsRequest& request) {
         electron_plot(column, rates, run.fang_cm3_s, run.electrons + "; " + run.atmosphere), format));
   if (output) output->commit();
   if (plot) plot->commit();
-  say_text(electron_budget_text(run, column, rates));
+  answer_with(electron_budget_json(run, column, rates));
+  json_answer()["outputs"] = json_names({request.output, request.plot});
+  say_result(electron_budget_text(run, column, rates));
   return good;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
@@ -47,6 +48,22 @@ std::string sources_text(const sim::AuroralRun& run, const std::vector<sim::Sour
     text += "\n";
   }
   return text;
+}
+
+void answer_sources(const sim::AuroralRun& run, const std::vector<sim::SourcedLine>& lines) {
+  json_answer()["lines"] = Json::array();
+  for (const sim::SourcedLine& line : lines) {
+    const std::vector<double> all = line.photons_cm3_s();
+    Json one = {{"wavelength_nm", line.wavelength_nm},
+                {"rayleigh", json_number(sim::column_rayleigh(run.column, all))},
+                {"peak_km", json_number(peak_km(run.column, all))},
+                {"sources", Json::array()}};
+    for (const sim::LineSource& source : line.sources)
+      one["sources"].push_back(
+          {{"name", source.name},
+           {"rayleigh", json_number(sim::column_rayleigh(run.column, source.photons_cm3_s))}});
+    json_answer()["lines"].push_back(one);
+  }
 }
 
 /// Photons cm^-3 s^-1 of every source, a row a place, with the ions.
@@ -187,7 +204,10 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
   if (plot) plot->write(plot_bytes(sources_plot(run, lines, words), format));
   if (output) output->commit();
   if (plot) plot->commit();
-  say_text(words + "\n" + sources_text(run, lines));
+  answer_sources(run, lines);
+  json_answer()["electrons"] = words;
+  json_answer()["outputs"] = json_names({request.output, request.plot});
+  say_result(words + "\n" + sources_text(run, lines));
   return good;
 }
 

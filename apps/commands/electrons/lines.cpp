@@ -9,6 +9,7 @@
 
 #include "apps/commands/electrons/line_sources.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/report/quenching_plot.h"
@@ -61,6 +62,26 @@ std::string line_listing() {
     if (line.blended_with[0] != '\0') text += fmt::format("          blended with {}\n", line.blended_with);
   }
   return text;
+}
+
+/// The rows of --csv, and what they rest on.
+void answer_lines() {
+  Json lines = Json::array();
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    Json one = {{"wavelength_nm", line.wavelength_nm}, {"species", line.species},
+                {"transition", line.transition},       {"lifetime_s", json_number(line.lifetime_s)},
+                {"table_column", line.table_column},   {"ratio", json_number(line.ratio)},
+                {"ratio_source", line.ratio_source},   {"blended_with", line.blended_with},
+                {"components", Json::array()}};
+    for (const sim::LineComponent& component : line.components)
+      one["components"].push_back({{"wavelength_nm", component.wavelength_nm}, {"share", component.share}});
+    if (const auto response = sim::temperature_response(line.wavelength_nm)) {
+      one["peak_log_k"] = response->peak_log_k;
+      one["width_log_k"] = response->width_log_k;
+    }
+    lines.push_back(one);
+  }
+  json_answer()["lines"] = lines;
 }
 
 std::string line_page() {
@@ -178,8 +199,10 @@ void add_lines_command(Program& program) {
     if (!options->quenching.empty()) {
       const PlotFormat format = plot_format(options->quenching, "--quenching");
       sim::write_whole(options->quenching, plot_bytes(fit::quenching_plot(), format), options->overwrite);
+      json_answer()["outputs"] = json_names({options->quenching});
     } else {
-      say_text(options->markdown ? line_page() : options->csv ? line_csv() : line_listing());
+      answer_lines();
+      say_result(options->markdown ? line_page() : options->csv ? line_csv() : line_listing());
     }
     return good;
   });

@@ -8,6 +8,7 @@
 #include "apps/commands/electrons/air_choice.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
@@ -93,6 +94,10 @@ int run_tables(const TablesRequest& request) {
     file.commit();
   }
   folder.commit();
+  json_answer() = {{"outputs", json_names({request.output})},
+                   {"maxwellian_energies", tables.maxwellian_kev.size()},
+                   {"single_energies", tables.mono_kev.size()},
+                   {"oxygen_factors", request.oxygen}};
   say_text(fmt::format("emission tables of {} Maxwellian and {} single energies, {} oxygen factors: {}\n",
                        tables.maxwellian_kev.size(), tables.mono_kev.size(), request.oxygen.size(),
                        request.output));

@@ -5,12 +5,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
@@ -39,6 +41,7 @@ struct DirectionsRequest {
 /// What another program reads, and how far it is from the camera.
 struct OtherCamera {
   std::string bytes, words;
+  std::vector<std::pair<std::string, double>> numbers;  ///< how far, with units in their names
 };
 
 OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& scene,
@@ -51,7 +54,8 @@ OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& sce
         fit::encode_aida(fit.camera),
         fmt::format(
             "AIDA's lens {}: rms {:.3f} px, the largest {:.3f} px, over {} places, {:.0f} % of the picture",
-            fit.camera.model, fit.rms_px, fit.largest_px, fit.points, 100.0 * fit.share)};
+            fit.camera.model, fit.rms_px, fit.largest_px, fit.points, 100.0 * fit.share),
+        {{"rms_px", fit.rms_px}, {"largest_px", fit.largest_px}, {"share_of_picture", fit.share}}};
   }
   if (!julian_date || !sim::is_latitude_given(scene) || !sim::is_longitude_given(scene))
     throw with_place(sim::Error(sim::ErrorKind::scene,
@@ -67,7 +71,9 @@ OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& sce
       "{:.0f} % "
       "of the picture",
       fit.wcs.a.order, fit.rms_px, fit.largest_px, fit.points, options.reach_deg, 100.0 * fit.share);
-  return {fit::encode_sip_wcs(fit.wcs, words, options.output), words};
+  return {fit::encode_sip_wcs(fit.wcs, words, options.output),
+          words,
+          {{"rms_px", fit.rms_px}, {"largest_px", fit.largest_px}, {"share_of_picture", fit.share}}};
 }
 
 /// One EXR, or a FITS file each for azimuth and elevation.
@@ -97,6 +103,8 @@ void run_directions(const DirectionsRequest& options) {
     const OtherCamera other = other_camera(options, scene, extension);
     files[0]->write(other.bytes);
     files[0]->commit();
+    json_answer() = {{"outputs", json_names(names)}, {"words", other.words}};
+    for (const auto& [key, value] : other.numbers) json_answer()[key] = json_number(value);
     say("%s: %s\n", names[0].c_str(), other.words.c_str());
     return;
   }
@@ -111,6 +119,10 @@ void run_directions(const DirectionsRequest& options) {
   for (const auto& file : files) file->commit();
   std::size_t somewhere = 0;
   for (const float elevation : map.elevation_deg) somewhere += std::isfinite(elevation) ? 1 : 0;
+  json_answer() = {{"outputs", json_names(names)},
+                   {"width_px", map.width},
+                   {"height_px", map.height},
+                   {"pixels_with_a_direction", somewhere}};
   for (const std::string& name : names)
     say("%s: %d x %d pixels, %zu of which look somewhere\n", name.c_str(), map.width, map.height, somewhere);
 }

@@ -8,6 +8,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
@@ -37,6 +38,11 @@ fit::ModelInputs model_inputs_of(const ModelRequest& options, fit::EarthFrame fr
 
 void tell_grid(const fit::ModelInputs& inputs) {
   const fit::GeographicGrid& grid = inputs.grid;
+  json_answer() = {{"longitude_cells", grid.longitude_deg.size()},
+                   {"latitude_cells", grid.latitude_deg.size()},
+                   {"longitude_deg", {grid.longitude_deg.front(), grid.longitude_deg.back()}},
+                   {"latitude_deg", {grid.latitude_deg.front(), grid.latitude_deg.back()}},
+                   {"outputs", Json::array()}};
   say("%zu x %zu cells, longitude %.3f to %.3f, latitude %.3f to %.3f\n", grid.longitude_deg.size(),
       grid.latitude_deg.size(), grid.longitude_deg.front(), grid.longitude_deg.back(),
       grid.latitude_deg.front(), grid.latitude_deg.back());
@@ -51,8 +57,11 @@ int run_to_gemini(const ModelRequest& options) {
   const fit::ModelInputs inputs = model_inputs_of(options, fit::EarthFrame::gemini_dipole);
   fit::write_gemini(options.output, options.overwrite, inputs);
   tell_grid(inputs);
-  for (const double time_s : inputs.times_s)
-    say("%s\n", (options.output + "/" + fit::gemini_file_name(time_s)).c_str());
+  for (const double time_s : inputs.times_s) {
+    const std::string name = options.output + "/" + fit::gemini_file_name(time_s);
+    json_answer()["outputs"].push_back(name);
+    say("%s\n", name.c_str());
+  }
   return good;
 }
 
@@ -67,6 +76,7 @@ int run_to_lompe(const ModelRequest& options) {
   const fit::ModelInputs inputs = model_inputs_of(options, fit::EarthFrame::geographic);
   sim::write_netcdf(fit::lompe_dataset(inputs), options.output, options.overwrite);
   tell_grid(inputs);
+  json_answer()["outputs"].push_back(options.output);
   say("%s\n", options.output.c_str());
   return good;
 }

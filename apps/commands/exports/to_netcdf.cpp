@@ -5,6 +5,7 @@
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
@@ -26,6 +27,7 @@ int run_to_netcdf(const NetcdfRequest& options) {
   if (same_file(options.output, options.input)) refuse_same_file("--output", options.output, "the input");
   const sim::NetcdfDataset dataset = fit::dataset_of(options.input);
   sim::write_netcdf(dataset, options.output, options.overwrite);
+  json_answer() = {{"outputs", json_names({options.output})}, {"variables", dataset.variables().size()}};
   say("%s: %zu variables\n", options.output.c_str(), dataset.variables().size());
   return good;
 }

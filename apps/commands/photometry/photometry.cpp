@@ -11,6 +11,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/site_words.h"
@@ -123,6 +124,29 @@ std::string factor_text(const fit::StarFactor& found, const fit::RayleighFilter&
   return text;
 }
 
+void answer_factor(const fit::StarFactor& found, const fit::RayleighFilter& filter, std::size_t pictures) {
+  Json& answer = json_answer();
+  answer = {{"filter", filter.name},
+            {"wavelength_nm", filter.band.line_nm},
+            {"pictures", pictures},
+            {"rayleigh_per_count_s", json_number(found.factor.value)},
+            {"rayleigh_per_count_s_error", json_number(found.factor.error)},
+            {"star_error_share", json_number(found.star_error)},
+            {"degrees_of_freedom", found.degrees_of_freedom},
+            {"spectrum_error_share", json_number(found.spectrum_error)},
+            {"width_error_share", found.width_error > 0.0 ? Json(found.width_error) : Json(nullptr)},
+            {"scatter_share", json_number(found.scatter)},
+            {"extinction", extinction_text(found)},
+            {"stars", Json::array()},
+            {"notes", found.notes}};
+  for (const fit::MeasuredStar& star : found.stars)
+    answer["stars"].push_back({{"name", star.name},
+                               {"x_px", star.x_px},
+                               {"y_px", star.y_px},
+                               {"rayleigh_per_count_s", json_number(star.factor)},
+                               {"used", star.used}});
+}
+
 std::string star_table(const fit::StarFactor& found) {
   std::string text =
       "star,magnitude,b_v,x_px,y_px,elevation_deg,airmass,pictures,counts_per_s,counts_per_s_error,rayleigh,"
@@ -199,6 +223,7 @@ int run_photometry(PhotometryRequest& options) {
   const fit::StarFactor found = photometer.answer(options.pictures.front());
   // What is known to less than a factor of two or so is no calibration.
   constexpr double kMaxError = 0.3;
+  answer_factor(found, filter, names.size());
   if (found.star_error > kMaxError) {
     say_text(factor_text(found, filter, names.size()));
     tell("vegard: the stars do not tell the factor: it is known to %.0f %%\n", 100.0 * found.star_error);
@@ -209,6 +234,7 @@ int run_photometry(PhotometryRequest& options) {
   if (output) output->commit();
   if (stars_out) stars_out->commit();
   say_text(factor_text(found, filter, names.size()));
+  json_answer()["outputs"] = json_names({options.output, options.stars_out});
   if (output) say("%s\n", options.output.c_str());
   if (stars_out) say("%s\n", options.stars_out.c_str());
   return good;

@@ -5,6 +5,7 @@
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "fit/survey/survey_export.h"
 #include "fit/survey/survey_netcdf.h"
@@ -24,10 +25,12 @@ int run_export(const ExportRequest& options) {
     if (!options.table.empty())
       throw usage_error("--table", "a netCDF file has all of a frame in one", "a name that ends in .csv");
     fit::write_survey_netcdf(file, options.out, options.overwrite);
+    json_answer()["outputs"] = json_names({options.out});
     return good;
   }
   fit::write_survey_csv(file, *fit::survey_table_kind(options.table.empty() ? "wide" : options.table),
                         options.out, options.overwrite);
+  json_answer()["outputs"] = json_names({options.out});
   return good;
 }
 

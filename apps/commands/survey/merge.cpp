@@ -8,6 +8,7 @@
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/survey/survey_merge.h"
@@ -44,6 +45,9 @@ int run_merge(const MergeRequest& options) {
   for (const std::string& database : databases)
     protect_inputs("--output", options.out, {{database, "a database to merge"}});
   const fit::SurveyMerge merge = fit::merge_surveys(databases, options.out, options.mixed, options.overwrite);
+  json_answer() = {{"outputs", json_names({options.out})}, {"frames", merge.frames},
+                   {"databases", merge.databases},         {"plans", merge.plans},
+                   {"versions", merge.versions},           {"lacking", merge.lacking}};
   say("%d frame%s of %d database%s\n", merge.frames, merge.frames == 1 ? "" : "s", merge.databases,
       merge.databases == 1 ? "" : "s");
   if (merge.plans > 1 || merge.versions > 1)

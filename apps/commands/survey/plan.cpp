@@ -8,6 +8,7 @@
 
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
@@ -54,6 +55,13 @@ int run_plan(const PlanRequest& options) {
   int skipped = 0;
   for (const fit::PlannedBlock& block : plan.blocks)
     for (const fit::PlannedFrame& frame : block.frames) skipped += frame.skip.empty() ? 0 : 1;
+  json_answer() = {{"outputs", json_names({options.out})},
+                   {"cameras", plan.cameras.size()},
+                   {"frames", plan.frames()},
+                   {"skipped", skipped},
+                   {"blocks", plan.blocks.size()},
+                   {"estimated_s", json_number(plan.seconds())},
+                   {"shards", plan.shards}};
   const auto plural = [](std::size_t count) { return count == 1 ? "" : "s"; };
   say("%zu camera%s, %d frames (%d skipped) in %zu block%s; about %s on one core: %d shard%s\n",
       plan.cameras.size(), plural(plan.cameras.size()), plan.frames(), skipped, plan.blocks.size(),

@@ -4,10 +4,11 @@
 
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
-#include "apps/output/terminal.h"
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
 #include "fit/survey/plan_json.h"
 #include "fit/survey/report/survey_report.h"
 
@@ -35,6 +36,10 @@ int run_report(const ReportRequest& options) {
   report.progress = [&](double share) { bar.update(share); };
   const fit::SurveyReport made = fit::write_survey_report(database, options.out, report);
   bar.finish();
+  json_answer() = {{"report", options.out + "/index.html"},
+                   {"nights", made.nights},
+                   {"keograms", made.keograms},
+                   {"why_no_keogram", made.why_no_keogram}};
   say("%d night%s, %d keogram%s: %s/index.html\n", made.nights, made.nights == 1 ? "" : "s", made.keograms,
       made.keograms == 1 ? "" : "s", options.out.c_str());
   if (report.keograms && !made.why_no_keogram.empty())

@@ -11,6 +11,7 @@
 #include "apps/commands/survey/shard_folder.h"
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
@@ -51,6 +52,7 @@ class ShardAccount {
     bar_.finish();
     constexpr double kWorthAWord_s = 10.0;
     if (bar_.elapsed_seconds() > kWorthAWord_s) tell_pace();
+    json_answer() = {{"shard", name_}, {"frames_done", done_}, {"frames", all_}};
     say("%s: %d of %d frames\n", name_.c_str(), done_, all_);
     show_output();
   }
@@ -59,8 +61,8 @@ class ShardAccount {
   void tell_pace() const {
     if (done_ == first_) return;
     const double seconds = bar_.elapsed_seconds() / (done_ - first_);
-    tell("%s: %d of %d frames, %s s a frame\n", name_.c_str(), done_, all_,
-         sim::short_number(seconds, 3).c_str());
+    apps::tell_progress("%s: %d of %d frames, %s s a frame\n", name_.c_str(), done_, all_,
+                        sim::short_number(seconds, 3).c_str());
   }
 
   std::string name_;
@@ -120,10 +122,13 @@ int run_local(const RunRequest& options, const fit::SurveyPlan& plan) {
                      {"survey", "run", options.plan, "--out", options.out, "--shard", words, "--threads",
                       std::to_string(options.threads)}});
     if (options.again) calls.back().words.emplace_back("--again");
+    // The shards' words would stand before the answer.
+    if (voice().is_quiet || voice().is_json) calls.back().words.emplace_back("--quiet");
     if (!options.memory_limit.empty())
       calls.back().words.insert(calls.back().words.end(), {"--memory-limit", options.memory_limit});
   }
   const ExitCode end = run_processes(calls, *options.local);
+  json_answer() = {{"folder", options.out}, {"shards", shards}, {"processes", *options.local}};
   if (end == interrupted) tell("interrupted; the same command goes on from here\n");
   return end;
 }

@@ -4,6 +4,7 @@
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
 #include "fit/survey/survey_motion.h"
@@ -22,6 +23,11 @@ int run_smooth(const SmoothRequest& options) {
   protect_inputs("--output", options.out, {{options.database, "the database"}});
   const fit::SurveyMotion made =
       fit::smooth_survey(options.database, options.out, options.motion, options.overwrite);
+  json_answer() = {{"outputs", json_names({options.out})},
+                   {"tracks", made.tracks},
+                   {"numbers", made.used},
+                   {"outliers", made.outliers},
+                   {"breaks", made.breaks}};
   say("%d track%s of %d numbers; %d jumped and %s left out, %d track%s broken\n", made.tracks,
       made.tracks == 1 ? "" : "s", made.used, made.outliers, made.outliers == 1 ? "was" : "were", made.breaks,
       made.breaks == 1 ? " is" : "s are");

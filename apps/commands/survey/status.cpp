@@ -8,6 +8,7 @@
 #include "apps/commands/survey/slurm_job.h"
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/survey/survey_results.h"
@@ -36,13 +37,25 @@ int run_status(const std::string& folder) {
     name = reader.plans().front().name;
   }
   if (!shards.empty())
-    say("%s: %d of %d frames: %d done, %d skipped, %d missing, %d unreadable%s; %zu of %d shards begun\n",
-        name.c_str(), frames, planned, counts[0], counts[1], counts[2], counts[3],
-        counts[4] > 0 ? fmt::format(", {} filtered", counts[4]).c_str() : "", shards.size(),
-        shards.front().shards);
+    say_result(fmt::format(
+        "{}: {} of {} frames: {} done, {} skipped, {} missing, {} unreadable{}; {} of {} shards begun\n",
+        name, frames, planned, counts[0], counts[1], counts[2], counts[3],
+        counts[4] > 0 ? fmt::format(", {} filtered", counts[4]) : "", shards.size(), shards.front().shards));
+  json_answer() = {{"name", name},
+                   {"frames", frames},
+                   {"planned", planned},
+                   {"done", counts[0]},
+                   {"skipped", counts[1]},
+                   {"missing", counts[2]},
+                   {"unreadable", counts[3]},
+                   {"filtered", counts[4]},
+                   {"shards_begun", shards.size()},
+                   {"shards", shards.empty() ? 0 : shards.front().shards}};
   if (!job.empty()) {
     const std::string state = state_of_job(job);
-    say("job %s: %s\n", job.c_str(), state.empty() ? "no longer in the queue" : state.c_str());
+    say_result("job " + job + ": " + (state.empty() ? "no longer in the queue" : state) + "\n");
+    json_answer()["job"] = job;
+    json_answer()["job_state"] = state.empty() ? Json(nullptr) : Json(state);
   }
   return frames == planned && planned > 0 ? good : doubted;
 }

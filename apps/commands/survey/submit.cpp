@@ -13,6 +13,7 @@
 #include "apps/commands/survey/slurm_job.h"
 #include "apps/commands/survey/steps.h"
 #include "apps/options/exit_code.h"
+#include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
@@ -86,6 +87,7 @@ int run_submit(const SubmitRequest& options) {
   script.shards = begun > 0 ? begun : options.shards.value_or(plan.shards);
   script.tasks = unfinished(plan, options.out, script.shards);
   if (script.tasks.empty()) {
+    json_answer() = {{"shards", script.shards}, {"tasks", 0}, {"job", nullptr}};
     say("all %d shards are finished\n", script.shards);
     return good;
   }
@@ -99,7 +101,9 @@ int run_submit(const SubmitRequest& options) {
   script.more = options.sbatch;
   const std::string text = slurm_script(script);
   if (options.dry_run) {
-    say_text(text);
+    json_answer() = {
+        {"shards", script.shards}, {"tasks", script.tasks.size()}, {"job", nullptr}, {"script", text}};
+    say_result(text);
     return good;
   }
   check_planned_eyes(plan);
@@ -114,6 +118,8 @@ int run_submit(const SubmitRequest& options) {
   if (error) throw sim::unwritable(options.out + "/log", error.value());
   say_text(text);
   const std::string number = submit_to_slurm(script.folder, text);
+  json_answer() = {
+      {"shards", script.shards}, {"tasks", script.tasks.size()}, {"job", number}, {"script", text}};
   say("job %s: %zu of %d shards\n", number.c_str(), script.tasks.size(), script.shards);
   return good;
 }
@@ -123,6 +129,7 @@ int run_cancel(const std::string& folder) {
   if (job.empty())
     throw usage_error("DIR", "there is no job of '" + folder + "'", "the folder of vegard survey submit");
   cancel_job(job);
+  json_answer() = {{"job", job}, {"cancelled", true}};
   say("job %s is cancelled; what it has finished stays\n", job.c_str());
   return good;
 }
