@@ -90,9 +90,18 @@ std::string scale_word(const sim::ParameterRow& row) {
   return "";
 }
 
-/// A vector is one line of the page: its components' names, and their defaults together.
+/// "a" or "b" or "c": "a", "b", "c".
+std::string with_commas(std::string text) {
+  const std::string either = "\" or \"";
+  for (std::size_t at = text.find(either); at != std::string::npos; at = text.find(either, at))
+    text.replace(at, either.size(), "\", \"");
+  return text;
+}
+
+/// A vector is one line of the page: its components' names, and their defaults together. The unit stands
+/// behind the default. Columns that are empty throughout the table are left out.
 std::string table_of_page(const std::string& table) {
-  std::string text = "\n| key | unit | default | limits | free | meaning |\n|---|---|---|---|---|---|\n";
+  std::vector<std::array<std::string, 5>> lines = {{"key", "default", "limits", "free", "meaning"}};
   const auto& rows = sim::parameter_table();
   for (std::size_t i = 0; i < rows.size();) {
     const sim::ParameterRow& row = rows[i];
@@ -105,10 +114,24 @@ std::string table_of_page(const std::string& table) {
     i = end;
     if (row.table != table) continue;
     const bool is_fixed_vector = names.find(',') != std::string::npos;
-    const std::string key = is_fixed_vector ? code(row.key) + " (" + names + ")" : code(row.key);
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", key, row.unit,
-                        code(is_fixed_vector ? "[" + defaults + "]" : defaults), cell(sim::limits_text(row)),
-                        scale_word(row), cell(row.meaning));
+    lines.push_back({is_fixed_vector ? code(row.key) + " (" + names + ")" : code(row.key),
+                     code(is_fixed_vector ? "[" + defaults + "]" : defaults) +
+                         (row.unit[0] == '\0' ? "" : " " + std::string(row.unit)),
+                     cell(with_commas(sim::limits_text(row))), scale_word(row), cell(row.meaning)});
+  }
+  std::string text = "\n";
+  std::array<bool, 5> has_words{};
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    for (std::size_t c = 0; c < has_words.size(); ++c) has_words[c] = has_words[c] || !lines[i][c].empty();
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::string under = "|";
+    text += "|";
+    for (std::size_t c = 0; c < has_words.size(); ++c) {
+      if (!has_words[c]) continue;
+      text += " " + lines[i][c] + " |";
+      under += "---|";
+    }
+    text += "\n" + (i == 0 ? under + "\n" : "");
   }
   return text;
 }
@@ -190,20 +213,16 @@ void answer_forms() {
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
-      "This page is the output of `vegard params --markdown`; a test compares the two.\n\n"
-      "A scene is a TOML file; every key may be left out and then has the default named here. A table of the "
-      "file is\n"
-      "a section of this page; `[[sheet]]` may stand any number of times, also never (a dark sky). The same "
-      "values are\n"
-      "reached by a path: `camera.width`, `sheet.main.energy_kev` with the sheet's name in the middle (it "
-      "may be left\n"
-      "out where there is only one sheet), `sheet.main.center_km.east` for a component of a vector. Paths "
-      "are what\n"
-      "`--set path=value`, `[fit] free` and the reports use. *Free* says on which scale a fit moves a "
-      "parameter that\n"
-      "may be free; the others cannot be. Limits are inclusive. An integer may stand where a number is "
-      "expected, but\n"
-      "`3.0` is no integer.\n";
+      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`. Any may be left out and "
+      "then\n"
+      "has its default. Each section is a table of the file; those in double brackets, `[[sheet]]`, may "
+      "occur any\n"
+      "number of times. `--set path=value`, `fit.free` and the reports use paths: `camera.width`,\n"
+      "`sheet.main.energy_kev` (with the sheet's name, unless there is only one), "
+      "`sheet.main.center_km.east` for a\n"
+      "component. The unit stands behind the default. *Free* is the scale on which a fit varies a parameter; "
+      "others cannot be free. Limits are\n"
+      "inclusive. An integer may stand for a number, but `3.0` is not an integer.\n";
   std::string table = "\n";  // no table's name, so that the first row begins a section
   for (const sim::ParameterRow& row : sim::parameter_table()) {
     if (row.table == table) continue;
@@ -245,8 +264,8 @@ std::string forms_page() {
       "a corona (the band overhead, the camera at the magnetic zenith) from a rayed band.\n\n"
       "A form's light is that of its electrons, whose energies give the source's heights by our own emission "
       "tables. `profile = \"form\"` has the\n"
-      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which else have no "
-      "effect.\n\n"
+      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which otherwise "
+      "have no effect.\n\n"
       "| form | |\n|---|---|\n";
   for (const sim::Form& form : sim::forms()) text += fmt::format("| `{}` | {} |\n", form.name, form.meaning);
   text += "\n| key |";

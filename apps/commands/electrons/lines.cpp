@@ -1,8 +1,10 @@
 #include "apps/commands/commands.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -50,6 +52,16 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
+/// Bands at even steps, by a law that is named with them.
+bool is_continuum(const sim::EmissionLine& line) {
+  if (line.components.size() < 3) return false;
+  const double step = line.components[1].wavelength_nm - line.components[0].wavelength_nm;
+  for (std::size_t i = 1; i < line.components.size(); ++i)
+    if (std::abs(line.components[i].wavelength_nm - line.components[i - 1].wavelength_nm - step) > 1e-6)
+      return false;
+  return true;
+}
+
 std::string line_listing() {
   std::string text;
   for (const sim::EmissionLine& line : sim::emission_lines()) {
@@ -87,15 +99,14 @@ void answer_lines() {
 std::string line_page() {
   std::string text =
       "# Emission lines\n\n"
-      "This page is the output of `vegard lines --markdown`; a test compares the two. A scene takes up to "
-      "eight of these\n"
-      "lines (`emission.lines`). *Light* is the column of the [emission "
-      "tables](file_formats.md#emission-tables), or a "
-      "ratio of\nphotons to one where they have no column of the line's own; lines of\n[nebulae](nebulae.md) "
-      "and of the Sun have none, and electrons in the "
-      "air leave them dark.\n"
-      "What a line is *blended with* stands so near that a filter of some nm passes both; it is not added to "
-      "the line.\n\n"
+      "The lines that a scene can have (`emission.lines`, up to eight of them), by `vegard lines "
+      "--markdown`.\n"
+      "*Light* is the line's column of the [emission tables](file_formats.md#emission-tables), or a ratio "
+      "of\n"
+      "photons to another column; [nebulae](nebulae.md) and the Sun have neither, and electrons in the air "
+      "do\n"
+      "not excite their lines. A filter of some nm also passes what a line is *blended with*, which is not\n"
+      "added to it.\n\n"
       "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
   for (const sim::EmissionLine& line : sim::emission_lines())
     text += fmt::format("| {:.1f} nm | {} | {} | {} | {} | {} |\n", line.wavelength_nm, line.species,
@@ -107,19 +118,23 @@ std::string line_page() {
       text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
                           line.table_column, line.ratio_source);
   text +=
-      "\nThe height course of a line with a ratio is its column's. For the first positive bands that is an "
-      "approximation: they\n"
-      "are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and are quenched below 90 "
-      "km.\n";
+      "\nA line with a ratio has the height profile of its column. For the first positive bands that is an\n"
+      "approximation: they are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and are\n"
+      "quenched below 90 km.\n";
+  text +=
+      "\n## Lines and bands under one wavelength\n\n"
+      "A camera's colour is that of all of them. `vegard lines --csv` has every share.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
-    text += fmt::format(
-        "\n## The {} under {:.1f} nm\n\n"
-        "Shares of the photons: {}. A camera's colour of it is that of all of them.\n\n"
-        "| nm | share |\n|---|---|\n",
-        line.components.size() == 2 ? "lines" : "bands", line.wavelength_nm, line.components_source);
-    for (const sim::LineComponent& band : line.components)
-      text += fmt::format("| {:.1f} | {:.2f} % |\n", band.wavelength_nm, 100.0 * band.share);
+    text += fmt::format("- **{:.1f} nm**: {}", line.wavelength_nm, line.components_source);
+    if (!is_continuum(line)) {
+      std::string shares;
+      for (const sim::LineComponent& band : line.components)
+        shares += fmt::format("{}{:.1f}: {:.2f} %", shares.empty() ? "" : ", ", band.wavelength_nm,
+                              100.0 * band.share);
+      text += ". Shares of the photons (nm): " + shares;
+    }
+    text += ".\n";
   }
   text +=
       "\n## Bands of the Sun\n\n"
@@ -129,12 +144,23 @@ std::string line_page() {
       "by "
       "free electrons, has no such\nresponse. For eyes these bands are black but for the visible lines: "
       "`sensor.response = \"grey\"` counts all photons alike.\n\n"
-      "| line | ion | p | peak | w | source of the peak |\n|---|---|---|---|---|---|\n";
-  for (const sim::EmissionLine& line : sim::emission_lines())
-    if (const auto response = sim::temperature_response(line.wavelength_nm))
-      text += fmt::format("| {:.1f} nm | {} | {:.2f} | {:.2g} MK | {:.2f} | {} |\n", line.wavelength_nm,
-                          line.species, response->peak_log_k, megakelvin(*response), response->width_log_k,
-                          response->source);
+      "| line | ion | p | peak | w |\n|---|---|---|---|---|\n";
+  std::vector<std::pair<std::string, std::string>> lines_of_source;  // in the order of their first lines
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    const auto response = sim::temperature_response(line.wavelength_nm);
+    if (!response) continue;
+    text += fmt::format("| {:.1f} nm | {} | {:.2f} | {:.2g} MK | {:.2f} |\n", line.wavelength_nm,
+                        line.species, response->peak_log_k, megakelvin(*response), response->width_log_k);
+    const auto known = std::find_if(lines_of_source.begin(), lines_of_source.end(),
+                                    [&](const auto& entry) { return entry.second == response->source; });
+    const std::string nm = fmt::format("{:.1f}", line.wavelength_nm);
+    if (known == lines_of_source.end())
+      lines_of_source.emplace_back(nm, response->source);
+    else
+      known->first += ", " + nm;
+  }
+  text += "\nSources of the peaks:\n\n";
+  for (const auto& [nm, source] : lines_of_source) text += fmt::format("- {} nm: {}\n", nm, source);
   text +=
       "\n## Quenching\n\n"
       "How much of the light of the slow lines collisions leave, and how long their atoms live, against "

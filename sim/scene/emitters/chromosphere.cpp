@@ -17,21 +17,21 @@ std::vector<Declaration> chromosphere_rows() {
   // clang-format off
   return {
       row("name", &C::name).means("by which paths call the chromosphere"),
-      row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in units of the Sun's frame, as all its lengths"),
+      row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km"),
       row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it"),
-      row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("height of an octave of its turbulence over that of the one before (ω)"),
+      row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves (ω)"),
       row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence"),
       row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules"),
       row("shift", &C::shift).as(ParameterRole::granule_shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves"),
-      row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("of the cutoff F(x) = amplitude (1 - exp(-(x - coverage) sharpness)), 0 where that is negative: turbulence up to it is empty"),
-      row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("of the cutoff: how soon it comes near to its amplitude"),
-      row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("of the cutoff: the density that it comes near to"),
-      row("biasmap", &C::biasmap).names_file().means("picture by latitude (from the north pole down) and longitude (-180° to 180°), beside the scene's file; empty: none"),
-      row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density that is added after the cutoff where that picture is white"),
+      row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude (1 - exp(-(x - coverage) sharpness)))"),
+      row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("rate at which the cutoff approaches its amplitude"),
+      row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("density that the cutoff approaches"),
+      row("biasmap", &C::biasmap).names_file().means("equirectangular picture, north up, relative to the scene's file; empty: none"),
+      row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density added where biasmap is white"),
       row("cutoff", &C::cutoff).means("false: the density is the turbulence as it is"),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
-          .means("light of density 1 to a unit of path, per emission line; empty: it is dark"),
-      row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("extinction of density 1, to a unit of path: what lies behind it is dimmed"),
+          .means("light of density 1 per unit of path and line; empty: dark"),
+      row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("extinction of density 1 per unit of path"),
       row("step", &C::step).within(1e-3, 1e6).means("step of the march"),
   };
   // clang-format on

@@ -23,12 +23,12 @@ std::vector<Declaration> corona_rows() {
       row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("at the photosphere, where the shares add up to 1: density (Σ share (r / R)^-power)"),
       row("share", &C::share).of({"<n>"}).named_by(name_by_term).within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
       row("power", &C::power).of({"<n>"}).named_by(name_by_term).within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
-      row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("density over the poles, of that over the equator; between them by the square of the sine of the latitude"),
+      row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("ratio of the density over the poles to that over the equator (sin² of latitude between)"),
       row("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
-      row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density; as its square, as of collisions; or as density times the photosphere's light scattered by free electrons (Thomson)"),
+      row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density, as its square (collisions), or scattered from the photosphere (Thomson)"),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
-          .means("light of density 1 to a unit of path, per emission line; of scattered light at the photosphere's edge"),
-      row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("if not 0, lines with a response to temperature (docs/lines.md) shine by it"),
+          .means("light of density 1 per unit of path and line; scattered light: at the photosphere"),
+      row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none"),
   };
   // clang-format on
 }

@@ -28,22 +28,22 @@ std::vector<Declaration> footprint_rows() {
   return {
       row("name", &F::name).means("by which paths call the footprint"),
       row("shape", &F::shape).one_of<FootprintShape>({{"box", FootprintShape::box}, {"shell", FootprintShape::shell}})
-          .means("a box about a point of the observer's tangent plane, or a shell around the whole Earth"),
+          .means("a box in the observer's tangent plane, or a shell around the Earth"),
       row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
-          .means("light with a thickness, or upright walls without one along the splines, a cheap preview"),
+          .means("light with a thickness, or thin upright walls (a cheap preview)"),
       row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}, {"precipitation", FootprintSource::precipitation}})
-          .means("where the footprint comes from: a curve through points, a picture, six pictures of a cube's faces, the scene's sheets (which are then not drawn as beams), fractal noise in a box, or a map of energy flux and energy, as vegard map writes it"),
+          .means("origin of the footprint: a curve, a picture, six faces of a cube, the scene's sheets (then not drawn as beams), fractal noise, or a map by vegard map"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
-          .means("along the scene's field, or straight down; a shell's light falls straight down in a uniform field, which is one of the observer's surroundings"),
+          .means("light along the scene's field or straight down; of a shell in a uniform field always straight down"),
       row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
           .means("extent of a box"),
       row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
       row("face_cells", &F::face_cells).within(16, 8192)
-          .means("cells along an edge of each of the six cube faces of a shell's footprint"),
+          .means("cells along an edge of each cube face of a shell"),
       row("east_km", &F::east_km).called("east of point").as(ParameterRole::footprint_east).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
-          .means("points of a box's spline, from the box's middle to the east"),
+          .means("points of a box's spline, east of its middle"),
       row("north_km", &F::north_km).called("north of point").as(ParameterRole::footprint_north).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       row("latitude_deg", &F::latitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-90, 90)
@@ -54,34 +54,34 @@ std::vector<Declaration> footprint_rows() {
       row("width_km", &F::width_km).in("km").within(0.01, 1000).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of the Gaussian across the spline"),
       row("image", &F::image).names_file()
-          .means("picture of the footprint beside the scene's file: north up over a box; equirectangular around the Earth; of a cube \"NAME_{face}.png\" with the faces px, nx, py, ny, pz, nz (docs/volumes.md says which way up); values are taken as they stand"),
-      row("image_gamma", &F::image_gamma).within(0.1, 10).means("the energy flux goes as the picture's value to this power"),
-      row("energy_image", &F::energy_image).names_file().means("picture of the electrons' energy, of the same extent; empty: the same everywhere"),
+          .means("picture, relative to the scene's file: north up for a box, equirectangular for a shell, \"NAME_{face}.png\" for a cube (docs/volumes.md)"),
+      row("image_gamma", &F::image_gamma).within(0.1, 10).means("exponent from the picture's value to the energy flux"),
+      row("energy_image", &F::energy_image).names_file().means("picture of the energy, of the same extent; empty: uniform"),
       row("energy_ratio", &F::energy_ratio).within(0.01, 100)
-          .means("energy where energy_image is white, over energy_kev, which is where it is black; between them the logarithm is even"),
+          .means("ratio of the energy at white to energy_kev at black of energy_image, logarithmic between"),
       row("point_energy", &F::point_energy).called("energy of point").of({"<n>"}).named_by(name_by_point).within(0.05, 20).may_be_free(ParameterScale::logarithmic)
-          .means("energy at the spline's points, over energy_kev; empty: 1 everywhere"),
+          .means("energy at the spline's points relative to energy_kev; empty: 1"),
       row("point_flux", &F::point_flux).called("energy flux of point").of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
-          .means("energy flux at the spline's points, over energy_flux_mw_m2; empty: 1 everywhere"),
+          .means("energy flux at the spline's points relative to energy_flux_mw_m2; empty: 1"),
       row("file", &F::file).names_file()
-          .means("of the source \"precipitation\": FITS map beside the scene's file, a cube of energy flux in mW m⁻² and energy in keV with the linear axes EAST and NORTH in km at 110 km altitude; it has its own place, size and cells"),
+          .means("for \"precipitation\": FITS map by vegard map, relative to the scene's file (energy flux in mW m⁻², energy in keV; axes EAST, NORTH in km)"),
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
       row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
       row("noise_lifetime_s", &F::noise_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("in which the noise becomes another; 0: it lasts"),
+          .means("lifetime of the noise; 0: unlimited"),
       row("flow_turns", &F::flow_turns).within(0, 10)
-          .means("how far a plane incompressible flow has wound the footprint up, in turns of its fastest part; 0: not at all"),
+          .means("winding by a plane incompressible flow, in turns of its fastest part; 0: none"),
       row("flow_turns_per_s", &F::flow_turns_per_s).in("s⁻¹").within(0, 10)
-          .means("how much farther it winds with every second of the scene's clock; from 0 turns, where it begins, to 10, where it ends"),
+          .means("change of flow_turns per second, within 0 to 10 turns"),
       row("flow_sense", &F::flow_sense).one_of<FlowSense>({{"spiral", FlowSense::spiral}, {"charge", FlowSense::charge}})
-          .means("which way it turns what is bright: as spirals are wound, counter-clockwise seen along the field, or as a charged sheet turns, counter-clockwise seen against it"),
-      row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("of the ripples that the flow starts from"),
-      row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength, over that of the footprint's own shear"),
+          .means("sense of winding: counter-clockwise seen along the field (as spirals), or against it (as a charged sheet)"),
+      row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("length of the ripples that the flow starts from"),
+      row("flow_ripple", &F::flow_ripple).within(0, 10).means("strength of the ripples relative to the footprint's own shear"),
       row("drift_km_s", &F::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
-          .means("velocity of the whole box; a shell turns about the Earth's axis, with that speed to the east at the equator"),
+          .means("velocity of a box; of a shell its speed to the east at the equator"),
       row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
-          .means("the emission lines of the electrons, or two colours between two altitudes in the place of theirs"),
+          .means("emission lines of the electrons, or two colours between two altitudes"),
       row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
       row("low_km", &F::low_km).in("km").within(80, 640).means("altitude of low_colour and below"),
@@ -94,8 +94,8 @@ std::vector<Declaration> footprint_rows() {
           .means("light against altitude: of a spectrum of electrons, or a form"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
-      row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("below the peak a form's light has fallen to a tenth"),
-      row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("above the peak a form's light has fallen to a tenth"),
+      row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("for \"form\": distance below the peak where the light is a tenth"),
+      row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("for \"form\": distance above the peak where the light is a tenth"),
       row("top_km", &F::top_km).in("km").within(100, 640).means("above which there is no light"),
   };
   // clang-format on

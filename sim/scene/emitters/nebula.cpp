@@ -29,33 +29,33 @@ std::vector<Declaration> nebula_rows() {
   return {
       row("name", &N::name).means("by which paths call the nebula"),
       row("method", &N::method).one_of<NebulaMethod>({{"physical", NebulaMethod::physical}, {"literal", NebulaMethod::literal}})
-          .means("emission and absorption along each ray, in rayleighs; or the source's march with its constants, which gives colours only"),
+          .means("emission and absorption in rayleighs; or the source's literal march, in colours only"),
       row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
       row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
-      row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("distance of its middle; less than its bound: the camera is inside"),
+      row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("distance of its middle; below bound the camera is inside"),
       row("unit_pc", &N::unit_pc).in("pc").within(1e-6, 1e6).may_be_free(ParameterScale::logarithmic).means("its unit of length, which all its lengths are in"),
-      row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("how far it is turned anticlockwise, as the observer sees it"),
+      row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation as seen by the observer"),
       row("bound", &N::bound).within(0.01, 1000).means("radius of the sphere that holds it; the source's is √8"),
-      row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("over which the density falls from 1 to 0 outside of a node's surface (h of the source)"),
+      row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("distance over which density falls from 1 to 0 outside a surface (h of the source)"),
       row("step", &N::step).within(1e-4, 1).means("step of the march; the literal march has its own"),
-      row("gas", &N::gas).means("name of the node of what shines by lines, and of the literal march's map; empty: none"),
-      row("glow", &N::glow).means("name of the node of a second light; empty: none"),
-      row("dust", &N::dust).means("name of the node of what absorbs; empty: none"),
+      row("gas", &N::gas).means("node of the gas that shines by lines (and of the literal march); empty: none"),
+      row("glow", &N::glow).means("node of a second light; empty: none"),
+      row("dust", &N::dust).means("node of what absorbs; empty: none"),
       row("inner_rayleigh", &N::inner_rayleigh).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
-          .means("light of the gas at density 1 to a unit of path, per emission line, near the middle"),
+          .means("light of the gas of density 1 per unit of path and line, near the middle"),
       row("outer_rayleigh", &N::outer_rayleigh).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("the same far out"),
       row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
-          .means("light of the glow at density 1 to a unit of path, per emission line"),
+          .means("light of the glow of density 1 per unit of path and line"),
       row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("distance from the middle up to which inner_rayleigh holds"),
       row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("distance from which on outer_rayleigh holds"),
-      row("density_power", &N::density_power).within(0.1, 4).may_be_free(ParameterScale::linear).means("light goes as density to this power: 2 for recombination"),
+      row("density_power", &N::density_power).within(0.1, 4).may_be_free(ParameterScale::linear).means("exponent from density to light: 2 for recombination"),
       row("brightness", &N::brightness).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times all its light"),
-      row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth at 550 nm of dust of density 1 to a unit of path"),
+      row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth of dust of density 1 per unit of path at 550 nm"),
       row("dust_exponent", &N::dust_exponent).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power"),
       row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
       row("literal_colour", &N::literal_colour).one_of<LiteralColour>({{"two", LiteralColour::two}, {"white", LiteralColour::white}})
-          .means("light of the literal march: from colour_a to colour_b; or white, as the source has it, which leaves its grey"),
+          .means("light of the literal march: from colour_a to colour_b, or white as in the source"),
       row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: and at distance 1"),
   };
   // clang-format on
@@ -72,17 +72,17 @@ std::vector<Declaration> node_rows() {
       node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
           .means("place of a shape's middle: to the right, up and towards the observer"),
       node("angles_deg", &Node::angles_deg).of({"right", "up", "near"}).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
-          .means("turns of what it is or works on, about these axes one after the other"),
+          .means("rotation about these axes, one after the other"),
       node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
-          .means("stretch of what it is or works on along these axes, before any turn"),
+          .means("stretch along these axes, before any rotation"),
       node("radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
-      node("thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("of a shell's, slab's and lobes' walls and of a torus's ring, from side to side"),
+      node("thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("thickness of a shell's, slab's or lobes' walls or of a torus's ring"),
       node("length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("from the middle to the end of lobes or of a tube"),
       node("waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
-      node("amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("of filaments, turbulence and warp, in lengths"),
-      node("frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("of the largest waves of noise, to a unit of length"),
-      node("gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("height of an octave of noise over that of the one before"),
-      node("blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("length over which a union, intersection or difference is rounded; 0: sharp"),
+      node("amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("amplitude of filaments, turbulence and warp"),
+      node("frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("frequency of the noise's largest waves, per unit of length"),
+      node("gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves"),
+      node("blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding length of a union, intersection or difference; 0: sharp"),
       node("octaves", &Node::octaves).within(1, 12).means("of noise"),
       node("seed", &Node::seed).within(0, 1e9).means("of its noise, beside the scene's"),
   };

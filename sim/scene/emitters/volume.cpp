@@ -17,16 +17,16 @@ std::vector<Declaration> volume_rows() {
   // clang-format off
   return {
       row("name", &Volume::name).means("by which paths call the volume"),
-      row("file", &Volume::file).names_file().means("file beside the scene's: OpenVDB, with grids such as emission_5577 or density, or the densities of a pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`)"),
+      row("file", &Volume::file).names_file().means("OpenVDB file (grids emission_5577, density …) or pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`), relative to the scene's file"),
       row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
-          .means("where the file is at home: on the ground, in km; or on the Sun, in units of sun.unit_km"),
+          .means("frame of the file: the ground, in km, or the Sun, in sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
-          .means("by how much it is moved; on the Sun along the x, y and z of its frame"),
+          .means("shift; on the Sun along x, y and z"),
       row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times its light"),
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
-          .means("extinction of density 1 of its grid \"density\"; 0: nothing is absorbed"),
+          .means("extinction of density 1 of the grid \"density\"; 0: none"),
       row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
-          .means("light of density 1 of its grid \"density\", per emission line, to a km of path (a unit of the Sun's frame), in place of the file's emission grids; empty: none"),
+          .means("light of density 1 of the grid \"density\" per line and km (or unit of the Sun's frame), instead of emission grids; empty: none"),
       row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
       row("albedo", &Volume::albedo).within(0, 1).may_be_free(ParameterScale::linear).means("share of the extinction that is scattering, once, of the lamp's light; 0: none"),
       row("asymmetry", &Volume::asymmetry).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the angle by which light is scattered (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),

@@ -17,17 +17,17 @@ std::vector<Declaration> place_rows() {
       Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
           .means("altitude of the observer above the sphere of the Earth"),
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
-          .means("when, in ISO 8601 such as \"2019-09-01T05:00:00Z\"; empty if unknown; where time.start_s is 0; goes into file headers, and the field \"igrf\" is that of this time"),
+          .means("UTC time of time.start_s = 0, ISO 8601 (\"2019-09-01T05:00:00Z\"); empty if unknown; needed by the field \"igrf\""),
 
       Row("field", "model", &Scene::field, &Field::model).one_of<FieldModel>({{"uniform", FieldModel::uniform}, {"dipole", FieldModel::dipole}, {"igrf", FieldModel::igrf}})
-          .means("the same field everywhere, or at each foot that of a tilted dipole, or of the International Geomagnetic Reference Field (IGRF-14) at site.time_utc"),
+          .means("the same field everywhere; or at each foot a tilted dipole, or IGRF-14 at site.time_utc"),
       Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).as(ParameterRole::inclination).in("deg").within(-90, 90)
           .rule(inclination_complaint).may_be_free(ParameterScale::linear)
-          .means("inclination of the magnetic field, below the horizon in the north; at least 20 from the horizontal"),
+          .means("inclination of the field, downwards in the north; at least 20 from the horizontal"),
       Row("field", "declination_deg", &Scene::field, &Field::declination_deg).as(ParameterRole::declination).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
           .means("declination of the magnetic field, from north to the east"),
       Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
-          .means("latitude of the dipole's northern pole; the default is that of 2020"),
+          .means("latitude of the dipole's northern pole (default: 2020)"),
       Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg).in("deg").within(-180, 360)
           .means("longitude of the dipole's northern pole, east positive"),
 
@@ -36,21 +36,21 @@ std::vector<Declaration> place_rows() {
           .means("projection of the lens"),
       Row("camera", "cube_layout", &Scene::camera, &Camera::cube_layout)
           .one_of<CubeLayout>({{"cross", CubeLayout::cross}, {"strip", CubeLayout::strip}, {"grid", CubeLayout::grid}})
-          .means("how the picture holds the faces of a \"cube\": 4 by 3, 6 by 1 or 3 by 2"),
+          .means("layout of a cube's faces: 4 × 3, 6 × 1 or 3 × 2"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
       Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
-          .means("horizontal field of view of a pinhole, before any distortion; other lenses have focal_px"),
+          .means("horizontal field of view of a pinhole, without distortion"),
       Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).as(ParameterRole::focal_length).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
-          .means("scale of every lens but the pinhole: pixels to a radian on its axis"),
+          .means("scale of other lenses than the pinhole: pixels per radian on the axis"),
       Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).as(ParameterRole::camera_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("azimuth of the line of sight, from north to the east"),
       Row("camera", "elevation_deg", &Scene::camera, &Camera::elevation_deg).as(ParameterRole::camera_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear)
           .means("elevation of the line of sight above the horizon"),
       Row("camera", "roll_deg", &Scene::camera, &Camera::roll_deg).as(ParameterRole::camera_roll).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
-          .means("how far the scene appears turned clockwise in the picture"),
+          .means("clockwise rotation of the scene in the picture"),
       Row("camera", "principal_x_px", &Scene::camera, &Camera::principal_x_px).as(ParameterRole::principal_x).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
-          .means("principal point, where the lens's axis meets the picture: to the right of the middle"),
+          .means("principal point (lens axis), to the right of the middle"),
       Row("camera", "principal_y_px", &Scene::camera, &Camera::principal_y_px).as(ParameterRole::principal_y).in("px").within(-65535, 65535).may_be_free(ParameterScale::linear)
           .means("the same: below the middle"),
       Row("camera", "aspect", &Scene::camera, &Camera::aspect).as(ParameterRole::lens_aspect).within(0.2, 5).may_be_free(ParameterScale::linear)

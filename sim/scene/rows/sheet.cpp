@@ -24,7 +24,7 @@ std::vector<Declaration> sheet_rows() {
   return {
       Row("name", &Sheet::name).means("by which paths call the sheet"),
       Row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
-          .means("preset of other keys of the sheet, which those keys override: docs/forms.md, vegard params --forms"),
+          .means("preset of the sheet's other keys, which override it (docs/forms.md)"),
       Row("center_km", &Sheet::center_km).as(ParameterRole::centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle between start and end, of the feet at 110 km altitude"),
       Row("bearing_deg", &Sheet::bearing_deg).as(ParameterRole::bearing).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
@@ -36,30 +36,30 @@ std::vector<Declaration> sheet_rows() {
       Row("wavelength_km", &Sheet::wavelength_km).as(ParameterRole::wavelength).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
       Row("phase_rad", &Sheet::phase_rad).as(ParameterRole::phase).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
-          .means("phase of the first layer's sine, counted from the start"),
+          .means("phase of the first layer's sine at the start"),
       Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
       Row("course", &Sheet::course).one_of<SheetCourse>({{"sine", SheetCourse::sine}, {"curve", SheetCourse::curve}})
-          .means("line that the layers follow: the sine about the line from start to end, or a smooth curve through the points east_km, north_km, which needs neither center_km, bearing_deg and length_km nor the sine's keys"),
+          .means("line that the layers follow: a sine about the line from start to end, or a smooth curve through the points east_km, north_km"),
       Row("east_km", &Sheet::east_km).called("east of point").as(ParameterRole::curve_east).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
-          .means("of the course \"curve\": its points in order, of the feet at 110 km altitude"),
+          .means("points of the course \"curve\" in order, at 110 km altitude"),
       Row("north_km", &Sheet::north_km).called("north of point").as(ParameterRole::curve_north).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       Row("point_brightness", &Sheet::point_brightness).called("brightness of point").of({"<n>"}).named_by(name_of_point).within(1e-6, 1e4).may_be_free(ParameterScale::logarithmic)
-          .means("energy flux at the curve's points, over energy_flux_mw_m2 (or brightness over brightness_kilorayleigh); empty: 1 everywhere"),
+          .means("energy flux (or brightness) at the curve's points relative to the sheet's; empty: 1"),
       Row("point_energy_kev", &Sheet::point_energy_kev).called("energy of point").of({"<n>"}).named_by(name_of_point).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("energy at the curve's points, in place of energy_kev; empty: that everywhere"),
+          .means("energy at the curve's points; empty: energy_kev"),
       Row("point_width_km", &Sheet::point_width_km).called("layer width of point").of({"<n>"}).named_by(name_of_point).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
-          .means("standard deviation of a layer's cross-section at the curve's points, in place of width_km; empty: that everywhere"),
-      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; of the course \"curve\" they lie one in the other"),
+          .means("width at the curve's points; empty: width_km"),
+      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; with the course \"curve\" they coincide"),
       Row("width_km", &Sheet::width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
-          .means("number of electron beams in each layer; setting it sets beams_per_km to 0"),
+          .means("electron beams in each layer; sets beams_per_km to 0"),
       Row("energy_kev", &Sheet::energy_kev).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy E0 of Maxwellian electrons, whose mean energy is twice that; of the profiles \"mono\" and \"gaussian\" the electrons' energy, or the middle of their energies"),
+          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); for \"mono\" and \"gaussian\" the central energy"),
       Row("energy_spread", &Sheet::energy_spread).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
-          .means("of the profile \"gaussian\": standard deviation of the electrons' energies, as a fraction of energy_kev"),
+          .means("for \"gaussian\": relative standard deviation of the energy"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q, at its peak across a layer"),
       Row("path_spread", &Sheet::path_spread).within(0, 1)
@@ -67,113 +67,111 @@ std::vector<Declaration> sheet_rows() {
       Row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
       Row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
-          .means("how much smaller the pitch angle is at the upper end"),
+          .means("decrease of the pitch angle to the upper end"),
       Row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
-          .means("reading of the paper's equation (4): αD − Δα(1 − t); literally αD·t·Δα; t·Δα; or αD throughout"),
+          .means("pitch angle by the paper's equation (4): αD − Δα(1 − t), αD·t·Δα (literal), t·Δα or αD"),
       Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
           .means("largest step between two deflections, as a fraction of the path"),
       Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
       Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
-          .means("random shift of the beams along the sheet, as a fraction of their spacing"),
+          .means("random shift of the beams, as a fraction of their spacing"),
       Row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
-          .means("places of the beams: each in a stretch of its own; a jittered walk; or the paper's walk, whose phase does not follow it"),
+          .means("beam positions: stratified, a jittered walk, or the paper's walk with its fixed phase"),
       Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
-          .means("electron beams per kilometre of each layer, in place of their number; 0: beams says"),
+          .means("beams per kilometre of each layer; 0: use beams"),
       Row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
-          .means("whether path_step is taken as it is, or follows from the electrons' mean energy"),
+          .means("path_step as given, or from the electrons' mean energy"),
       Row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
-          .means("steps of half of path_step, which begin elsewhere for each beam; or the paper's, random between nothing and path_step, of which a picture takes far more beams to be free of grain"),
+          .means("half of path_step with a random start; or random up to path_step as in the paper, which is grainier"),
       Row("points_per_px", &Sheet::points_per_px).in("px⁻¹").within(0, 1000)
-          .means("a picture is rendered with as many more beams as it takes (up to 16 times as many) to have so many deflection points of each layer on every pixel; 0: with those that are said"),
-      Row("arcs", &Sheet::arcs).within(1, 64).means("how many like sheets stand side by side, center_km in their middle"),
+          .means("deflection points per pixel and layer; beams are added for it, up to 16 times; 0: none are"),
+      Row("arcs", &Sheet::arcs).within(1, 64).means("number of equal sheets side by side, centred on center_km"),
       Row("arc_spacing_km", &Sheet::arc_spacing_km).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)"),
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
-          .means("of 557.7 nm seen along the field, at its peak across a layer, in place of the energy flux; 0: that says"),
+          .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
       Row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}})
-          .means("light against altitude: of electrons with a Maxwellian spectrum, a single energy, or a Gaussian one; the form's measured curve with the Maxwellian's ratios of lines; that of profile_file; or a free form of its own for each line"),
+          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; or a free form for each line"),
       Row("profile_file", &Sheet::profile_file).names_table()
-          .means("of the profile \"file\": a CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, beside the scene's file"),
+          .means("for \"file\": CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, relative to the scene's file"),
       Row("peak_km", &Sheet::peak_km).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
       Row("lower_km", &Sheet::lower_km).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
-          .means("how far below the peak a form's light has fallen to a tenth"),
+          .means("for \"form\": distance below the peak where the light is a tenth"),
       Row("upper_km", &Sheet::upper_km).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
-          .means("how far above the peak a form's light has fallen to a tenth"),
+          .means("for \"form\": distance above the peak where the light is a tenth"),
       Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
-          .means("altitude at which a free-form profile begins, dark"),
+          .means("lowest altitude of a free-form profile, dark"),
       Row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
-          .means("altitude at which a free-form profile ends, dark"),
+          .means("highest altitude of a free-form profile, dark"),
       Row("spline_knots", &Sheet::spline_knots).within(4, 64)
-          .means("coefficients of a free-form profile per line, closer together low down"),
+          .means("knots of a free-form profile per line, denser at low altitude"),
       Row("spline_rate", &Sheet::spline_rate).as(ParameterRole::profile_coefficient).by_line("<line>_<n>", spline_rate_component, spline_knots)
           .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
-          .means("coefficients of a free-form profile, about the emission rate at their altitudes: all of the first "
-                 "line from the bottom up, then the next line's, such as sheet.main.spline_rate.5577_3; "
-                 "empty: one broad layer for all lines"),
+          .means("coefficients of a free-form profile, line by line from the bottom up (sheet.main.spline_rate.5577_3); empty: one broad layer"),
       Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between folds (about 20 in nature); 0: no folds"),
       Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
           .means("random shift of the folds, as a fraction of their spacing"),
       Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
-          .means("stretch of the sine that a fold replaces, at most the spacing"),
+          .means("length of the sine that a fold replaces, at most the spacing"),
       Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(ParameterScale::linear)
-          .means("how far a fold has turned: 0 a ripple, about a half an overhang, 1 a horseshoe bend"),
+          .means("shape of a fold: 0 a ripple, 0.5 an overhang, 1 a horseshoe"),
       Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
-          .means("how much less than that folds may have turned, as a fraction of it"),
+          .means("largest random reduction of fold_stage, as a fraction"),
       Row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("of the folds, from start to end (0 to 5 in nature)"),
+          .means("speed of the folds from start to end (0 to 5 in nature)"),
       Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("of a fold (more than 1 in nature); 0: folds last"),
+          .means("lifetime of a fold (above 1 in nature); 0: unlimited"),
       Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between curls (2 to 10 in nature); 0: no curls"),
-      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("of a curl, at most the spacing"),
+      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
       Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
-          .means("angle by which a curl has wound up its centre, counter-clockwise seen against the field"),
+          .means("winding angle at a curl's centre, counter-clockwise seen against the field"),
       Row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
-          .means("how much closer beams stand in the centre of a curl, as a fraction of their spacing"),
+          .means("relative concentration of beams at a curl's centre"),
       Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("of the curls, from start to end (0 to 8 in nature, at most 90)"),
+          .means("speed of the curls from start to end (0 to 8 in nature, at most 90)"),
       Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("of a curl (0.25 to 0.75 in nature); 0: curls last"),
+          .means("lifetime of a curl (0.25 to 0.75 in nature); 0: unlimited"),
       Row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between spirals (125 to 175 in nature); 0: no spirals"),
       Row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
-          .means("of a spiral, at most the spacing; the whole is about twice as wide (25 to 75 in nature)"),
+          .means("radius of a spiral, at most the spacing; its diameter is 25 to 75 in nature"),
       Row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
-          .means("angle by which a spiral has wound up its centre, counter-clockwise seen along the field"),
+          .means("winding angle at a spiral's centre, counter-clockwise seen along the field"),
       Row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("of the spirals, from start to end (4 on the average in nature)"),
+          .means("speed of the spirals from start to end (4 on average in nature)"),
       Row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("of a spiral, which winds up and unwinds; 0: spirals last"),
+          .means("lifetime of a spiral, which winds up and unwinds; 0: unlimited"),
       Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
-          .means("standard deviation of the logarithm of the light from ray to ray; 0: no rays"),
+          .means("standard deviation of the logarithm of the rays' light; 0: no rays"),
       Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
-          .means("full width of the rays' autocorrelation at half its height (1 or less in nature)"),
+          .means("full width at half maximum of the rays' autocorrelation (1 or less in nature)"),
       Row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
-          .means("standard deviation of the logarithm of the rays' extent above the peak"),
+          .means("standard deviation of the logarithm of the rays' height above the peak"),
       Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("of the rays, from start to end"),
+          .means("speed of the rays from start to end"),
       Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a ray; 0: rays last"),
       Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
-          .means("of patches of light along and across the sheet, full width of their autocorrelation; 0: no patches"),
+          .means("full width at half maximum of the patches' autocorrelation; 0: no patches"),
       Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
-          .means("standard deviation of the logarithm of the light from patch to patch"),
+          .means("standard deviation of the logarithm of the patches' light"),
       Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("of a patch; 0: patches last"),
       Row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
-          .means("by which the lower border goes up and down; 0: it is even"),
+          .means("amplitude of the lower border's undulation; 0: even"),
       Row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
           .means("length of the lower border's longest waves"),
       Row("border_octaves", &Sheet::border_octaves).within(1, 8)
-          .means("of the lower border's waves, each half as long and half as high as the one before"),
+          .means("octaves of the lower border's waves, each half as long and high"),
       Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("of the lower border's course; 0: it lasts"),
+          .means("lifetime of the lower border's shape; 0: unlimited"),
       Row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
-          .means("what undulates: the altitude at which a beam's light is read; or, literally, that at which a beam starts and so ends, which cuts light off"),
+          .means("what undulates: the altitude at which light is looked up; or, literally, a beam's start, which cuts light off"),
       Row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
-          .means("velocity of the whole sheet (0.1 to 0.2 north to south in nature, 10 east to west)"),
+          .means("velocity of the sheet (in nature 0.1 to 0.2 north–south, 10 east–west)"),
       Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("of the sine, from start to end"),
+          .means("speed of the sine from start to end"),
   };
   // clang-format on
 }

@@ -9,20 +9,19 @@ std::vector<Declaration> sky_rows() {
   // clang-format off
   return {
       Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-1e6, 1e6)
-          .means("light behind the aurora, mean over the image's height, linear sensor value"),
+          .means("sky brightness, mean over the picture's height, linear"),
       Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-1e6, 1e6)
-          .means("how much brighter the sky is at the image's bottom than at its top, linear sensor value"),
+          .means("sky brightness at the bottom less that at the top, linear"),
       Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-1e6, 1e6)
-          .means("bend of the sky's brightness: four times what top and bottom exceed the middle by"),
+          .means("curvature of the sky: four times the excess of top and bottom over the middle"),
       Row("sky", "lights_gain", &Scene::sky, &Sky::lights_gain).within(0, 1e12)
-          .means("times airglow, twilight and light pollution; a fit writes here by how much its gain is not "
-                 "gain_per_kilorayleigh"),
+          .means("factor on airglow, twilight and light pollution; a fit puts its gain's ratio here"),
 
       Row("stars", "shown", &Scene::stars, &Stars::shown).means("whether there are stars behind the aurora"),
       Row("stars", "source", &Scene::stars, &Stars::source).one_of<StarSource>({{"random", StarSource::random}, {"catalogue", StarSource::catalogue}})
-          .means("random ones, or those of the catalogue as they stand at the site and its time"),
+          .means("random stars, or the catalogue's at the site and its time"),
       Row("stars", "planets", &Scene::stars, &Stars::planets).means("Mercury to Saturn as they stand at the site and its time"),
-      Row("stars", "milky_way", &Scene::stars, &Stars::milky_way).means("the light of all stars that are too faint to be seen one by one"),
+      Row("stars", "milky_way", &Scene::stars, &Stars::milky_way).means("the unresolved light of faint stars"),
       Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
           .means("of the stars that are shown"),
       Row("stars", "width_deg", &Scene::stars, &Stars::width_deg).in("deg").within(0.0001, 5)
@@ -33,9 +32,9 @@ std::vector<Declaration> sky_rows() {
       Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters; the ground has the Moon's own as well, moon.shown or not"),
 
       Row("ground", "shown", &Scene::ground, &Ground::shown)
-          .means("the ground below the horizon, matt and grey, in the light of all that is above it"),
+          .means("a matt grey ground below the horizon, lit by the sky"),
       Row("ground", "albedo", &Scene::ground, &Ground::albedo).within(0, 1)
-          .means("share of the light that the ground gives back: 0.8 to 0.9 is fresh snow's, 0.2 that of bare ground"),
+          .means("albedo of the ground: fresh snow 0.8 to 0.9, bare ground 0.2"),
 
       Row("composite", "background", &Scene::composite, &Composite::background).names_file()
           .means("picture behind the aurora, beside the scene's file; empty: none"),
@@ -46,7 +45,7 @@ std::vector<Declaration> sky_rows() {
       Row("composite", "foreground_gain", &Scene::composite, &Composite::foreground_gain).within(0, 1e6)
           .means("of the foreground, in linear light"),
       Row("composite", "mask", &Scene::composite, &Composite::mask).names_file()
-          .means("picture that is white where the foreground hides the sky; empty: the foreground's alpha"),
+          .means("picture, white where the foreground hides the sky; empty: the foreground's alpha"),
   };
   // clang-format on
 }
@@ -55,36 +54,36 @@ std::vector<Declaration> night_sky_rows() {
   // clang-format off
   return {
       Row("air", "model", &Scene::air, &LowerAir::model).one_of<AirModel>({{"none", AirModel::none}, {"standard", AirModel::standard}})
-          .means("what light loses in the air: nothing, or by molecules, aerosol and ozone as far as it passes them"),
+          .means("extinction: none, or by molecules, aerosol and ozone along the path"),
       Row("air", "aerosol_optical_depth", &Scene::air, &LowerAir::aerosol_optical_depth).as(ParameterRole::aerosol_depth).within(0, 5).may_be_free(ParameterScale::logarithmic)
-          .means("of the aerosol from sea level to the zenith at 550 nm; 0.05 is very clear, 0.3 hazy"),
+          .means("aerosol optical depth at 550 nm from sea level to the zenith; 0.05 very clear, 0.3 hazy"),
       Row("air", "angstrom_exponent", &Scene::air, &LowerAir::angstrom_exponent).as(ParameterRole::angstrom_exponent).within(-1, 4).may_be_free(ParameterScale::linear)
-          .means("of the aerosol's optical depth against wavelength: 1.3 on average, near 0 for sea salt and dust"),
+          .means("Ångström exponent of the aerosol: 1.3 on average, near 0 for sea salt and dust"),
       Row("air", "aerosol_height_km", &Scene::air, &LowerAir::aerosol_height_km).in("km").within(0.3, 10)
           .means("scale height of the aerosol"),
       Row("air", "ozone_dobson", &Scene::air, &LowerAir::ozone_dobson).in("DU").within(0, 1000)
-          .means("column of ozone, whose Chappuis band takes from green to red"),
+          .means("ozone column (Chappuis band, green to red)"),
 
       Row("airglow", "green_rayleigh", &Scene::airglow, &Airglow::green_rayleigh).called("green light").as(ParameterRole::green_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("zenith airglow of 557.7 nm, at 97 km; 0: none; 163 at Paranal in the mean"),
+          .means("zenith airglow of 557.7 nm, at 97 km (mean at Paranal: 163)"),
       Row("airglow", "red_rayleigh", &Scene::airglow, &Airglow::red_rayleigh).called("red light").as(ParameterRole::red_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("zenith airglow of 630.0 nm, at 250 km; 0: none; some 120 at Paranal in the mean, fewer at high latitudes"),
+          .means("zenith airglow of 630.0 nm, at 250 km (mean at Paranal: 120; less at high latitudes)"),
       Row("airglow", "sodium_rayleigh", &Scene::airglow, &Airglow::sodium_rayleigh).called("sodium light").as(ParameterRole::sodium_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("zenith airglow of both sodium lines, 589.3 nm, at 92 km; 0: none; 37 at Paranal in the mean"),
+          .means("zenith airglow of the sodium lines, 589.3 nm, at 92 km (mean at Paranal: 37)"),
 
       Row("twilight", "shown", &Scene::twilight, &Twilight::shown).means("whether there is the light of a sun below the horizon"),
       Row("twilight", "sun", &Scene::twilight, &Twilight::sun).one_of<TwilightSun>({{"given", TwilightSun::given}, {"time", TwilightSun::of_time}})
-          .means("where the sun is: as sun_elevation_deg and sun_azimuth_deg say, or as it stands at the site and its time"),
+          .means("the Sun's position: sun_elevation_deg and sun_azimuth_deg, or from site and time"),
       Row("twilight", "sun_elevation_deg", &Scene::twilight, &Twilight::sun_elevation_deg).in("deg").within(-15, -5)
-          .means("of the sun, between which elevations the twilight sky was measured"),
+          .means("elevation of the Sun, within the range of the measurements"),
       Row("twilight", "sun_azimuth_deg", &Scene::twilight, &Twilight::sun_azimuth_deg).in("deg").within(-720, 720)
           .means("of the sun, from north to the east"),
       Row("twilight", "contrast", &Scene::twilight, &Twilight::contrast).within(1, 1000)
-          .means("how much brighter the horizon under the sun is than the zenith"),
+          .means("brightness ratio of the horizon under the Sun to the zenith"),
 
       Row("light_pollution", "luminance_mcd_m2", &Scene::light_pollution, &LightPollution::luminance_mcd_m2).as(ParameterRole::town_light).in("mcd m⁻²")
           .within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("of the sky at the horizon towards a town; 0: none; 0.2 is the natural night sky"),
+          .means("luminance at the horizon towards a town; 0: none; natural night sky: 0.2"),
       Row("light_pollution", "azimuth_deg", &Scene::light_pollution, &LightPollution::azimuth_deg).in("deg").within(-720, 720)
           .means("of the town, from north to the east"),
       Row("light_pollution", "height_deg", &Scene::light_pollution, &LightPollution::height_deg).in("deg").within(0.5, 90)
@@ -93,7 +92,7 @@ std::vector<Declaration> night_sky_rows() {
           .means("standard deviation of its glow in azimuth"),
       Row("light_pollution", "colour_temperature_k", &Scene::light_pollution, &LightPollution::colour_temperature_k).in("K")
           .within(1000, 20000)
-          .means("of its lamps: 2000 for sodium, 3000 to 5000 for white ones"),
+          .means("colour temperature of its lamps: sodium 2000, white 3000 to 5000"),
   };
   // clang-format on
 }

@@ -4,11 +4,10 @@ namespace vegard::sim {
 
 const std::vector<PhotoTextKey>& photo_text_keys() {
   static const std::vector<PhotoTextKey> keys = {
-      {"name", "by which fit.free and the results call it; left out: the file's name without its ending",
-       &PhotoEntry::name},
-      {"file", "a photograph of any format that is read; relative to the scene's file", &PhotoEntry::file},
-      {"mask", "an image of the same size: white = use; left out: all of it", &PhotoEntry::mask},
-      {"decoding", "in place of fit.decoding; left out: that", &PhotoEntry::decoding},
+      {"name", "name in fit.free and results; default the file's name without its ending", &PhotoEntry::name},
+      {"file", "photograph, relative to the scene's file", &PhotoEntry::file},
+      {"mask", "mask of the same size: white = use; default all", &PhotoEntry::mask},
+      {"decoding", "decoding; default fit.decoding", &PhotoEntry::decoding},
   };
   return keys;
 }

@@ -78,13 +78,14 @@ std::vector<AlternativeForm> declare_forms() {
        5000.0,
        {"center_km", "bearing_deg", "length_km"},
        convert_ends},
-      one_number({"sheet", "ibc", "", "international brightness coefficient, 10^(ibc - 1) kR", "a number"},
+      one_number({"sheet", "ibc", "", "international brightness coefficient: 10^(ibc - 1) kR", "a number"},
                  1.0, 4.0, "brightness_kilorayleigh", convert_ibc),
       one_number(
           {"sheet", "mean_collisions", "", "mean number of deflections on a path, 2 / path_step", "a number"},
           4.0, 200000.0, "path_step", convert_mean_collisions),
       one_number({"sheet", "field_ratio", "",
-                  "field where the electrons set out to that at 100 km, sin² of the loss cone", "a number"},
+                  "ratio of the field at the electrons' source to that at 100 km, sin² of the loss cone",
+                  "a number"},
                  0.0, 0.24, "loss_cone_deg", convert_field_ratio),
       one_number(
           {"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"},
@@ -133,17 +134,18 @@ std::vector<FileKey> all_file_keys() {
       keys.push_back(std::move(key));
     }
   }
-  keys.push_back({"sheet", curve_file_key, "",
-                  "CSV of curtains beside the scene's file, as vegard map writes it, for a course \"curve\": "
-                  "columns curtain, east_km, north_km, energy_flux_mw_m2, energy_kev, width_km (instead of "
-                  "east_km, north_km, point_brightness, point_energy_kev, point_width_km)",
-                  "a text"});
+  keys.push_back(
+      {"sheet", curve_file_key, "",
+       "curtains.csv of vegard map, relative to the scene's file, with the columns curtain, east_km, "
+       "north_km, energy_flux_mw_m2, energy_kev, width_km (instead of east_km, north_km, "
+       "point_brightness, point_energy_kev, point_width_km)",
+       "a text"});
   keys.push_back({"sheet", curve_number_key, "", "which of its curtains, from 1", "a whole number"});
   const std::string table = free_table, entry = free_table + ("." + std::string(free_key));
   keys.push_back(
       {table, free_key, "", "what is fitted", "an array of paths and of tables with the keys below"});
   keys.push_back(
-      {entry, free_path_key, "", "of the parameter; a path to a vector frees all its components", "a text"});
+      {entry, free_path_key, "", "path of the parameter; of a vector: all its components", "a text"});
   for (const FreeNumberKey& key : free_number_keys()) {
     keys.push_back({entry, key.key, "", key.meaning + " (in the parameter's unit)", "a number"});
   }
@@ -152,7 +154,7 @@ std::vector<FileKey> all_file_keys() {
     keys.push_back({entry + "." + free_prior_key, key.key, "", key.meaning, "a number"});
   }
   keys.push_back({entry + "." + free_prior_key, prior_law_key, "",
-                  "of the prior; uniform: nothing but min and max is known", prior_law_type});
+                  "distribution of the prior; uniform: only min and max", prior_law_type});
   keys.push_back(
       {table, tied_key, "", "what follows from what is fitted", "an array of tables with the keys below"});
   for (const TiedKey& key : tied_keys())
@@ -163,7 +165,7 @@ std::vector<FileKey> all_file_keys() {
   for (const PhotoTextKey& key : photo_text_keys()) {
     keys.push_back({photo, key.key, "", key.meaning, "a text"});
   }
-  keys.push_back({photo, photo_set_key, "", "what this photograph alone has: its camera, site, time …",
+  keys.push_back({photo, photo_set_key, "", "values of this photograph alone: camera, site, time …",
                   "a table of path = value"});
   return keys;
 }

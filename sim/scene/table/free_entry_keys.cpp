@@ -43,9 +43,9 @@ std::string word_of_law(PriorLaw law) { return word_in(kLaws, law); }
 
 const std::vector<FreeNumberKey>& free_number_keys() {
   static const std::vector<FreeNumberKey> keys = {
-      {"start", "where the search starts; left out: the scene's own value", &FreeParameter::start},
-      {"min", "lower limit of the search; left out: the parameter's own", &FreeParameter::min},
-      {"max", "upper limit of the search; left out: the parameter's own", &FreeParameter::max},
+      {"start", "start of the search; default the scene's value", &FreeParameter::start},
+      {"min", "lower limit of the search; default the parameter's", &FreeParameter::min},
+      {"max", "upper limit of the search; default the parameter's", &FreeParameter::max},
   };
   return keys;
 }
@@ -53,19 +53,17 @@ const std::vector<FreeNumberKey>& free_number_keys() {
 const std::vector<FreeTextKey>& free_text_keys() {
   static const std::vector<FreeTextKey> keys = {
       plain_text<&FreeParameter::name>("name",
-                                       "for expressions; entries of one name are one number; without a path "
-                                       "(but with start, min and max): a "
-                                       "number that only expressions use",
+                                       "name for expressions; entries of one name are one number; without a "
+                                       "path (but with start, min, max): used only in expressions",
                                        "a text"),
-      {"scale", "on which the parameter is moved; left out: the parameter's own",
-       "\"linear\" or \"logarithmic\"",
+      {"scale", "scale of the search; default the parameter's", "\"linear\" or \"logarithmic\"",
        [](FreeParameter& free, const std::string& text) {
          const std::optional<FreeScale> scale = kind_of(kScales, text);
          if (scale) free.scale = *scale;
          return scale.has_value();
        },
        [](const FreeParameter& free) { return word_in(kScales, free.scale); }},
-      plain_text<&FreeParameter::photo>("photo", "the photograph that it belongs to alone; left out: all",
+      plain_text<&FreeParameter::photo>("photo", "the only photograph that it belongs to; default all",
                                         "a name of fit.photos"),
   };
   return keys;
@@ -73,19 +71,18 @@ const std::vector<FreeTextKey>& free_text_keys() {
 
 const std::vector<FreePriorKey>& free_prior_keys() {
   static const std::vector<FreePriorKey> keys = {
-      {"mean", "centre of the prior (log-normal: of the logarithm, as its exponential)", &Prior::mean},
-      {"sigma", "standard deviation of the prior (log-normal: of the logarithm, a fraction), above 0",
-       &Prior::sigma},
+      {"mean", "centre of the prior (log-normal: its median)", &Prior::mean},
+      {"sigma", "standard deviation of the prior, above 0 (log-normal: of the logarithm)", &Prior::sigma},
   };
   return keys;
 }
 
 const std::vector<TiedKey>& tied_keys() {
   static const std::vector<TiedKey> keys = {
-      {"path", "of the parameter that follows from others", "a text", true, &TiedParameter::path},
-      {"equals", "what it is: numbers, paths, names of fit.free, + - * / ^, parentheses and functions",
+      {"path", "path of the parameter that follows from others", "a text", true, &TiedParameter::path},
+      {"equals", "expression: numbers, paths, names of fit.free, + - * / ^, parentheses and functions",
        "an expression", true, &TiedParameter::equals},
-      {"photo", "the photograph in which it is so; left out: all", "a name of fit.photos", false,
+      {"photo", "the only photograph with it; default all", "a name of fit.photos", false,
        &TiedParameter::photo},
   };
   return keys;
