@@ -10,8 +10,10 @@ install(TARGETS vegard_sim vegard_fit EXPORT vegardTargets ARCHIVE DESTINATION $
 install(EXPORT vegardTargets NAMESPACE vegard:: DESTINATION ${VEGARD_INSTALL_CMAKEDIR} COMPONENT development)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
 
-# Under include/vegard, so that #include "sim/render/render.h" reads the same inside and outside.
-install(DIRECTORY sim fit DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/vegard COMPONENT development FILES_MATCHING PATTERN "*.h")
+# Under include/vegard, so that #include "sim/render/render.h" reads the same inside and outside. Which they are is read when
+# it is installed, as an include may have come since the build was configured.
+install(CODE "set(SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")\nset(INCLUDE_DIR \"${CMAKE_INSTALL_INCLUDEDIR}/vegard\")" COMPONENT development)
+install(SCRIPT cmake/install_headers_script.cmake COMPONENT development)
 
 # GLOW's tables travel with their licence, or stay behind: what is left is free (NOTICE).
 option(VEGARD_INSTALL_GLOW "Install GLOW's emission tables, which have a licence of their own" ON)

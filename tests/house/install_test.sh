@@ -25,7 +25,7 @@ run "$cmake" --install "$build" --prefix "$work/first"
 mv "$work/first" "$work/moved" # an installed package is used where it is found, not where it was made
 prefix=$work/moved
 
-for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/measure/profile.h share/vegard/data/README.md \
+for file in bin/vegard include/vegard/sim/base/image.h include/vegard/fit/scene_fit.h share/vegard/data/README.md \
   share/vegard/data/glow/ver_maxwellian.csv share/vegard/data/glow/glowlicense.txt share/doc/vegard/LICENSE \
   share/doc/vegard/NOTICE share/man/man1/vegard-fit.1 share/bash-completion/completions/vegard \
   share/zsh/vendor-completions/_vegard share/fish/vendor_completions.d/vegard.fish; do
@@ -35,10 +35,23 @@ if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$pr
   fail "the files above name the folder they were built in"
 fi
 
+# What is not promised, or needed by what is, is not installed.
+for header in sim/base/embedded_table.h sim/render/beams/kernel.h fit/search/search.h; do
+  [[ -e $source/$header && ! -e $prefix/include/vegard/$header ]] || fail "$header is installed, or no more there"
+done
+
+# The example of the documentation, word for word.
+awk '/^```cpp$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$source/docs/library.md" >"$work/example.cpp"
+[[ -s $work/example.cpp ]] || fail "docs/library.md has no example"
 run "$cmake" -S "$source/tests/house/outside" -B "$work/build" -DCMAKE_PREFIX_PATH="$prefix" \
-  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags"
+  -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$flags" -DEXAMPLE="$work/example.cpp" \
+  -DPUBLIC_HEADERS="$source/cmake/public_headers.txt"
 run "$cmake" --build "$work/build"
 run "$work/build/outside"
+cp "$source/data/examples/h000/scene.toml" "$source/data/examples/h000/photo.jpg" "$work"
+(cd "$work" && run "$work/build/example" scene.toml photo.jpg)
+grep -q '^Believable' "$work/log" || fail "the example of docs/library.md finds something else: $(cat "$work/log")"
+[[ -s $work/run/report.html && -s $work/light.exr ]] || fail "the example of docs/library.md writes something else"
 
 if [[ -n $python ]]; then
   for file in __init__.py __init__.pyi py.typed; do
