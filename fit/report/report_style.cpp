@@ -3,7 +3,9 @@
 namespace vegard::fit {
 
 const char* const kReportStyle = R"css(
-:root { --ink: #1d2430; --soft: #667080; --line: #e3e7ec; --ground: #f3f5f8; --paper: #ffffff; --mark: #0b5c73; }
+:root { color-scheme: light; --ink: #1d2430; --soft: #5c6675; --line: #e3e7ec; --ground: #f3f5f8; --paper: #ffffff; --mark: #0b5c73; }
+@media screen and (prefers-color-scheme: dark) { :root { color-scheme: dark; --ink: #e3e8ee; --soft: #a0acba; --line: #313c4a;
+  --ground: #0e141c; --paper: #17202b; --mark: #4fb3cc; } a { color: #8ab8ff; } svg { border-radius: 4px; } }
 * { box-sizing: border-box; }
 html { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 body { margin: 0; background: var(--ground); color: var(--ink); line-height: 1.5; font-size: 15px;
@@ -26,25 +28,26 @@ section { background: var(--paper); border: 1px solid var(--line); border-radius
   margin: 22px 0; }
 h2 { margin: 0 0 12px; font-size: 20px; font-weight: 600; }
 h3 { margin: 22px 0 6px; font-size: 15px; font-weight: 600; }
-section > p { margin: -6px 0 14px; color: var(--soft); max-width: 86ch; }
+section > p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
+section > h2 + p { margin-top: -6px; } section > svg + p, section > .plots + p { margin-top: 8px; }
 figure { margin: 0; } figcaption { color: var(--soft); font-size: 13px; margin-top: 6px; }
 figcaption b { color: var(--ink); font-size: 15px; display: block; }
 .three { display: grid; grid-template-columns: repeat(3, 1fr); gap: 18px; }
 .three img { width: 100%; height: auto; display: block; border-radius: 4px; }
 .plots { display: flex; flex-wrap: wrap; gap: 8px 20px; align-items: flex-start; }
-svg { max-width: 100%; height: auto; }
+svg { max-width: 100%; height: auto; background: #fff; }
 .plots > svg { flex: 0 1 auto; }
 .misfit img { width: 720px; max-width: 100%; height: auto; display: block; border: 1px solid var(--line); }
 .misfit .names { display: grid; grid-template-columns: repeat(3, 1fr); width: 720px; max-width: 100%; font-size: 13px;
   color: var(--soft); text-align: center; }
 .scale { display: inline-block; width: 160px; height: 10px; vertical-align: middle; margin: 0 6px;
   background: linear-gradient(to right, #2166ac, #ffffff, #b2182b); border: 1px solid var(--line); }
-.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(210px, 1fr)); gap: 14px; }
+.cards { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(230px, 100%), 1fr)); gap: 14px; }
 .card { border: 1px solid var(--line); border-left: 4px solid var(--mark); border-radius: 6px; padding: 12px 16px;
   font-size: 14px; color: var(--soft); }
 .card.good { border-left-color: #17784a; } .card.doubtful { border-left-color: #a35f00; } .card.unconstrained { border-left-color: var(--line); }
 .card .trust { margin-top: 4px; font-size: 13px; }
-.card .big { font-size: 20px; white-space: nowrap; font-weight: 600; color: var(--ink); }
+.card { min-width: 0; overflow-wrap: anywhere; } .card .big { font-size: 19px; font-weight: 600; color: var(--ink); }
 .unit { font-weight: 400; font-size: 0.86em; color: var(--soft); }
 table { border-collapse: collapse; font-size: 14px; }
 .wide, .statistics, .provenance { width: 100%; }
@@ -66,7 +69,7 @@ code { font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans 
 .provenance th { width: 150px; } .hash { color: var(--soft); font-size: 12px; overflow-wrap: anywhere;
   font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans Mono", monospace; }
 .two { display: flex; flex-wrap: wrap; gap: 10px 40px; align-items: flex-start; }
-.two .soft { max-width: 480px; }
+.two > * { max-width: 100%; overflow-x: auto; } .two .soft { max-width: 480px; }
 .matrix td, .matrix th { border: 0; padding: 5px 7px; text-align: center; font-variant-numeric: tabular-nums;
   font-size: 12.5px; min-width: 44px; }
 .matrix tbody th { text-align: left; white-space: nowrap; font-weight: 400; padding-left: 0; }
@@ -75,9 +78,11 @@ code { font-family: "SFMono-Regular", Consolas, "Liberation Mono", "DejaVu Sans 
 .many > div { display: flex; justify-content: space-between; gap: 12px; border-bottom: 1px solid var(--line);
   padding: 3px 0; break-inside: avoid; font-variant-numeric: tabular-nums; }
 .many span { white-space: nowrap; }
+pre { white-space: pre-wrap; font-size: 13px; } p, li, pre, footer { overflow-wrap: anywhere; }
 footer { color: var(--soft); font-size: 13px; padding: 0 0 40px; }
 @media screen and (max-width: 820px) { .three { grid-template-columns: 1fr; } .many { columns: 1; }
-  .verdict > div { flex-direction: column; gap: 4px; } .wide { display: block; overflow-x: auto; } }
+  .verdict > div { flex-direction: column; gap: 4px; } .wide { display: block; overflow-x: auto; }
+  main, .head, .verdict > div { padding-left: 16px; padding-right: 16px; } section { overflow-x: auto; padding: 16px; } }
 @media print { body { background: #fff; font-size: 9.5pt; } table, .card { font-size: 9pt; } .many { font-size: 8pt; }
   .card .big { font-size: 12pt; } .cards { grid-template-columns: repeat(4, 1fr); } .soft, figcaption { font-size: 8pt; }
   .strong { font-size: 9.5pt; } .verdict .line { font-size: 11pt; } .head { padding-top: 12px; padding-bottom: 12px; } section { border: 0; padding: 8px 0; margin: 8px 0; }

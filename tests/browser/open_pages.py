@@ -54,19 +54,13 @@ LOOK = r"""
   };
   for (const element of document.body.querySelectorAll('*')) {
     const style = getComputedStyle(element);
-    if (style.display === 'none' || style.visibility === 'hidden') continue;
+    if (style.display === 'none' || style.visibility === 'hidden' || element.tagName === 'title') continue;
     const inSvg = element.namespaceURI.endsWith('svg');
     if (!inSvg && style.display !== 'inline' && style.overflowX === 'visible' && element.scrollWidth > element.clientWidth + 1 && element.clientWidth > 0)
       found.push(`${element.scrollWidth} px in a box of ${element.clientWidth}: ${told(element)}`);
     const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
     if (!own) continue;
-    let [behind, opacity] = ground(inSvg ? element.closest('svg') : element);
-    if (inSvg) {
-      // A plot paints its own ground first.
-      const paper = element.closest('svg').querySelector('rect');
-      const colour = paper && parse(getComputedStyle(paper).fill);
-      if (colour) behind = over(colour, behind);
-    }
+    const [behind, opacity] = ground(inSvg ? element.closest('svg') : element);
     let ink = parse(inSvg ? style.fill : style.color);
     if (!ink) continue;
     ink = over([ink[0], ink[1], ink[2], ink[3] * opacity], behind);
@@ -111,7 +105,7 @@ BAD_PAGES = {
     "has a word that sticks out": '<div style="width:90px">105.942&nbsp;±&nbsp;0.044&nbsp;km</div>',
     "is pale": '<p style="color:#999">pale</p>',
     "is pale over a colour": '<div style="background:#00000080"><p style="color:#333">pale</p></div>',
-    "has a pale plot": '<svg width="90" height="30"><rect width="90" height="30" fill="#fff"/><text y="20" fill="#ddd">pale</text></svg>',
+    "has a pale plot": '<svg width="90" height="30" style="background:#fff"><text y="20" fill="#ddd">pale</text></svg>',
 }
 
 

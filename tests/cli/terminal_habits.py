@@ -60,7 +60,7 @@ CALLS = {
     "mask": Call(["mask", PHOTO, "-o", "out.png", "--polygon", "0,0", "360,0", "360,480", "0,480"], free=r"\d+\.\d+ %|decoding: .*"),
     "measure": Call("measure band.png --out out --no-map", code=5, free=r".*"),
     "brightness": Call(["brightness", "small.toml", *FEW], result=True, free=r"\(.*\)|[a-z ]*: .*|up to .* meet"),
-    "calibrate": Call(["calibrate", "stars.csv", "-o", "out.toml", *STARS], free=r"note: .*|and \d+ more"),
+    "calibrate": Call(["calibrate", "stars.csv", "-o", "out.toml", *STARS], free=r"note: .*|and \d+ more|BIC  .*|\(.*\) × 10.*|known to .*"),
     "fit": Call(
         ["fit", "fit.toml", "--photo", "a.png", "--out", "out", "--max-evaluations", "3", *FEW],
         code=4,
@@ -189,14 +189,14 @@ def numbers_in(value):
 
 
 def check_numbers(name, text, answer, free):
-    """Each number of the text is in the object, rounded as the text has it; of per cent the share is enough."""
+    """Each number of the text is in the object, rounded as the text has it; of per cent, kR, MW and the like the number without is enough."""
     known = list(numbers_in(answer))
     for line in text.splitlines():
-        for word, percent in re.findall(r"(?<![\w.])([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\w.]*\w)( %)?", re.sub(free, "", re.sub(NO_NUMBERS, "", line))):
+        for word, unit in re.findall(r"(?<![\w.])([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\w.]*\w)( %| [kM][RW]\b| mcd\b)?", re.sub(free, "", re.sub(NO_NUMBERS, "", line))):
             value = float(word)
             mantissa, _, exponent = word.partition("e")
             half = 0.5000001 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
-            scales = (1.0, 100.0) if percent else (1.0,)
+            scales = (1.0, 100.0 if unit == " %" else {"k": 1e-3, "M": 1e-6, "m": 1e3}.get(unit[1:2], 1.0))
             if not any(abs(scale * k - value) <= half for k in known for scale in scales):
                 fail(f"{name} --json has no {word} of: {line}")
 
