@@ -60,6 +60,7 @@ std::vector<std::pair<std::string, std::function<void(Scene&)>>> changes() {
        }},
       {"the camera turns above the ground", [](Scene& s) { s.camera.azimuth_deg -= 60.0; }},
       {"and zooms", [](Scene& s) { s.camera.hfov_deg = 12.0; }},
+      {"it looks back", [](Scene& s) { s.camera.azimuth_deg += 60.0, s.camera.hfov_deg = 60.0; }},
       {"darker ground", [](Scene& s) { s.ground.albedo = 0.2; }},
       {"the ground under less light", [](Scene& s) { s.sheets[0].energy_flux_mw_m2 *= 0.5; }},
       {"other primaries", [](Scene& s) { s.sensor.primaries = Primaries::rec2020; }},
