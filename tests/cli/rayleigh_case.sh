@@ -32,7 +32,7 @@ data = open("p.fits", "rb").read()
 cards = {data[i:i + 8].strip(): data[i + 10:i + 80] for i in range(0, 5760, 80)}
 end = next(i for i in range(0, len(data), 80) if data[i:i + 80].strip() == b"END")
 begin = (end // 2880 + 1) * 2880
-assert b"'R" in cards[b"BUNIT"] and float(cards[b"SCALEERR"].split(b"/")[0]) - 0.05 < 1e-9, cards
+assert b"'R" in cards[b"BUNIT"] and abs(float(cards[b"SCALEERR"].split(b"/")[0]) - 0.05) < 1e-9, cards
 values = struct.unpack(">32f", data[begin:begin + 128])
 # The upper row is the last that is stored.
 for i in range(16):
@@ -82,7 +82,8 @@ error = float(re.search(r"rayleigh_per_count_s_error = ([\d.]+)", text).group(1)
 assert abs(factor / 25.0 - 1) < 0.09, factor
 assert 0.037 < error / factor < 0.08, error
 rows = list(csv.DictReader(open("stars.csv")))
-assert sum(row["used"] == "1" for row in rows) > 30, rows
+# Of the 5044 stars of the catalogue many stand in the circle of one that could be measured, which then is not.
+assert 20 < sum(row["used"] == "1" for row in rows) < 60, rows
 EOF
 # shellcheck disable=SC2086
 expect_exit 0 photometry counts.toml stars.pgm $when --extinction 0.3
