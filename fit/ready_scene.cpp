@@ -1,7 +1,7 @@
 #include "fit/ready_scene.h"
 
-#include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/colour/sensor_response.h"

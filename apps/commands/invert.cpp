@@ -26,7 +26,7 @@
 #include "fit/report/columns/inversion_plot.h"
 #include "fit/report/columns/inversion_texts.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/emission_folder.h"
 

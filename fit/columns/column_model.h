@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 
 namespace vegard::fit {
 

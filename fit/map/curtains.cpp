@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "sim/base/number/constants.h"
-#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/tables/emission_tables.h"
 
 namespace vegard::fit {
 namespace {

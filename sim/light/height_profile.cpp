@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "sim/base/number/spline.h"
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {

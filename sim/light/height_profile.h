@@ -5,7 +5,7 @@
 
 namespace vegard::sim {
 
-struct EmissionSource;  // sim/light/emission_tables.h
+struct EmissionSource;  // sim/light/tables/emission_tables.h
 
 /// Volume emission rates (photons cm^-3 s^-1) for an energy flux of 1 mW m^-2, sampled every kStepKm from
 /// kBottomKm up, linear in between. One row per altitude, `stride` floats long: the lines in the order they
@@ -46,8 +46,8 @@ enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor };
 
 /// The profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
-/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/flux_law.h). The slope
-/// by the flux is 0 at a flux of 0, that by the spread everywhere.
+/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/tables/flux_law.h).
+/// The slope by the flux is 0 at a flux of 0, that by the spread everywhere.
 HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                                  double energy_kev, double energy_flux_mw_m2 = 1.0,
                                  SlopeBy by = SlopeBy::log_energy);

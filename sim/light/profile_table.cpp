@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/light/emission_tables.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {

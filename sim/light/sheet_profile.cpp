@@ -6,10 +6,10 @@
 
 #include "sim/base/error.h"
 #include "sim/light/drawn_profile.h"
-#include "sim/light/emission_tables.h"
 #include "sim/light/form_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/table_files.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {

@@ -8,8 +8,8 @@
 
 namespace vegard::sim {
 
-/// The profile of mono-energetic electrons (sim/light/mono_table.h). The slope is by ln(energy) or the oxygen
-/// factor.
+/// The profile of mono-energetic electrons (sim/light/tables/mono_table.h). The slope is by ln(energy) or the
+/// oxygen factor.
 HeightProfile mono_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                            double energy_kev, SlopeBy by = SlopeBy::log_energy);
 

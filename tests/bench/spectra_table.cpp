@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "fit/report/plot/plot.h"
-#include "sim/light/emission_table.h"
-#include "sim/light/mono_table.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/light/tables_air.h"
+#include "sim/light/tables/emission_table.h"
+#include "sim/light/tables/mono_table.h"
+#include "sim/light/tables/tables_air.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow.h"
 

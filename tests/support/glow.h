@@ -10,8 +10,8 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/spline.h"
-#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/emission_folder.h"
 
 namespace vegard::tests {

@@ -22,7 +22,7 @@
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/light/ionisation.h"
+#include "sim/light/tables/ionisation.h"
 #include "sim/light/transport/electron_transport.h"
 
 namespace vegard::apps {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/ionisation.h"
+#include "sim/light/tables/ionisation.h"
 #include "sim/light/transport/collisions.h"
 
 namespace vegard::sim {

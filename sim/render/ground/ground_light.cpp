@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "sim/base/parallel.h"
-#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/sky/air.h"
 

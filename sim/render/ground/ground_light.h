@@ -20,8 +20,9 @@ namespace vegard::sim {
 class GroundLight {
  public:
   /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the flux
-  /// whose light per mW m^-2 is taken (sim/light/flux_law.h), under the law "linear" without an effect. Light
-  /// that the tables have at an altitude stands at `altitude_scale` times that, as much of it in all but for what would stand below 80 km.
+  /// whose light per mW m^-2 is taken (sim/light/tables/flux_law.h), under the law "linear" without an
+  /// effect. Light that the tables have at an altitude stands at `altitude_scale` times that, as much of it
+  /// in all but for what would stand below 80 km.
   GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
               const std::vector<std::uint8_t>& wanted, const std::vector<double>& energies_kev,
               double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0);

@@ -2,10 +2,11 @@
 // and the Sun too, is emission_lines() (sim/scene/lines/emission_lines.h): a scene may name these, and their
 // light and colour follow from the row.
 //
-// Most lines have a column of their own in the emission tables (sim/light/emission_tables.h). Where tables
-// have none, a line comes from the same upper state as one that has, or goes with it by a ratio from the
-// literature: its light is that column's times `ratio`. Those of nebulae (sim/scene/lines/nebular_lines.h) have no column: electrons in the air
-// leave them dark. docs/lines.md prints the list.
+// Most lines have a column of their own in the emission tables (sim/light/tables/emission_tables.h). Where
+// tables have none, a line comes from the same upper state as one that has, or goes with it by a ratio from
+// the literature: its light is that column's times `ratio`. Those of nebulae
+// (sim/scene/lines/nebular_lines.h) have no column: electrons in the air leave them dark. docs/lines.md
+// prints the list.
 #pragma once
 
 #include <vector>

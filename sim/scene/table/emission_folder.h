@@ -1,7 +1,7 @@
 // The folder of emission tables that a scene names by emission.tables.
 //
 // What stands in such a folder: docs/file_formats.md, "Emission tables". Its text is read with the scene,
-// once for the whole process, and kept by pointer in Emission::folder; sim/light/emission_tables.h
+// once for the whole process, and kept by pointer in Emission::folder; sim/light/tables/emission_tables.h
 // reads the numbers in it.
 #pragma once
 

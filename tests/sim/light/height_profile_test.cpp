@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "sim/base/error.h"
-#include "sim/light/emission_table.h"
+#include "sim/light/tables/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow.h"
 #include "tests/support/source_folder.h"

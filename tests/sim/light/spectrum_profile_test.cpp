@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "sim/light/electron.h"
-#include "sim/light/emission_table.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/light/tables/emission_table.h"
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/glow.h"
 #include "tests/support/one_sheet.h"

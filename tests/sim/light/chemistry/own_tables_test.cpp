@@ -11,7 +11,7 @@
 
 #include "sim/light/chemistry/auroral_run.h"
 #include "sim/light/chemistry/table_maker.h"
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/emission_folder.h"
 
 namespace vegard::sim::own_tables_test {

@@ -7,8 +7,8 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/random.h"
-#include "sim/light/emission_tables.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/ground_grid.h"
 #include "sim/scene/file/scene_toml.h"
 

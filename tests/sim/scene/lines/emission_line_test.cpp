@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "sim/light/emission_table.h"
+#include "sim/light/tables/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/solar_lines.h"
 #include "tests/support/glow.h"

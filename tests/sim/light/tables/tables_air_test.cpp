@@ -1,4 +1,4 @@
-#include "sim/light/tables_air.h"
+#include "sim/light/tables/tables_air.h"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/emission_table.h"
-#include "sim/light/flux_law.h"
-#include "sim/light/mono_table.h"
-#include "sim/light/tables_air.h"
+#include "sim/light/tables/emission_table.h"
+#include "sim/light/tables/flux_law.h"
+#include "sim/light/tables/mono_table.h"
+#include "sim/light/tables/tables_air.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/structs/scene.h"
 

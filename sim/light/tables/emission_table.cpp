@@ -1,4 +1,4 @@
-#include "sim/light/emission_table.h"
+#include "sim/light/tables/emission_table.h"
 
 #include <algorithm>
 #include <cmath>

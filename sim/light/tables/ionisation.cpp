@@ -1,4 +1,4 @@
-#include "sim/light/ionisation.h"
+#include "sim/light/tables/ionisation.h"
 
 #include <algorithm>
 #include <cmath>

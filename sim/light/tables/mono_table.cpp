@@ -1,4 +1,4 @@
-#include "sim/light/mono_table.h"
+#include "sim/light/tables/mono_table.h"
 
 #include <algorithm>
 #include <cassert>

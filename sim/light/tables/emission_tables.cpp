@@ -1,4 +1,4 @@
-#include "sim/light/emission_tables.h"
+#include "sim/light/tables/emission_tables.h"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "sim/light/flux_law.h"
+#include "sim/light/tables/flux_law.h"
 
 #include <cmath>
 #include <cstddef>

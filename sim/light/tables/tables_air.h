@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/file/csv_table.h"
-#include "sim/light/ionisation.h"
+#include "sim/light/tables/ionisation.h"
 
 namespace vegard::sim {
 

@@ -6,10 +6,10 @@
 //
 //     v(h; E) = q(h; s(E)) Y(h; E/2)
 //
-// with q the ion pairs of Fang et al. 2010 (sim/light/ionisation.h) and Y the light per ion pair of the
-// Maxwellian electrons that have the same mean energy, E0 = E/2: the tables' light over the ion pairs of the
-// Maxwellian that is made out of q. What Fang's and GLOW's transport have in common with both, ion pairs per
-// energy and the line's photochemistry, cancels. Two things are ours, and were chosen by what they bring
+// with q the ion pairs of Fang et al. 2010 (sim/light/tables/ionisation.h) and Y the light per ion pair of
+// the Maxwellian electrons that have the same mean energy, E0 = E/2: the tables' light over the ion pairs of
+// the Maxwellian that is made out of q. What Fang's and GLOW's transport have in common with both, ion pairs
+// per energy and the line's photochemistry, cancels. Two things are ours, and were chosen by what they bring
 // (docs/validation.md, "Mono-energetic electrons"):
 //
 // - s(E) = 0.76 E (E/keV)^0.03. GLOW's two streams lose a fifth of the energy to space and stop higher up:
@@ -29,8 +29,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/emission_table.h"
-#include "sim/light/ionisation.h"
+#include "sim/light/tables/emission_table.h"
+#include "sim/light/tables/ionisation.h"
 
 namespace vegard::sim {
 
