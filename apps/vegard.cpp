@@ -68,6 +68,7 @@ int run(int argc, char** argv) {
   apps::add_invert_command(program);
   apps::add_params_command(program);
   apps::add_lines_command(program);
+  apps::add_bodies_command(program);
   apps::add_manual_command(program);
   const int exit_code = program.run();
   return exit_code == apps::interrupted ? apps::exit_code_of_interruption() : exit_code;

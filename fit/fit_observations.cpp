@@ -27,6 +27,7 @@
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "fit/uncertainty/uncertainty.h"
 #include "sim/base/error.h"
+#include "sim/scene/table/value_check.h"
 
 namespace vegard::fit {
 namespace {
@@ -240,6 +241,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
                            const FoundCurve* curve, const FinishedSearch* done) {
+  sim::require_earth(scene, "a fit");
   const FitOptions options = with_validation_progress(asked, free.size());
   const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
 

@@ -10,7 +10,7 @@ photo=inputs/examples/h000/photo.jpg
 all_of() { ! $quick; }
 
 # --- Words ---------------------------------------------------------------------------------------------------------------------------
-for command in animate atmosphere brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines manual mask params photometry \
+for command in animate atmosphere bodies brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines manual mask params photometry \
   points preview profile render sdf sequence slices to-gemini to-lompe to-netcdf volume; do
   all_of || [[ $command == fit || $command == render ]] || continue
   run "help_$command" "$command" --help
@@ -21,6 +21,7 @@ run params_page params --markdown
 run params_forms params --forms
 run params_scene params inputs/gallery/sun_171.toml
 run params_fit params inputs/examples/h000/blind.toml
+run bodies bodies
 run lines lines
 run lines_page lines --markdown
 run lines_table lines --csv

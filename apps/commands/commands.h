@@ -8,6 +8,7 @@ namespace vegard::apps {
 /// Each adds its subcommand to the program, whose run() may throw sim::Error.
 void add_animate_command(Program& program);
 void add_atmosphere_command(Program& program);
+void add_bodies_command(Program& program);
 void add_border_command(Program& program);
 void add_brightness_command(Program& program);
 void add_calibrate_command(Program& program);

@@ -29,6 +29,7 @@
 #include "fit/report/map_run.h"
 #include "fit/search/file_journal.h"
 #include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/version.h"

@@ -23,12 +23,12 @@ std::string direction_words(const std::string& what, double azimuth_deg, double 
 }
 
 /// Of a point of the tangent plane, at the foot's altitude, as the observer sees it.
-std::string place_of(const std::string& what, const sim::EastNorth& center_km, double observer_altitude_km) {
+std::string place_of(const std::string& what, const sim::EastNorth& center_km, const sim::Scene& scene) {
   const double east = center_km.east, north = center_km.north;
   const double across = std::hypot(east, north);
-  const double from_centre = sim::kEarthRadiusKm + sim::kFootAltitudeKm;
+  const double from_centre = scene.body.radius_km + sim::kFootAltitudeKm;
   const double up = std::sqrt(std::max(0.0, from_centre * from_centre - across * across)) -
-                    sim::kEarthRadiusKm - observer_altitude_km;
+                    scene.body.radius_km - scene.site.altitude_m * 1e-3;
   double azimuth_deg = std::atan2(east, north) / sim::kRadiansPerDegree;
   if (azimuth_deg < 0.0) azimuth_deg += 360.0;
   return direction_words(what, azimuth_deg, std::atan2(up, across) / sim::kRadiansPerDegree);
@@ -43,10 +43,10 @@ bool may_emit(const sim::Scene& scene) {
                                [&](const sim::EmitterKind& kind) { return sim::may_emit(kind, scene); });
 }
 
-std::string words_of(const sim::LightLocation& where, double observer_altitude_km) {
+std::string words_of(const sim::LightLocation& where, const sim::Scene& scene) {
   switch (where.known) {
     case sim::LightLocation::Known::place:
-      return place_of(where.what, where.center_km, observer_altitude_km);
+      return place_of(where.what, where.center_km, scene);
     case sim::LightLocation::Known::direction:
       return direction_words(where.what, where.azimuth_deg, where.elevation_deg);
     default:
@@ -71,9 +71,8 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
               ? fmt::format("its picture {}, all around", sim::word_of(scene.camera.model))
               : fmt::format("its lens {}, {:g} px to a radian", sim::word_of(scene.camera.model),
                             scene.camera.focal_px);
-  const double observer_km = scene.site.altitude_m * 1e-3;
   for (const sim::Sheet& sheet : scene.sheets)
-    text += "; " + place_of("sheet '" + sheet.name + "'", sim::evened_sheet(sheet).center_km, observer_km);
+    text += "; " + place_of("sheet '" + sheet.name + "'", sim::evened_sheet(sheet).center_km, scene);
   std::vector<sim::LightLocation> all;
   for (const sim::EmitterKind& kind : sim::emitter_kinds()) {
     if (kind.light_locations == nullptr) continue;
@@ -83,7 +82,7 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   std::stable_partition(all.begin(), all.end(), [](const sim::LightLocation& where) {
     return where.known != sim::LightLocation::Known::file;
   });
-  for (const sim::LightLocation& where : all) text += "; " + words_of(where, observer_km);
+  for (const sim::LightLocation& where : all) text += "; " + words_of(where, scene);
   return text;
 }
 

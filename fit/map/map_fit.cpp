@@ -11,6 +11,7 @@
 #include "sim/base/number/random.h"
 #include "sim/scene/structs/site_axes.h"
 #include "sim/scene/table/photo_scene.h"
+#include "sim/scene/table/value_check.h"
 #include "sim/view/camera/rays.h"
 
 namespace vegard::fit {
@@ -717,6 +718,7 @@ std::vector<CellError> cell_errors(const MapResult& result) {
 }
 
 MapResult map_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options) {
+  sim::require_earth(scene, "a map of precipitation");
   return Mapping(scene, photos, options).run();
 }
 

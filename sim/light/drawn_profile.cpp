@@ -92,7 +92,8 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const std::string column = column_if_any(table, wavelengths_nm[l]);
-    if (column.empty() && !is_auroral(*find_emission_line(wavelengths_nm[l]))) continue;  // of something else
+    const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
+    if (column.empty() && (line == nullptr || !is_auroral(*line))) continue;  // of something else
     if (column.empty()) fail_without_column(table, wavelengths_nm[l]);
     table.require_within(column, 0.0, std::numeric_limits<float>::max());
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)
@@ -100,6 +101,10 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
           rate_at(table.column(kDrawnAltitude), table.column(column), HeightProfile::altitude_km(a)));
   }
   return profile;
+}
+
+bool has_drawn_column(double wavelength_nm, const Scene& scene, const Sheet& sheet) {
+  return !column_if_any(read_table(scene, sheet), wavelength_nm).empty();
 }
 
 }  // namespace vegard::sim

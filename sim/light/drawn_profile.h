@@ -15,9 +15,12 @@ namespace vegard::sim {
 /// that is not the electrons' (486.1 nm of protons) shines if it has a column.
 ///
 /// Throws Error(unreadable_input), with the table's name, unless there are at least two rows of increasing
-/// altitudes, none of the numbers of the lines asked for is negative, each of the electrons' lines has a column, and the rows
-/// cover some of what the profile does.
+/// altitudes, none of the numbers of the lines asked for is negative, each of the electrons' lines has a
+/// column, and the rows cover some of what the profile does.
 HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Scene& scene,
                             const Sheet& sheet);
+
+/// Whether the table has a column of this line. Throws as drawn_profile() does of a table that is none.
+bool has_drawn_column(double wavelength_nm, const Scene& scene, const Sheet& sheet);
 
 }  // namespace vegard::sim

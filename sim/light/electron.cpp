@@ -37,6 +37,7 @@ std::optional<double> mean_energy_kev(const Sheet& sheet) {
       return 2.0 * sheet.energy_kev;
     case ProfileKind::file:
     case ProfileKind::spline:
+    case ProfileKind::layer:
       break;
   }
   return std::nullopt;

@@ -52,8 +52,7 @@ HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
-    assert(line != nullptr);
-    if (!is_auroral(*line)) continue;
+    if (line == nullptr || !is_auroral(*line)) continue;
     const LineColumn column = column_of(*line, table);
     const FluxFactor flux = source.tables.flux_factors().at(column.name, energy_kev, energy_flux_mw_m2);
     const double log_scale = std::log(column.ratio) + flux.log_factor;

@@ -45,9 +45,9 @@ void sample_line(const std::vector<double>& altitudes_km, const std::vector<doub
 enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor };
 
 /// The profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
-/// tabulated altitudes log(rate) is a natural cubic spline. Wavelengths must be those of emission_lines(),
-/// energy inside the table. It is the light per mW m^-2 at this energy flux (sim/light/tables/flux_law.h).
-/// The slope by the flux is 0 at a flux of 0, that by the spread everywhere.
+/// tabulated altitudes log(rate) is a natural cubic spline. A wavelength that is no line of the tables is
+/// dark; the energy is inside the table. It is the light per mW m^-2 at this energy flux
+/// (sim/light/tables/flux_law.h). The slope by the flux is 0 at a flux of 0, that by the spread everywhere.
 HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                                  double energy_kev, double energy_flux_mw_m2 = 1.0,
                                  SlopeBy by = SlopeBy::log_energy);

@@ -10,6 +10,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 
 namespace vegard::sim {
@@ -68,6 +69,8 @@ LineLight line_light(double wavelength_nm, const Scene& scene, int sheet) {
 
 bool has_line(double wavelength_nm, const Scene& scene, int sheet) {
   if (has_spline_profile(scene.sheets[sheet])) return line_index(scene.emission.lines, wavelength_nm) >= 0;
+  if (scene.sheets[sheet].profile == ProfileKind::layer)
+    return find_own_line(scene, wavelength_nm) != nullptr;
   if (scene.sheets[sheet].profile != ProfileKind::file) return true;
   try {
     sheet_profile({wavelength_nm}, scene, sheet);

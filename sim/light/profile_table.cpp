@@ -18,8 +18,10 @@ constexpr double kLnStep = 0.04;
 Scene scene_of(const Scene& scene, const Footprint& f) {
   Scene one;
   one.file = scene.file;
+  one.body = scene.body;
   one.site = scene.site;
   one.field = scene.field;
+  one.own_lines = scene.own_lines;
   one.emission = scene.emission;
   Sheet sheet;
   sheet.name = f.name;

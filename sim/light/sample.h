@@ -55,9 +55,11 @@ struct FallFrame {
   T across2[3];
 };
 
-/// Where the pole of a dipole field in the north is: a unit vector in the observer's east, north and up.
+/// Where the pole of a dipole field in the north is: a unit vector in the observer's east, north and up; and
+/// the radius of the sphere of the feet about the body's centre.
 struct DipoleAxis {
   double in_enu[3];
+  double foot_radius_km;
 };
 
 template <class T>

@@ -7,6 +7,7 @@
 #include "sim/base/error.h"
 #include "sim/light/drawn_profile.h"
 #include "sim/light/form_profile.h"
+#include "sim/light/own_light.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/spline_profile.h"
 #include "sim/light/tables/emission_tables.h"
@@ -26,8 +27,9 @@ double flux_of(const Scene& scene, const Sheet& sheet) {
                                                                                    : sheet.energy_flux_mw_m2;
 }
 
-HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
-                           SlopeBy by = SlopeBy::log_energy) {
+/// By the model that the sheet names.
+HeightProfile of_model(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
+                       SlopeBy by) {
   const double flux = flux_of(scene, sheet);
   switch (sheet.profile) {
     case ProfileKind::spline:
@@ -42,10 +44,20 @@ HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scen
     case ProfileKind::form:
       return form_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, form_curve(sheet), flux,
                           by);
+    case ProfileKind::layer:
+      return dark_profile(static_cast<int>(wavelengths_nm.size()));
     case ProfileKind::maxwellian:
       break;
   }
   return maxwellian_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, flux, by);
+}
+
+HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
+                           SlopeBy by = SlopeBy::log_energy) {
+  const OwnLight own(wavelengths_nm, scene, sheet);
+  HeightProfile profile = of_model(own.asked_nm(), scene, sheet, by);
+  own.add_to(profile);
+  return profile;
 }
 
 /// Whether the light per flux of electrons grows with their flux.
@@ -54,17 +66,16 @@ bool follows_flux_law(const Scene& scene, const Sheet& sheet) {
          (sheet.profile == ProfileKind::form || sheet.profile == ProfileKind::maxwellian);
 }
 
-bool is_of_electrons(const Sheet& sheet) {
-  return sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
-}
-
 /// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
 std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                       const Sheet& sheet, const ParameterId& number) {
   const auto by_form = [&](double FormCurve::*of_curve) {
     if (sheet.profile != ProfileKind::form) return std::vector<float>();
-    return form_slope(emission_source(scene), wavelengths_nm, sheet.energy_kev, form_curve(sheet),
-                      flux_of(scene, sheet), of_curve);
+    const OwnLight own(wavelengths_nm, scene, sheet);
+    std::vector<float> slope = form_slope(emission_source(scene), own.asked_nm(), sheet.energy_kev,
+                                          form_curve(sheet), flux_of(scene, sheet), of_curve);
+    own.scale(dark_profile(static_cast<int>(wavelengths_nm.size())).stride, slope);
+    return slope;
   };
   const auto slope_by = [&](SlopeBy by, bool counts) {
     return counts ? of_unit_flux(wavelengths_nm, scene, sheet, by).d_rate_d_ln_energy : std::vector<float>();
@@ -75,7 +86,7 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
     case ParameterRole::energy_flux:
       return slope_by(SlopeBy::energy_flux, follows_flux_law(scene, sheet));
     case ParameterRole::oxygen_factor:
-      return slope_by(SlopeBy::oxygen_factor, is_of_electrons(sheet));
+      return slope_by(SlopeBy::oxygen_factor, is_of_electrons(sheet.profile));
     case ParameterRole::profile_coefficient:
       if (!has_spline_profile(sheet)) return {};
       return spline_slope(wavelengths_nm, scene, sheet, index_in(scene, number));

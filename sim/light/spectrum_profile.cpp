@@ -1,7 +1,6 @@
 #include "sim/light/spectrum_profile.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -57,8 +56,7 @@ HeightProfile sampled(const EmissionSource& source, const std::vector<double>& w
   HeightProfile profile = dark_profile(static_cast<int>(wavelengths_nm.size()));
   for (int l = 0; l < profile.lines; ++l) {
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
-    assert(line != nullptr);
-    if (!is_auroral(*line)) continue;
+    if (line == nullptr || !is_auroral(*line)) continue;
     std::vector<double> log_rate, log_slope;
     for (const LogRate& rate : rates_of(*line)) {
       log_rate.push_back(rate.value);

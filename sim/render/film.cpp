@@ -14,7 +14,7 @@
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/beams/sheet_nodes.h"
 #include "sim/render/slab_exposer.h"
-#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/panorama.h"
 #include "sim/view/film/tangent_film.h"
@@ -25,9 +25,9 @@ namespace {
 constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
 
 /// The paper's blur of a line, in pixels of its own pictures.
-double paper_sigma_px(double wavelength_nm) {
-  const EmissionLine* line = find_emission_line(wavelength_nm);
-  if (line == nullptr) return 0.0;
+double paper_sigma_px(const Scene& scene, double wavelength_nm) {
+  const auto line = find_line(scene, wavelength_nm);
+  if (!line) return 0.0;
   return line->lifetime_s > 10.0 ? 4.75 : line->lifetime_s > 0.1 ? 2.0 : 0.0;
 }
 
@@ -105,7 +105,7 @@ BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const 
 double blur_sigma_px(const Scene& scene, int line) {
   if (scene.blur.model == BlurModel::physical) return 0.0;
   if (scene.blur.widths == BlurWidths::paper)
-    return paper_sigma_px(scene.emission.lines[line]) * pixels_per_paper_pixel(scene.camera);
+    return paper_sigma_px(scene, scene.emission.lines[line]) * pixels_per_paper_pixel(scene.camera);
   return scene.blur.width_deg[line] * pixels_per_degree(scene.camera);
 }
 
@@ -123,8 +123,8 @@ double blur_sigma_growth_px(const Scene& scene, int line) {
 
 int blur_radius_px(const Scene& scene, int line) {
   if (scene.blur.kernel != BlurKernelKind::paper) return -1;
-  const EmissionLine* known = find_emission_line(scene.emission.lines[line]);
-  const double reach = known != nullptr && known->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
+  const auto known = find_line(scene, scene.emission.lines[line]);
+  const double reach = known && known->lifetime_s > 10.0 ? 10.5 / 4.75 : 2.5 / 2.0;
   return static_cast<int>(reach * blur_sigma_px(scene, line));
 }
 

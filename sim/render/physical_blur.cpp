@@ -11,7 +11,7 @@
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {
@@ -41,7 +41,8 @@ double highest_km(const Scene& scene) {
 /// The most pixels that a kilometre at an altitude takes in the picture.
 class NearestScale {
  public:
-  explicit NearestScale(const Scene& scene) : observer_km_(scene.site.altitude_m * 1e-3) {
+  explicit NearestScale(const Scene& scene)
+      : sphere_km_(scene.body.radius_km), observer_km_(scene.site.altitude_m * 1e-3) {
     const CameraView<double> view = camera_view(scene.camera);
     const double across = 0.5 * scene.camera.width / view.lens.focal_px;
     const double down = 0.5 * scene.camera.height / view.lens.focal_px;
@@ -68,13 +69,14 @@ class NearestScale {
   }
 
   double px_per_km(double altitude_km) const {
-    const double above = altitude_km - observer_km_, from_centre = kEarthRadiusKm + observer_km_;
+    const double above = altitude_km - observer_km_, from_centre = sphere_km_ + observer_km_;
     const double b = from_centre * highest_sine_, c = above * (2.0 * from_centre + above);
     return per_km_at_1_km_ / (c / (b + std::sqrt(b * b + c)));
   }
 
  private:
-  double observer_km_ = 0.0, highest_sine_ = -1.0, slant_ = 1.0, per_km_at_1_km_ = 0.0;
+  double sphere_km_ = kEarthRadiusKm, observer_km_ = 0.0, highest_sine_ = -1.0, slant_ = 1.0,
+         per_km_at_1_km_ = 0.0;
 };
 
 /// The largest of `km[a]` in pixels, over the altitudes up to top_km.
@@ -238,7 +240,7 @@ std::uint64_t add_lines_physically(const Scene& scene, int threads,
   const int used_threads = thread_count(threads);
   std::vector<int> slow, prompt;
   for (int l = 0; l < rayleigh.channels(); ++l)
-    (is_prompt(*find_emission_line(scene.emission.lines[l])) ? prompt : slow).push_back(l);
+    (is_prompt(find_line(scene, scene.emission.lines[l]).value()) ? prompt : slow).push_back(l);
   const std::size_t passes = slow.size() + (prompt.empty() ? 0 : 1);
   std::size_t pass = 0;
   std::function<void(double)> share;
@@ -249,7 +251,7 @@ std::uint64_t add_lines_physically(const Scene& scene, int threads,
   std::uint64_t points = 0;
   const BeamLayout layout(scene, 0.0);
   for (const int l : slow) {
-    const EmissionLine& line = *find_emission_line(scene.emission.lines[l]);
+    const EmissionLine line = find_line(scene, scene.emission.lines[l]).value();
     points = std::max(points,
                       add_slow_line(scene, line, layout, used_threads, share, stop, rayleigh, l, only_sheet));
     ++pass;

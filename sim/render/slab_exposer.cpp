@@ -12,7 +12,7 @@
 #include "sim/light/sample.h"
 #include "sim/render/beams/light_ages.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
@@ -119,7 +119,7 @@ SlabPlan slab_plan(const Scene& scene, const FilmGeometry& film, int threads) {
   double max_px = 0.0;
   plan.slabs.resize(static_cast<std::size_t>(lines));
   for (int l = 0; l < lines; ++l) {
-    const EmissionLine& line = *find_emission_line(scene.emission.lines[l]);
+    const EmissionLine line = find_line(scene, scene.emission.lines[l]).value();
     if (is_prompt(line)) {
       items.push_back({l, -1, 1, 0.0});
       continue;

@@ -24,14 +24,15 @@ double bilinear_px2(const FilmGeometry& film) {
 
 }  // namespace
 
-double range_to_altitude_km(double observer_km, double sine, double altitude_km) {
-  const double from_centre = kEarthRadiusKm + observer_km, above = altitude_km - observer_km;
+double range_to_altitude_km(double observer_km, double sine, double altitude_km, double sphere_km) {
+  const double from_centre = sphere_km + observer_km, above = altitude_km - observer_km;
   const double b = from_centre * sine, c = above * (2.0 * from_centre + above), square = b * b + c;
   double range = 0.0;
   if (c >= 0.0)
     range = c / (b + std::sqrt(square));
   else if (b < 0.0)  // an observer above the light
-    range = square > 0.0 && std::isfinite(ground_km(observer_km, sine)) ? -b - std::sqrt(square) : -b;
+    range =
+        square > 0.0 && std::isfinite(ground_km(observer_km, sine, sphere_km)) ? -b - std::sqrt(square) : -b;
   return std::max(std::isfinite(range) ? range : 0.0, kNearestKm);
 }
 
@@ -71,7 +72,8 @@ SpreadRange spread_range(const Scene& scene, const FilmSight& sight, double alti
   bool any = false;
   for (std::size_t cell = 0; cell < sight.px2.size(); ++cell) {
     if (sight.px2[cell] == 0.0f) continue;
-    const double far_km = range_to_altitude_km(observer_km, sight.sine[cell], altitude_km);
+    const double far_km =
+        range_to_altitude_km(observer_km, sight.sine[cell], altitude_km, scene.body.radius_km);
     const double px = std::sqrt(variance_km2 * sight.px2[cell]) / far_km;
     range.min_px = any ? std::min(range.min_px, px) : px;
     range.max_px = std::max(range.max_px, px);
@@ -115,7 +117,8 @@ SlabPlaces SlabSpread::places(const Scene& scene, const FilmSight& sight, const 
       const std::size_t cell = row * film.columns + column;
       double px2 = sight.px2[cell];
       if (px2 > 0.0) {
-        double far_km = range_to_altitude_km(observer_km, sight.sine[cell], slab.altitude_km);
+        double far_km =
+            range_to_altitude_km(observer_km, sight.sine[cell], slab.altitude_km, scene.body.radius_km);
         if (is_carried) {
           double place[3], length2 = 0.0, x_px = 0.0, y_px = 0.0;
           for (int i = 0; i < 3; ++i) place[i] = sight.enu[i][cell] * far_km + (i < 2 ? carried_km[i] : 0.0);

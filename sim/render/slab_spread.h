@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/render/beams/altitude_slabs.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
@@ -19,7 +20,8 @@
 namespace vegard::sim {
 
 /// Kilometres from the observer to the light at an altitude, along a direction of this sine of elevation.
-double range_to_altitude_km(double observer_km, double sine, double altitude_km);
+double range_to_altitude_km(double observer_km, double sine, double altitude_km,
+                            double sphere_km = kEarthRadiusKm);
 
 /// How a film looks into the sky.
 struct FilmSight {

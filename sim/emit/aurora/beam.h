@@ -30,19 +30,20 @@ FallFrame<T> fall_frame(const T& inclination_rad, const T& declination_rad) {
 }
 
 /// A beam through the point of the tangent plane (east, north) at kFootAltitudeKm, from `top_km` down to
-/// `bottom_km`. The field line is straight. The foot must be closer to the observer than the Earth's radius.
+/// `bottom_km`, over a sphere. The field line is straight. The foot must be closer to the observer than the
+/// sphere's radius.
 /// Far away on the round Earth a shallow field line may rise where it ought to fall: `vertical` is then not
 /// positive, such a beam is none, and the caller is to leave it out.
 template <class T>
 Beam<T> start_beam(const T& east_km, const T& north_km, const FallFrame<T>& fall, double observer_altitude_km,
-                   double top_km, double bottom_km) {
-  const double center_below = kEarthRadiusKm + observer_altitude_km;
-  const double foot_radius = kEarthRadiusKm + kFootAltitudeKm;
+                   double top_km, double bottom_km, double sphere_km = kEarthRadiusKm) {
+  const double center_below = sphere_km + observer_altitude_km;
+  const double foot_radius = sphere_km + kFootAltitudeKm;
   const T height = square_root(foot_radius * foot_radius - east_km * east_km - north_km * north_km);
   // q runs from the Earth's centre to the foot; q . along is negative if the beam falls.
   const T q_along = east_km * fall.along[0] + north_km * fall.along[1] + height * fall.along[2];
   const auto squares = [&](double altitude) {
-    const double radius = kEarthRadiusKm + altitude;
+    const double radius = sphere_km + altitude;
     return radius * radius - foot_radius * foot_radius;
   };
   const T up = q_along + square_root(q_along * q_along + squares(top_km));

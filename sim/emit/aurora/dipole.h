@@ -1,4 +1,4 @@
-// The field of a tilted dipole at the Earth's centre: its direction at any foot.
+// The field of a tilted dipole at the body's centre: its direction at any foot.
 //
 // Source: the dipole field, B ∝ n - 3 (n . r) r, where n points to the pole in the north; so tan(inclination)
 // is twice tan(magnetic latitude). A field line is straight along a beam and has the direction that the field
@@ -14,13 +14,14 @@
 
 namespace vegard::sim {
 
-inline DipoleAxis dipole_axis(const Field& field, const Site& site) {
+inline DipoleAxis dipole_axis(const Field& field, const Site& site, double sphere_km = kEarthRadiusKm) {
   const double pole = field.pole_latitude_deg * kRadiansPerDegree,
                here = site.latitude_deg * kRadiansPerDegree;
   const double east = (field.pole_longitude_deg - site.longitude_deg) * kRadiansPerDegree;
   return {{std::cos(pole) * std::sin(east),
            std::sin(pole) * std::cos(here) - std::cos(pole) * std::sin(here) * std::cos(east),
-           std::sin(pole) * std::sin(here) + std::cos(pole) * std::cos(here) * std::cos(east)}};
+           std::sin(pole) * std::sin(here) + std::cos(pole) * std::cos(here) * std::cos(east)},
+          sphere_km + kFootAltitudeKm};
 }
 
 /// The axes across a direction of fall: the first one horizontal, to the east where the field is vertical.
@@ -39,10 +40,10 @@ void find_across(FallFrame<T>& f) {
 
 /// The frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B where that
 /// points into the Earth, against it elsewhere; the first axis across is horizontal (to the east where the
-/// field is vertical). The foot must be closer to the observer than the Earth's radius.
+/// field is vertical). The foot must be closer to the observer than the sphere's radius.
 template <class T>
 FallFrame<T> dipole_fall_frame(const DipoleAxis& axis, const T& east_km, const T& north_km) {
-  constexpr double radius = kEarthRadiusKm + kFootAltitudeKm;
+  const double radius = axis.foot_radius_km;
   const T height = square_root(radius * radius - east_km * east_km - north_km * north_km);
   const T place[3] = {east_km * (1.0 / radius), north_km * (1.0 / radius), height * (1.0 / radius)};
   const double* n = axis.in_enu;

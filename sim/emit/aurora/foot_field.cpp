@@ -39,7 +39,8 @@ std::shared_ptr<const FieldPatch> reference_field(const Scene& scene, const Site
 bool falls_along_field(const Scene& scene) {
   switch (scene.field.model) {
     case FieldModel::dipole:
-      return dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0;
+      return (dipole_axis(scene.field, scene.site).in_enu[2] >= 0.0) ==
+             (scene.body.dipole_moment_t_m3 >= 0.0);
     case FieldModel::igrf: {
       double field[3];
       field_of_patch(reference_field(scene, scene.site)->numbers<double>(), 0.0, 0.0, field);
@@ -52,7 +53,7 @@ bool falls_along_field(const Scene& scene) {
 }
 
 FootField::FootField(const Scene& scene) : model_(scene.field.model) {
-  if (model_ == FieldModel::dipole) dipole_ = dipole_axis(scene.field, scene.site);
+  if (model_ == FieldModel::dipole) dipole_ = dipole_axis(scene.field, scene.site, scene.body.radius_km);
   if (model_ == FieldModel::igrf) patch_ = reference_field(scene, scene.site);
 }
 

@@ -92,8 +92,8 @@ double wrapped_longitude_deg(double longitude_deg) {
 }
 
 PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  const double east = foot_km.east / kRadius, north = foot_km.north / kRadius;
+  const double radius = scene.body.radius_km + kFootAltitudeKm;
+  const double east = foot_km.east / radius, north = foot_km.north / radius;
   const double up = std::sqrt(1.0 - east * east - north * north);  // NaN beyond the edge
   const double latitude = scene.site.latitude_deg * kRadiansPerDegree;
   const double from_equator = std::cos(latitude) * north + std::sin(latitude) * up;

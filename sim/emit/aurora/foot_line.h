@@ -1,6 +1,6 @@
 // The line on which a sheet's feet stand, in the tangent plane, and where that is on the Earth.
 //
-// Feet are points of the sphere of 6371 km + 110 km whose east and north are given in the site's tangent
+// Feet are points of the sphere 110 km above the body's whose east and north are given in the site's tangent
 // plane (docs/physics.md, "Where things are"): a foot at the distance d stands asin(d / 6481 km) from the
 // site, seen from the Earth's centre. Latitudes are those of the sphere. A geomagnetic latitude is that of
 // the centred dipole whose pole in the north the scene has in [field] (IGRF-13 of 2020 by default): asin(n .

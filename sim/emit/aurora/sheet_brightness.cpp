@@ -26,8 +26,8 @@ double vertical_at_centre(const Scene& scene, const Sheet& sheet) {
   const FallFrame<double> fall = own.varies() ? own.at(east, north)
                                               : fall_frame(field.inclination_deg * kRadiansPerDegree,
                                                            field.declination_deg * kRadiansPerDegree);
-  const Beam<double> beam =
-      start_beam(east, north, fall, 1e-3 * scene.site.altitude_m, sheet.top_km, HeightProfile::kBottomKm);
+  const Beam<double> beam = start_beam(east, north, fall, 1e-3 * scene.site.altitude_m, sheet.top_km,
+                                       HeightProfile::kBottomKm, scene.body.radius_km);
   return beam.vertical > 0.0 && beam.length_km > 0.0 ? beam.vertical : 0.0;
 }
 

@@ -18,14 +18,13 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kCurtainMinCosine = 0.052;  // 3 degrees
-constexpr double kFootRadius = kEarthRadiusKm + kFootAltitudeKm;
 
 template <class T>
 Vec3<T> minus(const Vec3<T>& a, const Vec3<T>& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// A piece of a wall, about the Earth's centre.
+/// A piece of a wall, about the body's centre.
 template <class T>
 struct Wall {
   Vec3<T> from, way;  ///< feet of its two edges
@@ -43,6 +42,7 @@ class CurtainEmitter : public Emitter<T> {
       : profile_(profiles, f.top_km, 0.0),
         rays_(scene, f, profile_.bottom_km(), at.turned_deg),
         rule_(rule_of_foot<T>(scene, f, number, at.turned_deg)),
+        foot_radius_(rule_.sphere_km + kFootAltitudeKm),
         foot_(of_profile(profile_)),
         marcher_(foot_) {
     foot_.ln_energy_shift = (number(f.energy_kev) - f.energy_kev) * (1.0 / f.energy_kev);
@@ -56,6 +56,7 @@ class CurtainEmitter : public Emitter<T> {
     foot_.profile_by_flux = by_flux_.get();
     foot_.profile_by_oxygen = by_oxygen_.get();
     foot_.projection = rule_.projection;
+    foot_.sphere_km = rule_.sphere_km;
     std::copy_n(rule_.axis, 3, foot_.axis);
     foot_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     build(f, number, at);
@@ -101,11 +102,11 @@ class CurtainEmitter : public Emitter<T> {
       for (std::size_t i = 0; i < points.size(); ++i) {
         const double lat = f.latitude_deg[i] * kRadiansPerDegree,
                      lon = f.longitude_deg[i] * kRadiansPerDegree;
-        points[i].at = {T(kFootRadius * std::cos(lat) * std::cos(lon)),
-                        T(kFootRadius * std::cos(lat) * std::sin(lon)), T(kFootRadius * std::sin(lat))};
+        points[i].at = {T(foot_radius_ * std::cos(lat) * std::cos(lon)),
+                        T(foot_radius_ * std::cos(lat) * std::sin(lon)), T(foot_radius_ * std::sin(lat))};
         cargo(i, points[i]);
       }
-      const auto curve = curve_pieces<T, 3>(points, f.closed, longest_piece_km(f), true);
+      const auto curve = curve_pieces<T, 3>(points, f.closed, longest_piece_km(f, rule_.sphere_km), true);
       closed = curve.is_closed;
       for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
@@ -116,11 +117,11 @@ class CurtainEmitter : public Emitter<T> {
                         number(f.center_km.north) + number(f.north_km[i]) + now.drifted_km.north};
         cargo(i, points[i]);
       }
-      const auto curve = curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false);
+      const auto curve = curve_pieces<T, 2>(points, f.closed, longest_piece_km(f, rule_.sphere_km), false);
       closed = curve.is_closed;
       for (const auto& piece : curve.pieces) {
         const T &e = piece.middle.at[0], &n = piece.middle.at[1];
-        const T height2 = T(kFootRadius * kFootRadius) - e * e - n * n;
+        const T height2 = T(foot_radius_ * foot_radius_) - e * e - n * n;
         if (value_of(height2) > 1.0)
           edges.push_back({{e, n, square_root(height2)}, piece.middle.flux, piece.middle.ln_energy});
       }
@@ -134,12 +135,12 @@ class CurtainEmitter : public Emitter<T> {
     Wall<T> wall;
     wall.from = a.foot;
     wall.way = minus(b.foot, a.foot);
-    Vec3<T> along = times3(a.foot, T(-1.0 / kFootRadius));
+    Vec3<T> along = times3(a.foot, T(-1.0 / foot_radius_));
     const Vec3<T> up = times3(along, T(-1.0));
     if (foot_.projection == FootProjection::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
     if (foot_.projection == FootProjection::dipole) {
       T direction[3];
-      dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, direction);
+      dipole_fall(foot_.axis, PlaneFoot<T>{a.foot[0], a.foot[1], true}, rule_.sphere_km, direction);
       along = {direction[0], direction[1], direction[2]};
     }
     if (foot_.projection == FootProjection::reference) {
@@ -171,7 +172,7 @@ class CurtainEmitter : public Emitter<T> {
     const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
     T share(0.0), stretch(1.0);
     if (foot_.projection == FootProjection::shell) {
-      const T scale = T(kFootRadius) / radius_km(p);
+      const T scale = T(foot_radius_) / radius_km(p, foot_.sphere_km);
       const Vec3<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
       share = dot3(minus(foot, wall.from), wall.way) / dot3(wall.way, wall.way);
     } else {
@@ -183,13 +184,13 @@ class CurtainEmitter : public Emitter<T> {
     if (!(value_of(share) >= 0.0 && value_of(share) < 1.0)) return;
     // Straight down, what is a kilometre wide at the foot is wider higher up.
     if (foot_.projection == FootProjection::shell || foot_.projection == FootProjection::vertical)
-      stretch = radius_km(p) * (1.0 / kFootRadius);
+      stretch = radius_km(p, foot_.sphere_km) * (1.0 / foot_radius_);
     const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
     const T incidence = value_of(size) < kCurtainMinCosine ? T(kCurtainMinCosine) : size;
     const T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
     T rate[kMaxLines];
-    marcher_.rates(altitude_km(p), wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0,
-                   rate);
+    marcher_.rates(altitude_km(p, foot_.sphere_km),
+                   wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0, rate);
     const T path = flux * wall.thickness_km * stretch / incidence * kRayleighsPerKm;
     const double at_km = value_of(span.at_km) + value_of(u);
     out.entry_km[ray] = std::min(out.entry_km[ray], at_km);
@@ -206,6 +207,7 @@ class CurtainEmitter : public Emitter<T> {
   std::unique_ptr<StepProfile> by_flux_, by_oxygen_;
   MarchRays rays_;
   FootRule<T> rule_;
+  const double foot_radius_;
   ScalarFootprint<T, double> foot_;
   ScalarMarch<T, double> marcher_;
   std::vector<Wall<T>> walls_;

@@ -2,11 +2,11 @@
 // dual numbers) and into that of every instruction set (packs of floats). See sim/emit/footprint/foot.h. No
 // include guard.
 
-/// A point of a ray, in km from the Earth's centre.
+/// A point of a ray, in km from the body's centre. `sphere_km` is the body's radius.
 template <class L>
 struct AirPoint {
   L x[3];
-  L square;  ///< |x|^2 less the square of the Earth's radius, without the digits that a difference would lose
+  L square;  ///< |x|^2 less the square of the body's radius, without the digits that a difference would lose
 };
 
 /// From a reference on the ray: u km on from the point `place`, whose `square` is given and whose part along
@@ -21,16 +21,16 @@ VEGARD_INLINE AirPoint<L> point_of_ray(const L place[3], const L direction[3], c
 }
 
 template <class L>
-VEGARD_INLINE L radius_km(const AirPoint<L>& p) {
-  return square_root(p.square + L(kEarthRadiusKm * kEarthRadiusKm));
+VEGARD_INLINE L radius_km(const AirPoint<L>& p, double sphere_km) {
+  return square_root(p.square + L(sphere_km * sphere_km));
 }
 
 template <class L>
-VEGARD_INLINE L altitude_km(const AirPoint<L>& p) {
-  return p.square / (radius_km(p) + L(kEarthRadiusKm));
+VEGARD_INLINE L altitude_km(const AirPoint<L>& p, double sphere_km) {
+  return p.square / (radius_km(p, sphere_km) + L(sphere_km));
 }
 
-/// The foot on the sphere of kFootAltitudeKm, as its east and north of the Earth's centre in the axes of `p`.
+/// The foot on the sphere of kFootAltitudeKm, as its east and north of the body's centre in the axes of `p`.
 template <class L>
 struct PlaneFoot {
   L east_km, north_km;
@@ -39,17 +39,16 @@ struct PlaneFoot {
 
 /// Straight down.
 template <class L>
-VEGARD_INLINE PlaneFoot<L> foot_below(const AirPoint<L>& p) {
-  const L scale = L(kEarthRadiusKm + kFootAltitudeKm) / radius_km(p);
+VEGARD_INLINE PlaneFoot<L> foot_below(const AirPoint<L>& p, double sphere_km) {
+  const L scale = L(sphere_km + kFootAltitudeKm) / radius_km(p, sphere_km);
   return {p.x[0] * scale, p.x[1] * scale, value_of(L(0.0)) < value_of(p.x[2])};
 }
 
 /// Along a direction of fall, where its line meets that sphere. There is none where the line misses the
 /// sphere or does not fall.
 template <class L>
-VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3]) {
-  constexpr double kFootSquare = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);
-  const L above = p.square - L(kFootSquare);
+VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3], double sphere_km) {
+  const L above = p.square - L(kFootAltitudeKm * (kFootAltitudeKm + 2.0 * sphere_km));
   const L rise = p.x[0] * along[0] + p.x[1] * along[1] + p.x[2] * along[2];
   const L root2 = rise * rise - above;
   const auto falls = value_of(L(1.0)) < value_of(root2) && value_of(rise) < value_of(L(-1.0));
@@ -61,13 +60,13 @@ VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3]) {
 
 /// The direction of a dipole's fall at a foot; see sim/emit/aurora/dipole.h, which is the same for a beam.
 template <class L>
-VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, L along[3]) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, double sphere_km, L along[3]) {
+  const double radius = sphere_km + kFootAltitudeKm;
   const L level2 = foot.east_km * foot.east_km + foot.north_km * foot.north_km;
-  const L height2 = L(kRadius * kRadius) - level2;
+  const L height2 = L(radius * radius) - level2;
   const L height = square_root(select(value_of(L(1.0)) < value_of(height2), height2, L(1.0)));
-  const L place[3] = {foot.east_km * L(1.0 / kRadius), foot.north_km * L(1.0 / kRadius),
-                      height * L(1.0 / kRadius)};
+  const L place[3] = {foot.east_km * L(1.0 / radius), foot.north_km * L(1.0 / radius),
+                      height * L(1.0 / radius)};
   const L up = place[0] * axis[0] + place[1] * axis[1] + place[2] * axis[2];
   const L size = square_root(up * up * L(3.0) + L(1.0));
   const L scale = L(1.0) / select(value_of(up) < value_of(L(0.0)), L(0.0) - size, size);
@@ -91,31 +90,33 @@ VEGARD_INLINE void patch_fall(const Number* patch, const L& per_place, const Pla
 /// place below the point. Of a dipole each leaves less than three times (altitude - 110 km) / (6481 km cos
 /// chi) of the error before it, where chi is the angle of the field to the vertical.
 template <class L, class FallAt>
-VEGARD_INLINE PlaneFoot<L> foot_of_field(const AirPoint<L>& p, const FallAt& fall_at) {
-  PlaneFoot<L> foot = foot_below(p);
+VEGARD_INLINE PlaneFoot<L> foot_of_field(const AirPoint<L>& p, double sphere_km, const FallAt& fall_at) {
+  PlaneFoot<L> foot = foot_below(p, sphere_km);
   const auto above_horizon = foot.is_there;
   for (int step = 0; step < 3; ++step) {
     L along[3];
     fall_at(foot, along);
-    foot = foot_along(p, along);
+    foot = foot_along(p, along, sphere_km);
   }
   foot.is_there = foot.is_there && above_horizon;
   return foot;
 }
 
 template <class L>
-VEGARD_INLINE PlaneFoot<L> foot_of_dipole(const AirPoint<L>& p, const L axis[3]) {
-  return foot_of_field(p, [axis](const PlaneFoot<L>& foot, L along[3]) { dipole_fall(axis, foot, along); });
+VEGARD_INLINE PlaneFoot<L> foot_of_dipole(const AirPoint<L>& p, const L axis[3], double sphere_km) {
+  return foot_of_field(p, sphere_km, [axis, sphere_km](const PlaneFoot<L>& foot, L along[3]) {
+    dipole_fall(axis, foot, sphere_km, along);
+  });
 }
 
 template <class L, class Number>
 VEGARD_INLINE PlaneFoot<L> foot_of_patch(const AirPoint<L>& p, const Number* patch, const L& per_place) {
-  return foot_of_field(p, [patch, &per_place](const PlaneFoot<L>& foot, L along[3]) {
+  return foot_of_field(p, kEarthRadiusKm, [patch, &per_place](const PlaneFoot<L>& foot, L along[3]) {
     patch_fall(patch, per_place, foot, along);
   });
 }
 
-/// A place on the face of a cube about the Earth's centre (sim/emit/footprint/map/footprint_map.h).
+/// A place on the face of a cube about the body's centre (sim/emit/footprint/map/footprint_map.h).
 template <class L>
 struct FacePlace {
   L u, v;
@@ -146,20 +147,20 @@ VEGARD_INLINE L face_number(const AirPoint<L>& p) {
   return select(first, backwards[0], select(second, L(2.0) + backwards[1], L(4.0) + backwards[2]));
 }
 
-/// The foot of a point around the whole Earth, in its axes: in three steps along the direction that the field
+/// The foot of a point around the whole body, in its axes: in three steps along the direction that the field
 /// has at the foot, `fall_at(unit vector of the foot, along)`. Straight down where its line misses the sphere
 /// of the feet, or does not fall. Of the result only `x` is set.
 template <class L, class FallAt>
-VEGARD_INLINE AirPoint<L> foot_around_earth(const AirPoint<L>& p, const FallAt& fall_at) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  constexpr double kFootSquare = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);
-  const L above = p.square - L(kFootSquare), scale = L(kRadius) / radius_km(p);
+VEGARD_INLINE AirPoint<L> foot_around_body(const AirPoint<L>& p, double sphere_km, const FallAt& fall_at) {
+  const double radius = sphere_km + kFootAltitudeKm;
+  const L above = p.square - L(kFootAltitudeKm * (kFootAltitudeKm + 2.0 * sphere_km)),
+          scale = L(radius) / radius_km(p, sphere_km);
   const L below[3] = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
   AirPoint<L> foot = p;
   for (int i = 0; i < 3; ++i) foot.x[i] = below[i];
   for (int step = 0; step < 3; ++step) {
-    const L place[3] = {foot.x[0] * L(1.0 / kRadius), foot.x[1] * L(1.0 / kRadius),
-                        foot.x[2] * L(1.0 / kRadius)};
+    const L place[3] = {foot.x[0] * L(1.0 / radius), foot.x[1] * L(1.0 / radius),
+                        foot.x[2] * L(1.0 / radius)};
     L along[3];
     fall_at(place, along);
     const L rise = p.x[0] * along[0] + p.x[1] * along[1] + p.x[2] * along[2];
@@ -174,8 +175,9 @@ VEGARD_INLINE AirPoint<L> foot_around_earth(const AirPoint<L>& p, const FallAt& 
 
 /// The same in a dipole's field, whose axis points to its pole in the north.
 template <class L>
-VEGARD_INLINE AirPoint<L> foot_in_dipole_around_earth(const AirPoint<L>& p, const L axis[3]) {
-  return foot_around_earth(p, [axis](const L place[3], L along[3]) {
+VEGARD_INLINE AirPoint<L> foot_in_dipole_around_body(const AirPoint<L>& p, const L axis[3],
+                                                     double sphere_km) {
+  return foot_around_body(p, sphere_km, [axis](const L place[3], L along[3]) {
     const L up = place[0] * axis[0] + place[1] * axis[1] + place[2] * axis[2];
     const L size = square_root(up * up * L(3.0) + L(1.0));
     const L scale = L(1.0) / select(value_of(up) < value_of(L(0.0)), L(0.0) - size, size);
@@ -187,7 +189,7 @@ VEGARD_INLINE AirPoint<L> foot_in_dipole_around_earth(const AirPoint<L>& p, cons
 template <class L, class Number>
 VEGARD_INLINE AirPoint<L> foot_in_patch_around_earth(const AirPoint<L>& p, int face, const Number* patch,
                                                      const L& per_place) {
-  return foot_around_earth(p, [&](const L place[3], L along[3]) {
+  return foot_around_body(p, kEarthRadiusKm, [&](const L place[3], L along[3]) {
     const int a = face / 2;
     const L ahead = face % 2 == 0 ? place[a] : L(0.0) - place[a], least(0.3);
     const L scale = L(1.0) / select(value_of(least) < value_of(ahead), ahead, least);

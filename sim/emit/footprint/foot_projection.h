@@ -24,6 +24,7 @@ template <class T>
 FootRule<T> rule_of_foot(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number,
                          double turned_deg = 0.0) {
   FootRule<T> rule;
+  rule.sphere_km = scene.body.radius_km;
   std::fill_n(rule.axis, 3, T(0.0));
   const bool is_shell = footprint.shape == FootprintShape::shell;
   rule.projection = is_shell ? FootProjection::shell : FootProjection::vertical;
@@ -41,7 +42,7 @@ FootRule<T> rule_of_foot(const Scene& scene, const Footprint& footprint, const N
         rule.axis[1] = T(std::cos(latitude) * std::sin(longitude));
         rule.axis[2] = T(std::sin(latitude));
       } else {
-        const DipoleAxis dipole = dipole_axis(scene.field, home);
+        const DipoleAxis dipole = dipole_axis(scene.field, home, scene.body.radius_km);
         std::copy_n(dipole.in_enu, 3, rule.axis);
       }
       break;
@@ -71,6 +72,7 @@ template <class T>
 FootRule<double> plain_rule(const FootRule<T>& rule) {
   FootRule<double> plain;
   plain.projection = rule.projection;
+  plain.sphere_km = rule.sphere_km;
   for (int i = 0; i < 3; ++i) plain.axis[i] = value_of(rule.axis[i]);
   plain.patches = rule.patches;
   return plain;

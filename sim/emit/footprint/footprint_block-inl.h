@@ -54,7 +54,7 @@ template <FootProjection kProjection, class L>
 HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoint<L>& p, int face) {
   if constexpr (kProjection == FootProjection::shell_dipole) {
     const L axis[3] = {L(kernel.axis[0]), L(kernel.axis[1]), L(kernel.axis[2])};
-    return foot_in_dipole_around_earth(p, axis);
+    return foot_in_dipole_around_body(p, axis, kernel.sphere_km);
   } else if constexpr (kProjection == FootProjection::shell_reference) {
     const FieldPatch& patch = kernel.patches[face];
     return foot_in_patch_around_earth(p, face, patch.rounded.data(), L(patch.per_place));
@@ -74,11 +74,11 @@ HWY_INLINE Place place_of(const FootprintKernel& kernel, const AirPoint<Pack>& p
     const Pack axis[3] = {Pack(kernel.axis[0]), Pack(kernel.axis[1]), Pack(kernel.axis[2])};
     PlaneFoot<Pack> foot;
     if constexpr (kProjection == FootProjection::vertical)
-      foot = foot_below(p);
+      foot = foot_below(p, kernel.sphere_km);
     else if constexpr (kProjection == FootProjection::field)
-      foot = foot_along(p, axis);
+      foot = foot_along(p, axis, kernel.sphere_km);
     else if constexpr (kProjection == FootProjection::dipole)
-      foot = foot_of_dipole(p, axis);
+      foot = foot_of_dipole(p, axis, kernel.sphere_km);
     else
       foot = foot_of_patch(p, kernel.patches[0].rounded.data(), Pack(kernel.patches[0].per_place));
     return {foot.east_km * texels + first_x, foot.north_km * texels + first_y, foot.is_there};
@@ -118,7 +118,8 @@ struct FaceMarch {
   const TexelWindow& window() const { return kernel.window[face]; }
   /// Rows of the height profile.
   HWY_INLINE Pack row_of(const AirPoint<Pack>& p) const {
-    return (altitude_km(p) - Pack(kernel.profile->bottom_km())) * Pack(1.0 / HeightProfile::kStepKm);
+    return (altitude_km(p, kernel.sphere_km) - Pack(kernel.profile->bottom_km())) *
+           Pack(1.0 / HeightProfile::kStepKm);
   }
 
   /// Steps from `number` on, each by itself. `several_faces`: only those on this one shine.
@@ -221,7 +222,8 @@ HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* bl
                rows = std::fabs(window.first_y) + window.rows;
   // What the altitude's parabola leaves out is below 0.2 reach^3 / r^2, as is known without a look.
   const double reach_km = 0.5 * kBlockSteps * march.span.step_km;
-  const bool rows_are_good = reach_km * reach_km * reach_km * 0.2 / (kEarthRadiusKm * kEarthRadiusKm) < 1e-3;
+  const double sphere_km = march.kernel.sphere_km;
+  const bool rows_are_good = reach_km * reach_km * reach_km * 0.2 / (sphere_km * sphere_km) < 1e-3;
   out.good = 0;
   for (int part = 0; part < kParts; ++part) {
     const int lane = part * kLanes;
@@ -246,7 +248,7 @@ HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* bl
     // Of the altitude h over the ray h' = (along + u) / r and h'' = (1 - h' h') / r.
     const Pack middle_u = first + (Pack(hn::Load(d, blocks + lane)) + half) * block_km;
     const AirPoint<Pack> p = march.lanes.at(middle_u);
-    const Pack inverse = Pack(1.0f) / radius_km(p), reach = block_km * half;
+    const Pack inverse = Pack(1.0f) / radius_km(p, sphere_km), reach = block_km * half;
     const Pack rise = (march.lanes.along + middle_u) * inverse;
     const Pack rows_per_km(1.0 / HeightProfile::kStepKm);
     hn::Store(march.row_of(p).v, d, out.row[0] + lane);

@@ -29,6 +29,7 @@ class FootprintEmitter : public Emitter<T> {
         step_cells_(scene.march.step_cells),
         in_lanes_(std::is_same_v<T, double> && by == MarchBy::lanes) {
     scalar_.projection = kernel_.projection = rule_.projection;
+    scalar_.sphere_km = kernel_.sphere_km = rule_.sphere_km;
     for (int i = 0; i < 3; ++i) {
       scalar_.axis[i] = rule_.axis[i];
       kernel_.axis[i] = value_of(rule_.axis[i]);
@@ -79,8 +80,9 @@ class FootprintEmitter : public Emitter<T> {
     scalar_.texels = kernel_.texels = texels;
     scalar_.first_x = kernel_.first_x = first_x;
     scalar_.first_y = kernel_.first_y = first_y;
-    const double cell_km =
-        is_shell_projection(kernel_.projection) ? (kEarthRadiusKm + kFootAltitudeKm) / texels : 1.0 / texels;
+    const double cell_km = is_shell_projection(kernel_.projection)
+                               ? (kernel_.sphere_km + kFootAltitudeKm) / texels
+                               : 1.0 / texels;
     rays_.limit_feet(plain_rule(rule_), step_cells_ * cell_km);
   }
 

@@ -22,6 +22,7 @@ class FootprintField : public LightField {
         rule_(rule_of_foot<double>(
             scene, footprint, [](const double& number) { return number; }, turned_deg)) {
     f_.projection = rule_.projection;
+    f_.sphere_km = rule_.sphere_km;
     std::copy_n(rule_.axis, 3, f_.axis);
     f_.patches = rule_.patches ? rule_.patches->data() : nullptr;
     f_.profile = &profile_;
@@ -56,7 +57,7 @@ class FootprintField : public LightField {
       half2 += 0.25 * (box.high[i] - box.low[i]) * (box.high[i] - box.low[i]);
     }
     rays_.place_of(centre, middle.x, middle.square);
-    const double altitude = altitude_km(middle), half = std::sqrt(half2);
+    const double altitude = altitude_km(middle, f_.sphere_km), half = std::sqrt(half2);
     if (altitude + half < rays_.bottom_km() || altitude - half > rays_.top_km()) return true;
     if (half > 500.0) return false;  // feet run too crookedly to be judged by their corners
     for (int c = 0; c < 8; ++c) {
@@ -74,7 +75,7 @@ class FootprintField : public LightField {
       const double enu[3] = {point[0][i], point[1][i], point[2][i]};
       AirPoint<double> p;
       rays_.place_of(enu, p.x, p.square);
-      const double altitude = altitude_km(p);
+      const double altitude = altitude_km(p, f_.sphere_km);
       double light[kMaxLines] = {};
       const bool lit =
           altitude >= rays_.bottom_km() && altitude <= rays_.top_km() && march.light_at(p, 0, light);
@@ -106,26 +107,25 @@ class FootprintField : public LightField {
   void take_column(int face, double x, double y) {
     const double u = (x - f_.first_x) / f_.texels, v = (y - f_.first_y) / f_.texels;
     double foot[3], up[3];
-    constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+    const double radius = f_.sphere_km + kFootAltitudeKm;
     if (is_shell_projection(f_.projection)) {
       const int a = face / 2;
-      const double scale = kRadius / std::sqrt(1.0 + u * u + v * v);
+      const double scale = radius / std::sqrt(1.0 + u * u + v * v);
       foot[a] = face % 2 == 0 ? scale : -scale;
       foot[(a + 1) % 3] = u * scale;
       foot[(a + 2) % 3] = v * scale;
     } else {
-      const double height2 = kRadius * kRadius - u * u - v * v;
+      const double height2 = radius * radius - u * u - v * v;
       if (height2 <= 0.0) return;
       foot[0] = u, foot[1] = v, foot[2] = std::sqrt(height2);
     }
     double place[3], fall[3];
-    for (int i = 0; i < 3; ++i) place[i] = foot[i] / kRadius;
+    for (int i = 0; i < 3; ++i) place[i] = foot[i] / radius;
     fall_at_place(rule_, place, fall);
     for (int i = 0; i < 3; ++i) up[i] = -fall[i];
     const double rise = (foot[0] * up[0] + foot[1] * up[1] + foot[2] * up[2]);
     for (const double altitude : {rays_.bottom_km(), rays_.top_km()}) {
-      const double squares =
-          (altitude - kFootAltitudeKm) * (altitude + kFootAltitudeKm + 2.0 * kEarthRadiusKm);
+      const double squares = (altitude - kFootAltitudeKm) * (altitude + kFootAltitudeKm + 2.0 * f_.sphere_km);
       const double way = -rise + std::copysign(std::sqrt(std::max(0.0, rise * rise + squares)), rise);
       const double above[3] = {foot[0] + way * up[0], foot[1] + way * up[1], foot[2] + way * up[2]};
       double enu[3];

@@ -32,7 +32,7 @@ class SpanMarch {
         number_(number),
         queue_(queue),
         lanes_(span),
-        width_of_block_(*kernel.profile, span) {}
+        width_of_block_(*kernel.profile, span, kernel.sphere_km) {}
 
   HWY_INLINE void run() {
     const int blocks = (span_.steps + kBlockSteps - 1) / kBlockSteps;

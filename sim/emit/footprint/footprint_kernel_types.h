@@ -28,6 +28,7 @@ struct FootprintKernel {
   std::array<TexelWindow, 6> window;   ///< of a plane the first one only
   std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
   const StepProfile* profile = nullptr;
+  double sphere_km = kEarthRadiusKm;  ///< radius of the body
 };
 
 struct SpanLight {

@@ -6,7 +6,8 @@
 namespace vegard::sim {
 
 MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km, double turned_deg)
-    : observer_km_(scene.site.altitude_m * 1e-3),
+    : sphere_km_(scene.body.radius_km),
+      observer_km_(scene.site.altitude_m * 1e-3),
       bottom_km_(bottom_km),
       top_km_(footprint.top_km),
       step_km_(scene.march.step_km),
@@ -20,15 +21,15 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
     for (int i = 0; i < 3; ++i)
       for (int a = 0; a < 3; ++a) axes_[i][a] = axes.axis[i][a];
   } else if (is_given_elsewhere(scene, footprint)) {
-    const SiteTurn home = turn_between(scene.site, *footprint.home);
+    const SiteTurn home = turn_between(scene.site, *footprint.home, sphere_km_);
     for (int i = 0; i < 3; ++i)
       for (int a = 0; a < 3; ++a) axes_[i][a] = home.turn[a][i];
   }
 }
 
 void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  const PlaneFoot<double> foot{up[0] * kRadius, up[1] * kRadius, true};
+  const double radius = rule.sphere_km + kFootAltitudeKm;
+  const PlaneFoot<double> foot{up[0] * radius, up[1] * radius, true};
   switch (rule.projection) {
     case FootProjection::vertical:
     case FootProjection::shell:
@@ -38,7 +39,7 @@ void fall_at_place(const FootRule<double>& rule, const double up[3], double fall
       std::copy_n(rule.axis, 3, fall);
       break;
     case FootProjection::dipole:
-      dipole_fall(rule.axis, foot, fall);
+      dipole_fall(rule.axis, foot, rule.sphere_km, fall);
       break;
     case FootProjection::reference:
       patch_fall((*rule.patches)[0].numbers<double>(), (*rule.patches)[0].per_place, foot, fall);
@@ -51,8 +52,8 @@ void fall_at_place(const FootRule<double>& rule, const double up[3], double fall
     }
     case FootProjection::shell_reference: {
       AirPoint<double> place;
-      for (int a = 0; a < 3; ++a) place.x[a] = up[a] * kRadius;
-      place.square = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * kEarthRadiusKm);
+      for (int a = 0; a < 3; ++a) place.x[a] = up[a] * radius;
+      place.square = kFootAltitudeKm * (kFootAltitudeKm + 2.0 * rule.sphere_km);
       const int face = static_cast<int>(face_number(place));
       const FacePlace<double> at = place_on_face(place, face);
       const FieldPatch& patch = (*rule.patches)[static_cast<std::size_t>(face)];

@@ -19,7 +19,7 @@ namespace vegard::sim {
 inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed over, together
 
 /// How feet are found: of a box in the axes of its site (the observer's, or its home's), of a shell on the
-/// cube's faces in the Earth's, straight down or along a field.
+/// cube's faces in the body's, straight down or along a field.
 enum class FootProjection { vertical, field, dipole, reference, shell, shell_dipole, shell_reference };
 
 constexpr bool is_shell_projection(FootProjection projection) { return projection >= FootProjection::shell; }
@@ -32,12 +32,13 @@ constexpr bool is_vertical_projection(FootProjection projection) {
 template <class T>
 struct FootRule {
   FootProjection projection = FootProjection::vertical;
+  double sphere_km = kEarthRadiusKm;      ///< radius of the body
   T axis[3] = {T(0.0), T(0.0), T(-1.0)};  ///< the direction of fall, or the dipole's
   /// Of the way `reference` the first one only, of `shell_reference` one for each face.
   std::shared_ptr<const std::array<FieldPatch, 6>> patches;
 };
 
-/// The direction of fall at a place of the Earth, a unit vector from its centre in the march's axes.
+/// The direction of fall at a place of the body, a unit vector from its centre in the march's axes.
 void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]);
 
 /// Whether a box is given about another site than the scene's.
@@ -49,7 +50,7 @@ inline bool is_given_elsewhere(const Scene& scene, const Footprint& footprint) {
 /// About a place in its middle, so that floats keep their digits. T is double or FreeDual.
 template <class T>
 struct MarchSpanOf {
-  T place_km[3];   ///< from the Earth's centre
+  T place_km[3];   ///< from the body's centre
   T direction[3];  ///< of length 1
   T square_km2;    ///< of the place, see AirPoint
   T along_km;      ///< the part of the place along the direction
@@ -77,12 +78,12 @@ class MarchRays {
   /// not jump as the ray is turned a little.
   template <class T>
   int cut(const T enu[3], double end_km, MarchSpanOf<T> out[2]) const {
-    const double r0 = kEarthRadiusKm + observer_km_;
-    // The source's rule against ghosts takes what lies ahead of the Earth's middle, on either side of the
+    const double r0 = sphere_km_ + observer_km_;
+    // The source's rule against ghosts takes what lies ahead of the body's middle, on either side of the
     // camera.
     const T from = literal_ghosts_ ? enu[2] * -r0 : T(0.0);
     RaySpan<T> spans[2];
-    const int count = shell_spans(observer_km_, enu[2], bottom_km_, top_km_, from, end_km, spans);
+    const int count = shell_spans(observer_km_, enu[2], bottom_km_, top_km_, from, end_km, sphere_km_, spans);
     for (int i = 0; i < count; ++i) {
       const T length = spans[i].to_km - spans[i].from_km;
       const T middle = (spans[i].from_km + spans[i].to_km) * 0.5;
@@ -93,7 +94,7 @@ class MarchRays {
         span.direction[a] = enu[0] * axes_[0][a] + enu[1] * axes_[1][a] + enu[2] * axes_[2][a];
       }
       span.square_km2 =
-          middle * (middle + enu[2] * (2.0 * r0)) + observer_km_ * (observer_km_ + 2.0 * kEarthRadiusKm);
+          middle * (middle + enu[2] * (2.0 * r0)) + observer_km_ * (observer_km_ + 2.0 * sphere_km_);
       span.along_km = enu[2] * r0 + middle;
       span.at_km = middle;
       const double longest = longest_step_km(span, 0.5 * value_of(length));
@@ -104,20 +105,20 @@ class MarchRays {
     return count;
   }
 
-  /// A point of the observer's east, north and up, from the Earth's centre in the march's own axes; and the
-  /// square of its distance less that of the Earth's radius.
+  /// A point of the observer's east, north and up, from the body's centre in the march's own axes; and the
+  /// square of its distance less that of the body's radius.
   void place_of(const double enu_km[3], double place_km[3], double& square_km2) const {
-    const double up = enu_km[2] + kEarthRadiusKm + observer_km_;
+    const double up = enu_km[2] + sphere_km_ + observer_km_;
     for (int a = 0; a < 3; ++a)
       place_km[a] = enu_km[0] * axes_[0][a] + enu_km[1] * axes_[1][a] + up * axes_[2][a];
     const double height = enu_km[2] + observer_km_;
-    square_km2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1] + height * (height + 2.0 * kEarthRadiusKm);
+    square_km2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1] + height * (height + 2.0 * sphere_km_);
   }
   /// The other way round.
   void enu_of(const double place_km[3], double enu_km[3]) const {
     for (int i = 0; i < 3; ++i)
       enu_km[i] = place_km[0] * axes_[i][0] + place_km[1] * axes_[i][1] + place_km[2] * axes_[i][2];
-    enu_km[2] -= kEarthRadiusKm + observer_km_;
+    enu_km[2] -= sphere_km_ + observer_km_;
   }
   double bottom_km() const { return bottom_km_; }
   double top_km() const { return top_km_; }
@@ -144,7 +145,7 @@ class MarchRays {
 
   static constexpr double kMaxFootShare = 10.0;  ///< at fields steeper than 6 degrees
 
-  double observer_km_, bottom_km_, top_km_, step_km_;
+  double sphere_km_, observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
   double axes_[3][3];  ///< east, north and up
   FootRule<double> rule_;
@@ -155,11 +156,11 @@ class MarchRays {
 /// that they pass through. The radius is taken from the middle of the span, which is good to 2 %.
 class WidthOfBlock {
  public:
-  WidthOfBlock(const StepProfile& profile, const MarchSpan& span)
+  WidthOfBlock(const StepProfile& profile, const MarchSpan& span, double sphere_km)
       : along_(span.along_km + span.first_km + 0.5 * kBlockSteps * span.step_km),
         step_(span.step_km),
         widths_per_km_(span.step_km / profile.width_step_km() /
-                       std::sqrt(span.square_km2 + kEarthRadiusKm * kEarthRadiusKm)),
+                       std::sqrt(span.square_km2 + sphere_km * sphere_km)),
         most_(profile.widths() - 1) {}
 
   int operator()(int first_step) const {

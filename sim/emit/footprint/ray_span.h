@@ -1,6 +1,6 @@
 // The stretches of a ray inside a spherical shell of air.
 //
-// A ray from the radius r0 with the direction's upward part u comes closest to the Earth's centre at t_c =
+// A ray from the radius r0 with the direction's upward part u comes closest to the body's centre at t_c =
 // -r0 u, and meets the sphere of radius R at t_c -+ sqrt(t_c^2 + R^2 - r0^2): the path at the limb is exact.
 #pragma once
 
@@ -16,14 +16,14 @@ struct RaySpan {
 };
 
 /// The spans between two altitudes, in their order along the ray: none, one, or one before and one behind the
-/// point closest to the Earth's centre. Only what lies between `from_km` and `end_km` counts.
+/// point closest to the body's centre. Only what lies between `from_km` and `end_km` counts.
 template <class T>
 int shell_spans(double observer_altitude_km, const T& up, double bottom_km, double top_km, const T& from_km,
-                double end_km, RaySpan<T> out[2]) {
-  const double r0 = kEarthRadiusKm + observer_altitude_km;
+                double end_km, double sphere_km, RaySpan<T> out[2]) {
+  const double r0 = sphere_km + observer_altitude_km;
   const T closest = up * -r0;
   const auto half_chord_squared = [&](double altitude_km) {
-    const double radius = kEarthRadiusKm + altitude_km;
+    const double radius = sphere_km + altitude_km;
     return closest * closest + (radius - r0) * (radius + r0);
   };
   // A chord of a metre is none: its length has no derivative where it vanishes.

@@ -25,6 +25,7 @@ struct ScalarFootprint {
   std::array<const FootprintGrid<G>*, 6> grid{};
   std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
   const StepProfile* profile = nullptr;
+  double sphere_km = kEarthRadiusKm;             ///< radius of the body
   T ln_energy_shift;                             ///< 0, with the tangents of ln(energy)
   const StepProfile* profile_by_flux = nullptr;  ///< its slopes are by the energy flux; null: none
   T flux_shift;                                  ///< 0, with the tangents of the energy flux
@@ -49,7 +50,7 @@ class ScalarMarch {
   void march(const MarchSpanOf<T>& span, ScalarLight<T>& out) const {
     for (T& light : out.rayleigh) light = T(0.0);
     const MarchSpan plain = plain_span(span);
-    const WidthOfBlock width_of_block(profile_, plain);
+    const WidthOfBlock width_of_block(profile_, plain, f_.sphere_km);
     for (int first = 0; first < span.steps; first += kBlockSteps) {
       if (may_pass_over(plain, first)) continue;
       const int width = width_of_block(first);
@@ -125,7 +126,7 @@ class ScalarMarch {
       if (!grid.ln_energy.empty()) ln_energy = ln_energy + weight[corner] * grid.ln_energy[at];
     }
     if (value_of(flux) == 0.0) return false;
-    rates(altitude_km(p), ln_energy, width, light);
+    rates(altitude_km(p, f_.sphere_km), ln_energy, width, light);
     for (int l = 0; l < profile_.lines(); ++l) light[l] = flux * light[l];
     return true;
   }
@@ -153,19 +154,20 @@ class ScalarMarch {
   PlaneFoot<V> foot_on_plane(const AirPoint<V>& p, const V axis[3]) const {
     switch (f_.projection) {
       case FootProjection::field:
-        return foot_along(p, axis);
+        return foot_along(p, axis, f_.sphere_km);
       case FootProjection::dipole:
-        return foot_of_dipole(p, axis);
+        return foot_of_dipole(p, axis, f_.sphere_km);
       case FootProjection::reference:
         return foot_of_patch(p, f_.patches[0].template numbers<double>(), V(f_.patches[0].per_place));
       default:
-        return foot_below(p);
+        return foot_below(p, f_.sphere_km);
     }
   }
 
   template <class V>
   AirPoint<V> foot_of_shell(const AirPoint<V>& p, const V axis[3], int face) const {
-    if (f_.projection == FootProjection::shell_dipole) return foot_in_dipole_around_earth(p, axis);
+    if (f_.projection == FootProjection::shell_dipole)
+      return foot_in_dipole_around_body(p, axis, f_.sphere_km);
     if (f_.projection == FootProjection::shell_reference)
       return foot_in_patch_around_earth(p, face, f_.patches[face].template numbers<double>(),
                                         V(f_.patches[face].per_place));

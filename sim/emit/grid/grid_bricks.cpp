@@ -14,8 +14,8 @@ namespace {
 constexpr int kBricksEdge = GridBricks::kEdge, kBricksSide = GridBricks::kSide, kCoarse = GridBricks::kCoarse;
 constexpr std::size_t kMaxCoarseCells = std::size_t{1} << 27;
 
-GridPlace place_of(const SparseGrid& grid, const Site& site, const Site& observer) {
-  const SiteTurn home = turn_between(observer, site);
+GridPlace place_of(const SparseGrid& grid, const Site& site, const Site& observer, double sphere_km) {
+  const SiteTurn home = turn_between(observer, site, sphere_km);
   GridPlace place;
   for (int a = 0; a < 3; ++a) {
     place.shift[a] = -0.5;
@@ -77,13 +77,13 @@ void GridBricks::set_home(const Site& home, const Site& observer) {
 
 GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density,
                        const std::string& file, const Site& site, const Site& observer,
-                       std::uint64_t max_bytes)
+                       std::uint64_t max_bytes, double sphere_km)
     : lines_(static_cast<int>(emission.size())),
       stride_(lines_ <= 2   ? lines_
               : lines_ <= 4 ? 4
                             : 8),
       voxel_km_(grid.voxel),
-      place_(place_of(grid, site, observer)) {
+      place_(place_of(grid, site, observer, sphere_km)) {
   std::vector<int> channels;
   for (const int c : emission)
     if (c >= 0) channels.push_back(c);

@@ -12,6 +12,7 @@
 
 #include "sim/base/grid/sparse_grid.h"
 #include "sim/base/large_vector.h"
+#include "sim/base/number/constants.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
@@ -26,6 +27,8 @@ struct GridPlace {
   double from_home[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 };
 
+inline constexpr std::uint64_t kMaxGridBytes = std::uint64_t{8} << 30;
+
 class GridBricks {
  public:
   static constexpr int kEdge = SparseGrid::kEdge;
@@ -34,10 +37,12 @@ class GridBricks {
   static constexpr int kCoarse = 4;  ///< bricks along the edge of a coarse cell
 
   /// The emission of line l is channel emission[l] of the grid, -1 for none; `density` likewise. `site` is
-  /// where the grid's own frame is at home, `observer` that of the scene. Throws Error(unreadable_input) for
-  /// a grid that spans too much, and for one that with `grid` itself would take more than `max_bytes`.
+  /// where the grid's own frame is at home, `observer` that of the scene, both on a sphere of this radius.
+  /// Throws Error(unreadable_input) for a grid that spans too much, and for one that with `grid` itself would
+  /// take more than `max_bytes`.
   GridBricks(const SparseGrid& grid, const std::vector<int>& emission, int density, const std::string& file,
-             const Site& site, const Site& observer, std::uint64_t max_bytes = std::uint64_t{8} << 30);
+             const Site& site, const Site& observer, std::uint64_t max_bytes = kMaxGridBytes,
+             double sphere_km = kEarthRadiusKm);
 
   int lines() const { return lines_; }
   int stride() const { return stride_; }  ///< numbers per voxel: 1, 2, 4 or 8

@@ -7,6 +7,7 @@
 #include "sim/light/atmosphere.h"
 #include "sim/light/excited_atom.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 
 namespace vegard::sim {
 namespace {
@@ -24,11 +25,17 @@ double lifetime_at_s(const EmissionLine& line, double altitude_km) {
 
 }  // namespace
 
-AgeIntervals::AgeIntervals(const std::vector<double>& lines_nm, double top_km, double change_s) {
+AgeIntervals::AgeIntervals(const Scene& scene, double top_km, double change_s)
+    : lines_nm_(scene.emission.lines) {
   double slowest_s = 0.0;  // lifetimes grow with the altitude
-  for (const double nm : lines_nm)
-    if (const EmissionLine* line = find_emission_line(nm); line != nullptr)
-      slowest_s = std::max(slowest_s, lifetime_at_s(*line, std::min(top_km, HeightProfile::kTopKm)));
+  for (const double nm : lines_nm_) {
+    std::vector<double>& lifetimes_s = lifetimes_s_.emplace_back();
+    const auto line = find_line(scene, nm);
+    if (!line || is_prompt(*line)) continue;
+    slowest_s = std::max(slowest_s, lifetime_at_s(*line, std::min(top_km, HeightProfile::kTopKm)));
+    for (int a = 0; a < HeightProfile::kAltitudes; ++a)
+      lifetimes_s.push_back(lifetime_at_s(*line, HeightProfile::altitude_km(a)));
+  }
   const double last_s = std::min(kLongestS, -std::log(kNoneLeft) * slowest_s);
   for (double from_s = std::max(kMinFirstS, kFirstPerChange * change_s); from_s < last_s; from_s *= kGrowth)
     from_s_.push_back(from_s);
@@ -41,21 +48,25 @@ double AgeIntervals::age_s(int age, double place) const {
   return from * std::pow(age + 1 < count() ? to_s(age) / from : kGrowth, place);
 }
 
-std::vector<LightShare> AgeIntervals::shares(const std::vector<double>& lines_nm) const {
-  LightShare whole(lines_nm.size(), std::vector<float>(HeightProfile::kAltitudes, 1.0f));
-  LightShare none(lines_nm.size(), std::vector<float>(HeightProfile::kAltitudes, 0.0f));
-  std::vector<LightShare> all(from_s_.size(), none);
-  all[0] = whole;
-  for (std::size_t l = 0; l < lines_nm.size(); ++l) {
-    const EmissionLine* line = find_emission_line(lines_nm[l]);
-    if (line == nullptr || is_prompt(*line)) continue;
-    for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
-      const double lifetime_s = lifetime_at_s(*line, HeightProfile::altitude_km(a));
-      for (int age = 0; age < count(); ++age)
-        all[age][l][a] =
-            static_cast<float>(std::exp(-from_s(age) / lifetime_s) - std::exp(-to_s(age) / lifetime_s));
-    }
-  }
+std::vector<float> AgeIntervals::share(std::size_t line, int age) const {
+  std::vector<float> all(HeightProfile::kAltitudes, age == 0 ? 1.0f : 0.0f);
+  for (std::size_t a = 0; a < lifetimes_s_[line].size(); ++a)
+    all[a] = static_cast<float>(std::exp(-from_s(age) / lifetimes_s_[line][a]) -
+                                std::exp(-to_s(age) / lifetimes_s_[line][a]));
+  return all;
+}
+
+std::vector<LightShare> AgeIntervals::shares() const {
+  std::vector<LightShare> all(from_s_.size());
+  for (int age = 0; age < count(); ++age)
+    for (std::size_t line = 0; line < lines_nm_.size(); ++line) all[age].push_back(share(line, age));
+  return all;
+}
+
+std::vector<std::vector<float>> AgeIntervals::shares_of(double wavelength_nm) const {
+  const auto line = static_cast<std::size_t>(line_index(lines_nm_, wavelength_nm));
+  std::vector<std::vector<float>> all;
+  for (int age = 0; age < count(); ++age) all.push_back(share(line, age));
   return all;
 }
 

@@ -7,10 +7,12 @@
 // every altitude: light is moved in time, none is made or lost.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 #include "sim/light/height_profile.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
@@ -21,10 +23,10 @@ class AgeIntervals {
  public:
   /// One interval, which has all of the light.
   AgeIntervals() = default;
-  /// For the light of `lines_nm` up to an altitude, where what falls becomes something else in `change_s`
-  /// (infinite: never). What lasts longer than the last interval's beginning, half an hour to an hour (N(2D),
-  /// of 520.0 nm), counts as that to twice that: so long no scene describes the past of an arc.
-  AgeIntervals(const std::vector<double>& lines_nm, double top_km, double change_s);
+  /// For the light of the scene's lines up to an altitude, where what falls becomes something else in
+  /// `change_s` (infinite: never). What lasts longer than the last interval's beginning, half an hour to an
+  /// hour (N(2D), of 520.0 nm), counts as that to twice that: so long no scene describes the past of an arc.
+  AgeIntervals(const Scene& scene, double top_km, double change_s);
 
   int count() const { return static_cast<int>(from_s_.size()); }
   double from_s(int age) const { return from_s_[age]; }
@@ -36,11 +38,17 @@ class AgeIntervals {
   /// its start. 0 in the first one, whose light is taken as of its end: it is short beside what changes.
   double age_s(int age, double place) const;
 
-  /// [interval] What of the light of those lines is by electrons of that age.
-  std::vector<LightShare> shares(const std::vector<double>& lines_nm) const;
+  /// [interval] What of the light of the scene's lines is by electrons of that age.
+  std::vector<LightShare> shares() const;
+  /// [interval][altitude of a HeightProfile] The same of one of them.
+  std::vector<std::vector<float>> shares_of(double wavelength_nm) const;
 
  private:
+  std::vector<float> share(std::size_t line, int age) const;
+
   std::vector<double> from_s_{0.0};
+  std::vector<double> lines_nm_;                  ///< of the scene
+  std::vector<std::vector<double>> lifetimes_s_;  ///< [line][altitude]; empty for a prompt line
 };
 
 /// Multiplies a profile's rates, and their derivatives.

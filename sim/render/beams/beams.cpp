@@ -343,8 +343,8 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
       if (starts_elsewhere) shine();
       const double top_km = sheet.top_km + shone.start_shift_km,
                    bottom_km = HeightProfile::kBottomKm + shone.start_shift_km;
-      const Beam<double> plain =
-          start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km, top_km, bottom_km);
+      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km, top_km,
+                                            bottom_km, k.sphere_km);
       // A field line that does not descend would be negative light; one that grazes the Earth never comes
       // down to the bottom, and has no length.
       if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
@@ -408,7 +408,7 @@ void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelSce
           const FallFrame<PlaceDual> own_fall = k.beams_own_field ? k.field.at(east, north) : k.fall;
           if (k.beams_own_field) put(own_fall, place_in_group, out.axes[with.group]);
           const Beam<PlaceDual> beam =
-              start_beam(east, north, own_fall, k.observer_altitude_km, top_km, bottom_km);
+              start_beam(east, north, own_fall, k.observer_altitude_km, top_km, bottom_km, k.sphere_km);
           for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
           put(beam.length_km, place_in_group, group.length_km);
           put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);

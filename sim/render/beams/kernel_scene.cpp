@@ -41,8 +41,9 @@ bool may_be_distorted(const Fit& fit) {
 }
 
 /// Whether any of the film looks below the horizon: its border, or the nadir itself.
-bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km) {
-  const double radius = kEarthRadiusKm / (kEarthRadiusKm + std::max(0.0, altitude_km));
+bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km,
+                         double sphere_km) {
+  const double radius = sphere_km / (sphere_km + std::max(0.0, altitude_km));
   const double lowest = -std::sqrt(1.0 - radius * radius);
   const auto below = [&](double column, double row) {
     double enu[3];
@@ -102,10 +103,11 @@ KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_ste
   k.plain_pinhole = is_plain_pinhole(k.view.lens) && !may_be_distorted(scene.fit);
   k.film = film;
   k.observer_altitude_km = scene.site.altitude_m * 1e-3;
+  k.sphere_km = scene.body.radius_km;
   if (film.columns > 0) {
     const CameraView<double> plain = camera_view(scene.camera);
     k.edges = film_edges(plain.lens, film);
-    k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km);
+    k.earth_hides = looks_below_horizon(plain, film, k.observer_altitude_km, k.sphere_km);
   }
   k.nearest_cell = scene.film.splat == SplatRule::nearest;
   k.unit_weight = scene.film.weight == PointWeight::unit;

@@ -88,9 +88,10 @@ struct KernelScene {
   FilmGeometry film;
   FilmEdges edges;  ///< of the film; none where a film without columns leaves nothing out
   double observer_altitude_km = 0.0;
-  bool earth_hides = false;   ///< some of the film looks below the horizon
-  bool nearest_cell = false;  ///< the paper's forward map, instead of bilinear
-  bool unit_weight = false;   ///< every point counts alike, instead of rayleighs
+  double sphere_km = kEarthRadiusKm;  ///< radius of the body
+  bool earth_hides = false;           ///< some of the film looks below the horizon
+  bool nearest_cell = false;          ///< the paper's forward map, instead of bilinear
+  bool unit_weight = false;           ///< every point counts alike, instead of rayleighs
   std::uint64_t seed = 0;
   const HeightProfile* profiles = nullptr;  ///< as height_profiles() has them
 };

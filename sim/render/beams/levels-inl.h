@@ -60,7 +60,7 @@ class AtomDrift {
     }
     const Pack one(1.0f), half(0.5f), focal(focal_px_);
     const Pack observer(static_cast<float>(scene_.observer_altitude_km));
-    const Pack from_centre = observer + Pack(kEarthRadiusKm);
+    const Pack from_centre = observer + Pack(scene_.sphere_km);
     for (int first = 0; first < kGroup; first += LaneTraits<Pack>::lanes()) {
       const auto load = [first](const float* from) { return Pack(hn::LoadU(FloatTag(), from + first)); };
       const auto store = [first](Pack p, float* to) { LaneTraits<Pack>::store(p, to + first); };

@@ -13,8 +13,8 @@ LightAges::LightAges(const Scene& scene) {
   of_sheet_.resize(scene.sheets.size());
   if (scene.emission.lag == EmissionLag::none || scene.film.weight == PointWeight::unit) return;
   for (std::size_t s = 0; s < scene.sheets.size(); ++s)
-    of_sheet_[s] = AgeIntervals(scene.emission.lines, scene.sheets[s].top_km,
-                                soonest_change_s(scene.sheets[s], scene.substorm));
+    of_sheet_[s] =
+        AgeIntervals(scene, scene.sheets[s].top_km, soonest_change_s(scene.sheets[s], scene.substorm));
 }
 
 bool LightAges::any() const {
@@ -26,7 +26,7 @@ void LightAges::split(const Scene& scene, std::vector<HeightProfile>& profiles) 
   for (std::size_t s = 0; s < of_sheet_.size(); ++s) {
     const int sheet = static_cast<int>(s);
     if (!lags(sheet)) continue;
-    const std::vector<LightShare> shares = of_sheet_[s].shares(scene.emission.lines);
+    const std::vector<LightShare> shares = of_sheet_[s].shares();
     const ProfilesOfSheet own = profiles_of_sheet(scene, sheet);
     const std::vector<HeightProfile> whole(profiles.begin() + own.first,
                                            profiles.begin() + own.first + own.count());
@@ -54,9 +54,9 @@ std::vector<float> LightAges::split_rates(int sheet, double wavelength_nm,
                                           const std::vector<float>& rates) const {
   if (!lags(sheet)) return rates;
   std::vector<float> all;
-  for (const LightShare& share : of_sheet_[sheet].shares({wavelength_nm}))
+  for (const std::vector<float>& share : of_sheet_[sheet].shares_of(wavelength_nm))
     for (std::size_t i = 0; i < rates.size(); ++i)
-      all.push_back(rates[i] * share[0][i % HeightProfile::kAltitudes]);
+      all.push_back(rates[i] * share[i % HeightProfile::kAltitudes]);
   return all;
 }
 

@@ -21,12 +21,12 @@ namespace HWY_NAMESPACE {
 
 /// Appends the point to the list if it emits any light.
 inline void list_point(const double position_in_enu_km[3], double volume_cm3_mw_m2, const BeamGroup& group,
-                       int beam, const HeightProfile& profile, double observer_altitude_km,
+                       int beam, const HeightProfile& profile, double observer_altitude_km, double sphere_km,
                        EmissionPoints& out) {
   const double up = position_in_enu_km[2] + observer_altitude_km;
-  const double excess_km2 = up * (up + 2.0 * kEarthRadiusKm) + position_in_enu_km[0] * position_in_enu_km[0] +
+  const double excess_km2 = up * (up + 2.0 * sphere_km) + position_in_enu_km[0] * position_in_enu_km[0] +
                             position_in_enu_km[1] * position_in_enu_km[1];
-  const double altitude = altitude_read_km(group, beam, altitude_km(excess_km2));
+  const double altitude = altitude_read_km(group, beam, altitude_km(excess_km2, SphereScale(sphere_km)));
   const double h = (altitude - HeightProfile::kBottomKm) * (1.0 / HeightProfile::kStepKm);
   if (!(h >= 0.0 && h < HeightProfile::kAltitudes - 1)) return;
   const int below = static_cast<int>(h);
@@ -97,7 +97,7 @@ inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, 
             place[i] = start[i] + point.along_km * frame.along[i] + point.across1_km * frame.across1[i] +
                        point.across2_km * frame.across2[i];
           list_point(place, point.stretch * length * area, group, beam, profile, scene.observer_altitude_km,
-                     out);
+                     scene.sphere_km, out);
         });
       }
     }

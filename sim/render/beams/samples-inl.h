@@ -154,7 +154,7 @@ class SampleMaker {
       for (int i = 0; i < 3; ++i)
         start_in_camera_km_[part][i] = start[0] * camera_from_enu_[i][0] + start[1] * camera_from_enu_[i][1] +
                                        start[2] * camera_from_enu_[i][2];
-      altitude_[part].start(start, L(scene_.observer_altitude_km), axes_[part].in_enu);
+      altitude_[part].start(start, L(scene_.observer_altitude_km), axes_[part].in_enu, scene_.sphere_km);
       volume_[part] = length * vertical * (Traits::load(group.flux_km2_mw_m2 + first) * L(0.1f));
       end_[part] = Traits::load(group.end_of_path + first);
       shift_[part] = Traits::load(group.altitude_shift_km + first) * L(1.0 / HeightProfile::kStepKm);
@@ -264,18 +264,18 @@ class SampleMaker {
     last_in_view_[part] = last;
   }
 
-  /// Whether the Earth's sphere leaves the view of a point free. Seen from the Earth's centre the line of
+  /// Whether the body's sphere leaves the view of a point free. Seen from its centre the line of
   /// sight sinks by u = -up . point over its length l; it is nearest to the centre, at the square of the
   /// distance o^2 - (o u / l)^2 with o = R + observer's altitude, before it reaches the point if o u < l^2.
   HWY_INLINE auto before_the_earth(const P in_camera_km[3]) const {
-    const double altitude = scene_.observer_altitude_km, from_centre = kEarthRadiusKm + altitude;
+    const double altitude = scene_.observer_altitude_km, from_centre = scene_.sphere_km + altitude;
     L length2(0.0f), sinks(0.0f);
     for (int i = 0; i < 3; ++i) {
       const L x = value_of(in_camera_km[i]);
       length2 = length2 + x * x;
       sinks = sinks - x * L(up_[i] * from_centre);
     }
-    const L above_surface_km2(std::max(0.0, altitude * (altitude + 2.0 * kEarthRadiusKm)));
+    const L above_surface_km2(std::max(0.0, altitude * (altitude + 2.0 * scene_.sphere_km)));
     const L hidden = select(L(0.0f) < sinks && sinks < length2 && above_surface_km2 * length2 < sinks * sinks,
                             L(1.0f), L(0.0f));
     return hidden < L(0.5f);
@@ -301,9 +301,9 @@ class SampleMaker {
     auto in_front = L(0.0f) < L(1.0f);
     SeenPoint<P> seen = film_.template see<L>(in_camera, in_front);
     if (scene_.earth_hides) in_front = in_front && before_the_earth(in_camera);
-    P above =
-        (altitude_km(altitude_[part].excess_km2(way)) - L(static_cast<float>(HeightProfile::kBottomKm))) *
-        L(static_cast<float>(1.0 / HeightProfile::kStepKm));
+    P above = (altitude_km(altitude_[part].excess_km2(way), sphere_) -
+               L(static_cast<float>(HeightProfile::kBottomKm))) *
+              L(static_cast<float>(1.0 / HeightProfile::kStepKm));
     if (reads_elsewhere_) {
       above = above - shift_[part];
       const L shrink = select(peak_ < value_of(above), L(1.0f) / stretch_above_[part], L(1.0f));
@@ -331,6 +331,7 @@ class SampleMaker {
   }
 
   const KernelScene& scene_;
+  const SphereScale sphere_{scene_.sphere_km};
   const int* inputs_;
   PhiloxKeys keys_;
   Deflection<C> deflection_;

@@ -61,11 +61,11 @@ class Sights {
 
   Sight at(const EastNorth& foot, double altitude_km) const {
     Sight sight;
-    const double up = scene_.site.altitude_m * 1e-3;
-    if (foot.east * foot.east + foot.north * foot.north > kEarthRadiusKm * kEarthRadiusKm) return sight;
+    const double up = scene_.site.altitude_m * 1e-3, sphere_km = scene_.body.radius_km;
+    if (foot.east * foot.east + foot.north * foot.north > sphere_km * sphere_km) return sight;
     const FallFrame<double> fall = field_.varies() ? field_.at(foot.east, foot.north) : fall_;
     const Beam<double> beam =
-        start_beam(foot.east, foot.north, fall, up, altitude_km, HeightProfile::kBottomKm);
+        start_beam(foot.east, foot.north, fall, up, altitude_km, HeightProfile::kBottomKm, sphere_km);
     if (!(beam.vertical > 0.0)) return sight;
     sight.seen = pixel_of_enu(view_, beam.start_in_enu_km, sight.x, sight.y) && beam.start_in_enu_km[2] > 0.0;
     const double margin_x = 0.1 * film_.columns * film_.cell_width_px;

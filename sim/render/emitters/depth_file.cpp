@@ -70,26 +70,26 @@ DepthImage read_depth(const Scene& scene) {
   return depth_image(scene.march, values);
 }
 
-double ray_end_km(const CameraView<double>& view, double observer_altitude_km, const DepthImage& depth,
-                  double x_px, double y_px, const double direction[3]) {
+double ray_end_km(const CameraView<double>& view, const Scene& scene, const DepthImage& depth, double x_px,
+                  double y_px, const double direction[3]) {
   const double* forward = view.camera_from_enu[2];
   const double cosine = forward[0] * direction[0] + forward[1] * direction[1] + forward[2] * direction[2];
-  return std::min(ground_km(observer_altitude_km, direction[2]), depth.end_km(x_px, y_px, cosine));
+  return std::min(ground_km(scene.site.altitude_m * 1e-3, direction[2], scene.body.radius_km),
+                  depth.end_km(x_px, y_px, cosine));
 }
 
 std::vector<float> ray_ends_km(const Scene& scene, const FilmGeometry& film, const DepthImage& depth,
                                int threads) {
   const CameraView<double> view = camera_view(scene.camera);
-  const double observer_km = scene.site.altitude_m * 1e-3;
   std::vector<float> ends(static_cast<std::size_t>(film.rows) * film.columns);
   parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
     const double y = film.y0_px + (static_cast<double>(row) + 0.5) * film.cell_height_px;
     for (int column = 0; column < film.columns; ++column) {
       const double x = film.x0_px + (column + 0.5) * film.cell_width_px;
       double enu[3];
-      ends[row * film.columns + column] =
-          enu_of_pixel(view, x, y, enu) ? static_cast<float>(ray_end_km(view, observer_km, depth, x, y, enu))
-                                        : std::numeric_limits<float>::quiet_NaN();
+      ends[row * film.columns + column] = enu_of_pixel(view, x, y, enu)
+                                              ? static_cast<float>(ray_end_km(view, scene, depth, x, y, enu))
+                                              : std::numeric_limits<float>::quiet_NaN();
     }
   });
   return ends;

@@ -14,10 +14,10 @@ namespace vegard::sim {
 /// camera's picture, with negative depths or such as are no numbers.
 DepthImage read_depth(const Scene& scene);
 
-/// Where rays are stopped by the Earth or by what stands in the scene. `direction` is of length 1, in east,
+/// Where rays are stopped by the body or by what stands in the scene. `direction` is of length 1, in east,
 /// north, up.
-double ray_end_km(const CameraView<double>& view, double observer_altitude_km, const DepthImage& depth,
-                  double x_px, double y_px, const double direction[3]);
+double ray_end_km(const CameraView<double>& view, const Scene& scene, const DepthImage& depth, double x_px,
+                  double y_px, const double direction[3]);
 
 /// That of a film's cells, in km along their rays, [row][column]; NaN where the lens sees nothing.
 std::vector<float> ray_ends_km(const Scene& scene, const FilmGeometry& film, const DepthImage& depth,

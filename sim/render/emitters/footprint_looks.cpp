@@ -20,10 +20,10 @@ constexpr int kLevelLooks = 8;
 
 bool is_of_sheets(const Footprint& f) { return f.source == FootprintSource::sheets; }
 
-double narrowest_km(const Footprint& f) {
-  if (f.source == FootprintSource::spline) return drawn_width_km(f);
-  constexpr double kEdgePerRadius = 1.5707963267948966;  // of a face of the cube about the Earth
-  return f.shape == FootprintShape::shell ? kEarthRadiusKm * kEdgePerRadius / f.face_cells : f.cell_km;
+double narrowest_km(const Footprint& f, double sphere_km) {
+  if (f.source == FootprintSource::spline) return drawn_width_km(f, sphere_km);
+  constexpr double kEdgePerRadius = 1.5707963267948966;  // of a face of the cube about the sphere
+  return f.shape == FootprintShape::shell ? sphere_km * kEdgePerRadius / f.face_cells : f.cell_km;
 }
 
 int max_looks(const Footprint& f) {
@@ -103,7 +103,7 @@ double substorm_share(const Scene& scene, const Footprint& f, double instant_s) 
 double soonest_change_s(const Scene& scene, const Footprint& f) {
   double change_s = kNever;
   if (const double drift = std::hypot(f.drift_km_s.east, f.drift_km_s.north); drift > 0.0)
-    change_s = narrowest_km(f) / drift;
+    change_s = narrowest_km(f, scene.body.radius_km) / drift;
   if (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0)
     change_s = std::min(change_s, f.noise_lifetime_s);
   if (f.flow_turns_per_s > 0.0) change_s = std::min(change_s, 1.0 / (kTwoPi * f.flow_turns_per_s));
@@ -122,9 +122,9 @@ std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& 
   std::vector<FootprintLook> looks = of_exposure(scene, f, instants);
   if (scene.emission.lag == EmissionLag::none || f.light == FootprintLight::colours) return looks;
   const double change_s = soonest_change_s(scene, f);
-  const AgeIntervals ages(scene.emission.lines, f.top_km, change_s);
+  const AgeIntervals ages(scene, f.top_km, change_s);
   if (ages.count() == 1) return looks;
-  const std::vector<LightShare> shares = ages.shares(scene.emission.lines);
+  const std::vector<LightShare> shares = ages.shares();
   if (!is_of_sheets(f) && !moves_by_itself(f))
     return {{{}, 1.0, of_levels(scene, f, instants, ages, shares)}};
   for (FootprintLook& look : looks) look.of_lines = shares[0];

@@ -16,8 +16,9 @@ std::vector<std::shared_ptr<const GridBricks>> read_grids(const Scene& scene) {
     const VolumeGridFile file = read_volume_grid(scene, volume);
     ErrorDetails details;
     try {
-      const auto grid = std::make_shared<GridBricks>(file.grid, file.emission, file.density, file.place,
-                                                     file.site, scene.site);
+      const auto grid =
+          std::make_shared<GridBricks>(file.grid, file.emission, file.density, file.place, file.site,
+                                       scene.site, kMaxGridBytes, scene.body.radius_km);
       if (volume.home) grid->set_home(*volume.home, scene.site);
       grids.push_back(grid);
       continue;

@@ -7,6 +7,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/light/height_profile.h"
+#include "sim/light/own_light.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/sky/air.h"
@@ -23,9 +24,11 @@ std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& ene
   const auto lines = static_cast<int>(scene.emission.lines.size());
   std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
   const double at_flux = scene.emission.flux_law == FluxLaw::linear ? 1.0 : flux;
+  const OwnLight own(scene.emission.lines, scene, Sheet());
   for (std::size_t e = 0; e < energies_kev.size(); ++e) {
-    const HeightProfile profile =
-        maxwellian_profile(emission_source(scene), scene.emission.lines, energies_kev[e], at_flux);
+    HeightProfile profile =
+        maxwellian_profile(emission_source(scene), own.asked_nm(), energies_kev[e], at_flux);
+    own.add_to(profile);
     const auto rate = [&](int line, double altitude_km) {
       const double row = (altitude_km / altitude_scale - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
       if (row < 0.0 || row > HeightProfile::kAltitudes - 1) return 0.0;

@@ -42,8 +42,8 @@ class FieldOver {
   }
 
   PlaneFoot<double> foot(const AirPoint<double>& p) const {
-    if (model_ == FieldModel::uniform) return foot_along(p, axis_);
-    return model_ == FieldModel::dipole ? foot_of_dipole(p, axis_)
+    if (model_ == FieldModel::uniform) return foot_along(p, axis_, kEarthRadiusKm);
+    return model_ == FieldModel::dipole ? foot_of_dipole(p, axis_, kEarthRadiusKm)
                                         : foot_of_patch(p, patch_->numbers<double>(), patch_->per_place);
   }
 
@@ -52,7 +52,7 @@ class FieldOver {
     const PlaneFoot<double> foot{foot_km.east, foot_km.north, true};
     switch (model_) {
       case FieldModel::dipole:
-        dipole_fall(axis_, foot, along);
+        dipole_fall(axis_, foot, kEarthRadiusKm, along);
         break;
       case FieldModel::igrf:
         patch_fall(patch_->numbers<double>(), patch_->per_place, foot, along);

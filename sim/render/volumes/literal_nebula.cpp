@@ -26,7 +26,7 @@ Image literal_nebula_picture(const Scene& scene, const Nebula& nebula, const Ima
     for (int x = 0; x < picture.width; ++x) {
       double enu[3];
       if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu)) continue;
-      double end_km = ground_km(observer_km, enu[2]);
+      double end_km = ground_km(observer_km, enu[2], scene.body.radius_km);
       if (depth_km != nullptr) end_km = std::min(end_km, static_cast<double>(depth_km->at(x, y, 0)));
       // What stands nearer than the nebula's bound hides it; only an observer inside has it before that.
       std::array<double, 3> direction;

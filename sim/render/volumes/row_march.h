@@ -29,7 +29,7 @@ class RowMarch {
   RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads,
            const Emitters<T>* made = nullptr)
       : lines_(static_cast<int>(scene.emission.lines.size())),
-        observer_km_(scene.site.altitude_m * 1e-3),
+        scene_(scene),
         depth_(files.depth),
         sun_(scene),
         plain_view_(camera_view(scene.camera)),
@@ -51,7 +51,7 @@ class RowMarch {
   void run(int row, int slot, const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
            const Use& use) {
     Slot& s = slots_[slot];
-    s.rays.aim(view_, plain_view_, film, row, observer_km_, depth_, sun_, wanted);
+    s.rays.aim(view_, plain_view_, film, row, scene_, depth_, sun_, wanted);
     const RayBundle<T> bundle = s.rays.bundle(rad_per_px_ * film.cell_width_px);
     if (bundle.count == 0) return;
     s.of_emitter.resize(emitters_.size());
@@ -201,7 +201,7 @@ class RowMarch {
   }
 
   int lines_;
-  double observer_km_;
+  const Scene& scene_;
   const DepthImage& depth_;
   SunBall sun_;
   CameraView<double> plain_view_;

@@ -56,7 +56,7 @@ struct RowOfRays {
   std::vector<double> end_km;
 
   void aim(const CameraView<T>& view, const CameraView<double>& plain_view, const FilmGeometry& film, int row,
-           double observer_altitude_km, const DepthImage& depth, const SunBall& sun,
+           const Scene& scene, const DepthImage& depth, const SunBall& sun,
            const std::vector<std::uint8_t>& wanted) {
     const double y_px = film.y0_px + (row + 0.5) * film.cell_height_px;
     column.clear();
@@ -69,9 +69,9 @@ struct RowOfRays {
       column.push_back(c);
       for (int axis = 0; axis < 3; ++axis) direction[axis].push_back(enu[axis]);
       const double towards[3] = {value_of(enu[0]), value_of(enu[1]), value_of(enu[2])};
-      end_km.push_back(std::min(ray_end_km(plain_view, observer_altitude_km, depth,
-                                           film.x0_px + (c + 0.5) * film.cell_width_px, y_px, towards),
-                                sun.end_km(towards)));
+      end_km.push_back(std::min(
+          ray_end_km(plain_view, scene, depth, film.x0_px + (c + 0.5) * film.cell_width_px, y_px, towards),
+          sun.end_km(towards)));
     }
   }
 

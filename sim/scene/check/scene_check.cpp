@@ -146,7 +146,7 @@ void check_courses(const Scene& scene) {
     refuse_beside(sheet.spacing_rule == SpacingRule::literal, "is not laid out by the paper's walk",
                   "spacing_rule", "\"stratified\" or \"tied\"");
     if (sheet.point_energy_kev.empty()) continue;
-    if (sheet.profile == ProfileKind::file || sheet.profile == ProfileKind::spline)
+    if (!is_of_electrons(sheet.profile))
       refuse({"the sheet's profile is of no electrons, so their energy along the curve has no effect",
               "a profile of a spectrum of electrons or a form, or no point_energy_kev", ""},
              "point_energy_kev");
@@ -400,8 +400,10 @@ void validate(const Scene& scene) {
     const ValueRef value = d.at(const_cast<Scene&>(scene), path.element, path.component);
     if (const auto complaint = complaint_about(d, value)) complain(*complaint, {scene.file, 0, path.text});
   }
+  check_body(scene);
   if (scene.field.model == FieldModel::igrf) igrf_year(scene);
   check_names(scene);
+  check_own_lines(scene);
   check_structures(scene);
   check_courses(scene);
   check_response(scene);

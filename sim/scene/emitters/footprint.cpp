@@ -90,8 +90,8 @@ std::vector<Declaration> footprint_rows() {
           .means("characteristic energy of the electrons, as a sheet's"),
       row("energy_flux_mw_m2", &F::energy_flux_mw_m2).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
-      row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}})
-          .means("light against altitude: of a spectrum of electrons, or a form"),
+      row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"layer", ProfileKind::layer}})
+          .means("light against altitude: of a spectrum of electrons, a form, or the layers of the scene's own lines ([[line]])"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
       row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("for \"form\": distance below the peak where the light is a tenth"),
@@ -104,11 +104,11 @@ std::vector<Declaration> footprint_rows() {
 using Refuse = std::function<void(const Complaint&, const std::string& key)>;
 
 /// That no map, and no curve, takes more memory than a machine has.
-void check_size(const Footprint& f, const Refuse& refuse) {
+void check_size(const Footprint& f, double sphere_km, const Refuse& refuse) {
   const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
-  if (of_spline && spline_pieces(f) > kMaxSplinePieces)
-    refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f)) + " pieces of " +
-                short_real_text(longest_piece_km(f)) + " km",
+  if (of_spline && spline_pieces(f, sphere_km) > kMaxSplinePieces)
+    refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) + " pieces of " +
+                short_real_text(longest_piece_km(f, sphere_km)) + " km",
             "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
            is_shell ? "longitude_deg" : "east_km");
   if (f.model == FootprintModel::curtain) return;
@@ -221,7 +221,7 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     refuse(
         {"a shell turns about the Earth's axis and cannot drift to the north", "drift_km_s = [east, 0]", ""},
         "drift_km_s");
-  check_size(f, refuse);
+  check_size(f, scene.body.radius_km, refuse);
   if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
 }
 

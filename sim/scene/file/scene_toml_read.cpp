@@ -141,6 +141,8 @@ class SceneReader {
       complain({"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
                origin(*node, name));
     }
+    // What stands in the file goes before what the body has brought along.
+    repeated.keep(scene_, [](const std::string&) { return false; });
     std::map<std::string, int> line_of_name;
     for (const toml::node& element : *elements) {
       const toml::table* values = element.as_table();

@@ -1,11 +1,13 @@
 #include "sim/scene/freedom/inert_parameter.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/freedom/free_path.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
@@ -31,10 +33,33 @@ bool has_free_brightness(const Scene& scene, int sheet) {
 
 /// Whether anything shines by the emission tables.
 bool has_electrons(const Scene& scene) {
-  bool any = !scene.footprints.empty();
-  for (const Sheet& sheet : scene.sheets)
-    any = any || (sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline);
-  return any;
+  const auto is_lit_by_tables = [](const auto& each) { return is_of_electrons(each.profile); };
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(), is_lit_by_tables) ||
+         std::any_of(scene.sheets.begin(), scene.sheets.end(), is_lit_by_tables);
+}
+
+/// Of a line that is not drawn, that nothing makes shine, or of numbers of a layer that it does not have.
+std::optional<Complaint> why_own_line_is_inert(const Scene& scene, const ParameterPath& path) {
+  const OwnLine& own = scene.own_lines[static_cast<std::size_t>(path.element)];
+  const std::string& key = path.row->key;
+  const bool follows = own.follows_nm > 0.0, has_layer = own.rayleigh_per_mw_m2 > 0.0;
+  if (key == "wavelength_nm" && line_index(scene.emission.lines, own.wavelength_nm) < 0)
+    return Complaint{"the line is not among emission.lines, so it is not drawn", "its wavelength there", ""};
+  const bool may_be_dark = std::all_of(scene.sheets.begin(), scene.sheets.end(), [](const Sheet& sheet) {
+    return sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
+  });
+  if (key == "wavelength_nm" && !follows && !has_layer && may_be_dark &&
+      !(scene.sheets.empty() && scene.footprints.empty()))
+    return Complaint{"nothing makes the line shine",
+                     "follows_nm and ratio, rayleigh_per_mw_m2, or a column of it in a sheet's profile_file",
+                     ""};
+  const char* expected = "a number that the light depends on";
+  if (key == "ratio" && !follows)
+    return Complaint{"the line follows no other, so its ratio has no effect", expected, "set follows_nm"};
+  if ((key == "peak_km" || key == "scale_height_km") && !has_layer)
+    return Complaint{"the line has no layer of its own, so " + key + " has no effect", expected,
+                     "set rayleigh_per_mw_m2"};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -91,6 +116,7 @@ std::optional<Complaint> inert_number_complaint(const Scene& scene, const Parame
     return Complaint{"the widths of the blur are the paper's, so " + key + " has no effect", expected,
                      "leave it out of fit.free, or set blur.widths to \"given\""};
   }
+  if (path.row->table == "line") return why_own_line_is_inert(scene, path);
   if (path.row->table != sheet_table) return std::nullopt;
   const Sheet& sheet = scene.sheets[path.sheet()];
   if (sheet.course == SheetCourse::curve) {
@@ -114,6 +140,12 @@ std::optional<Complaint> inert_number_complaint(const Scene& scene, const Parame
   if (key == "energy_kev" && sheet.profile == ProfileKind::file) {
     return Complaint{"the sheet's profile comes from a file, so the energy of its electrons has no effect",
                      expected, "leave it out of fit.free, or set profile to a spectrum of electrons"};
+  }
+  if (key == "energy_kev" && sheet.profile == ProfileKind::layer) {
+    return Complaint{
+        "the sheet's light is in layers of the scene's own lines, so the energy of its electrons counts "
+        "for nothing",
+        expected, "leave it out of fit.free, or set profile to a spectrum of electrons"};
   }
   if (key == "energy_spread" && sheet.profile != ProfileKind::gaussian) {
     return Complaint{

@@ -130,6 +130,6 @@ std::vector<EmissionLine> auroral_lines() {
   };
 }
 
-bool is_auroral(const EmissionLine& line) { return line.table_column[0] != '\0'; }
+bool is_auroral(const EmissionLine& line) { return line.is_own || line.table_column[0] != '\0'; }
 
 }  // namespace vegard::sim

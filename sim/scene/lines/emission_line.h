@@ -23,19 +23,21 @@ struct LineComponent {
 };
 
 struct EmissionLine {
-  double wavelength_nm;  ///< its name; of a set of bands that of one of them
-  const char* species;
-  const char* transition;
-  double lifetime_s;                      ///< of the upper state, without collisions
-  const char* table_column;               ///< of emission tables without its own; empty: not of the aurora
-  double ratio;                           ///< of its photons to that column's
-  const char* ratio_source;               ///< empty for a line with a column of its own; else with the spread
-  const char* blended_with;               ///< what stands so near that a colour filter of some nm has both
+  double wavelength_nm = 0.0;  ///< its name; of a set of bands that of one of them
+  const char* species = "";
+  const char* transition = "";
+  double lifetime_s = 0.0;                ///< of the upper state, without collisions
+  const char* table_column = "";          ///< of emission tables without its own; empty: not of the aurora
+  double ratio = 0.0;                     ///< of its photons to that column's
+  const char* ratio_source = "";          ///< empty for a line with a column of its own; else with the spread
+  const char* blended_with = "";          ///< what stands so near that a colour filter of some nm has both
   std::vector<LineComponent> components;  ///< shares add up to 1; the wavelength alone for a single line
   const char* components_source = "";     ///< where the shares come from; empty for a single line
+  bool is_own = false;                    ///< of the scene's own (sim/scene/lines/scene_lines.h)
 };
 
-/// Whether electrons in the air make it shine. The others are of nebulae, and dark in any aurora.
+/// Whether it is emitted by what electrons strike in the air. The others are of nebulae and the Sun; in an
+/// aurora only a profile of the user's own makes them shine.
 bool is_auroral(const EmissionLine& line);
 
 /// Those of the aurora: the lines and bands of oxygen and nitrogen.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "sim/scene/lines/nebular_lines.h"
 #include "sim/scene/lines/solar_lines.h"
@@ -27,13 +26,6 @@ std::vector<double> wavelengths() {
   return lines;
 }
 
-double width_of(const Scene& scene, double line_nm, double otherwise) {
-  const auto& lines = scene.emission.lines;
-  const auto found = std::find(lines.begin(), lines.end(), line_nm);
-  const auto index = static_cast<std::size_t>(found - lines.begin());
-  return index < scene.blur.width_deg.size() ? scene.blur.width_deg[index] : otherwise;
-}
-
 }  // namespace
 
 const std::vector<EmissionLine>& emission_lines() {
@@ -43,7 +35,7 @@ const std::vector<EmissionLine>& emission_lines() {
 
 const EmissionLine* find_emission_line(double wavelength_nm) {
   for (const EmissionLine& line : emission_lines())
-    if (std::abs(line.wavelength_nm - wavelength_nm) < 0.05) return &line;
+    if (std::abs(line.wavelength_nm - wavelength_nm) < kSameLineNm) return &line;
   return nullptr;
 }
 
@@ -52,28 +44,17 @@ const std::vector<double>& known_emission_lines_nm() {
   return lines;
 }
 
-double default_blur_width_deg(double line_nm) {
-  const EmissionLine* line = find_emission_line(line_nm);
-  const Scene scene;
-  for (const double own_nm : scene.emission.lines) {
-    const EmissionLine* own = find_emission_line(own_nm);
-    if (line != nullptr && own != nullptr && std::string_view(line->table_column) == own->table_column)
-      return width_of(scene, own_nm, 0.0);
-  }
-  return 0.0;
-}
-
-void change_lines(Scene& scene, const std::vector<double>& lines_nm) {
-  std::vector<double> widths;
-  for (const double line : lines_nm) widths.push_back(width_of(scene, line, default_blur_width_deg(line)));
-  scene.emission.lines = lines_nm;
-  scene.blur.width_deg = widths;
+std::vector<LineComponent> line_components(double wavelength_nm) {
+  const EmissionLine* line = find_emission_line(wavelength_nm);
+  return line == nullptr ? std::vector<LineComponent>{{wavelength_nm, 1.0}} : line->components;
 }
 
 int line_index(const std::vector<double>& lines_nm, double line_nm) {
   const EmissionLine* line = find_emission_line(line_nm);
-  for (std::size_t l = 0; line != nullptr && l < lines_nm.size(); ++l)
-    if (find_emission_line(lines_nm[l]) == line) return static_cast<int>(l);
+  for (std::size_t l = 0; l < lines_nm.size(); ++l)
+    if (line != nullptr ? find_emission_line(lines_nm[l]) == line
+                        : std::abs(lines_nm[l] - line_nm) < kSameLineNm)
+      return static_cast<int>(l);
   return -1;
 }
 

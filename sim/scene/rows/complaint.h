@@ -8,6 +8,7 @@ namespace vegard::sim {
 /// What is wrong with a value, before anyone knows in which file it stands.
 struct Complaint {
   std::string problem, expected, hint;
+  int element = -1;  ///< of a list: the number that is wrong, where it is one alone
 };
 
 /// Where a value stands, for messages.

@@ -1,5 +1,6 @@
 // Lines, their blur and how points fall on the film: [emission], [blur], [film].
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
@@ -15,8 +16,8 @@ std::vector<Declaration> light_rows() {
   // clang-format off
   return {
       Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
-          .rule(line_complaint).list_rule(lines_complaint).set_by(change_lines)
-          .means("wavelengths of the emission lines"),
+          .list_rule(lines_complaint).set_by(change_lines)
+          .means("wavelengths of the emission lines, of the program's (vegard lines) or of [[line]]"),
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
           .means("emission tables: \"vegard\", \"glow\" (not free), or a folder relative to the scene's file (docs/file_formats.md)"),
       Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t max_lines = 8;
 
-std::string known_lines_text() {
+std::string lines_text(const std::vector<double>& lines_nm) {
   std::string text;
-  for (const double line : known_emission_lines_nm()) text += (text.empty() ? "" : ", ") + real_text(line);
+  for (const double line : lines_nm) text += (text.empty() ? "" : ", ") + real_text(line);
   return text;
 }
 
@@ -87,20 +87,22 @@ std::optional<Complaint> emission_tables_complaint(const std::string& name) {
   return Complaint{"no tables are named", "\"glow\", \"vegard\" or the name of a folder", ""};
 }
 
-std::optional<Complaint> line_complaint(double line_nm) {
-  const auto& known = known_emission_lines_nm();
-  if (std::find(known.begin(), known.end(), line_nm) != known.end()) return std::nullopt;
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](double a, double b) {
-    return std::abs(a - line_nm) < std::abs(b - line_nm);
-  });
-  return Complaint{"no emission line at " + short_real_text(line_nm) + " nm", "one of " + known_lines_text(),
-                   nearest == known.end() ? "" : "the nearest known is " + real_text(*nearest)};
-}
-
-std::optional<Complaint> lines_complaint(const Scene&, const std::vector<double>& lines_nm) {
+std::optional<Complaint> lines_complaint(const Scene& scene, const std::vector<double>& lines_nm) {
+  std::vector<double> known = known_emission_lines_nm();
+  for (const OwnLine& own : scene.own_lines) known.push_back(own.wavelength_nm);
   if (lines_nm.empty() || lines_nm.size() > max_lines) {
     return Complaint{std::to_string(lines_nm.size()) + " emission lines",
-                     "1 to " + std::to_string(max_lines) + " of " + known_lines_text(), ""};
+                     "1 to " + std::to_string(max_lines) + " of " + lines_text(known), ""};
+  }
+  for (std::size_t l = 0; l < lines_nm.size(); ++l) {
+    const double line_nm = lines_nm[l];
+    if (std::find(known.begin(), known.end(), line_nm) != known.end()) continue;
+    const double nearest = *std::min_element(known.begin(), known.end(), [&](double a, double b) {
+      return std::abs(a - line_nm) < std::abs(b - line_nm);
+    });
+    return Complaint{"no emission line at " + short_real_text(line_nm) + " nm",
+                     "one of " + lines_text(known) + ", or one that [[line]] adds",
+                     "the nearest known is " + real_text(nearest), static_cast<int>(l)};
   }
   std::vector<double> sorted = lines_nm;
   std::sort(sorted.begin(), sorted.end());

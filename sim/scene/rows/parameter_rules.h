@@ -28,10 +28,7 @@ std::optional<Complaint> time_complaint(const std::string& time_utc);
 /// The name of built-in emission tables or of a folder: not empty.
 std::optional<Complaint> emission_tables_complaint(const std::string& name);
 
-/// A line must be one of the emission tables'.
-std::optional<Complaint> line_complaint(double line_nm);
-
-/// Between one and eight lines, none twice.
+/// Between one and eight lines of the program's list or the scene's own, none twice.
 std::optional<Complaint> lines_complaint(const Scene& scene, const std::vector<double>& lines_nm);
 
 /// One width per line.

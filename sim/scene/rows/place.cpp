@@ -1,14 +1,33 @@
-// Where the observer stands and looks: [site], [field], [camera].
+// Where the observer stands and looks: [body], [site], [field], [camera].
+#include "sim/scene/lines/bodies.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
+namespace {
+
+void bring_along(Scene& scene, int) { adopt_body(scene); }
+
+}  // namespace
 
 std::vector<Declaration> place_rows() {
   // clang-format off
   return {
       Row("seed", &Scene::seed).from(0).means("seed of all random numbers"),
+
+      Row("body", "name", &Scene::body, &Body::name).one_of(body_names()).then(bring_along)
+          .means("the body that the scene stands on; setting it sets the other keys of [body], the dipole's pole and, on another body than the Earth, the dipole field, the lines of [[line]] and emission.lines, which those keys override (docs/bodies.md)"),
+      Row("body", "radius_km", &Scene::body, &Body::radius_km).in("km").within(6000, 100000)
+          .means("of the sphere from which altitudes are counted"),
+      Row("body", "gravity_m_s2", &Scene::body, &Body::gravity_m_s2).in("m s⁻²").within(0.1, 100)
+          .means("on that sphere; with temperature and mass of the air it gives the scale height of layers that have none of their own"),
+      Row("body", "dipole_moment_t_m3", &Scene::body, &Body::dipole_moment_t_m3).in("T m³").within(-1e21, 1e21)
+          .means("of the dipole; negative where the field points south at the equator: folds and spirals then turn the other way"),
+      Row("body", "air_temperature_k", &Scene::body, &Body::air_temperature_k).in("K").within(10, 5000)
+          .means("of the air where the aurora shines"),
+      Row("body", "air_mass_dalton", &Scene::body, &Body::air_mass_dalton).in("Da").within(1, 100)
+          .means("mean mass of the air's particles there"),
 
       Row("site", "latitude_deg", &Scene::site, &Site::latitude_deg).in("deg").within(-90, 90)
           .means("geographic latitude of the observer, north positive"),

@@ -14,6 +14,7 @@ std::vector<Declaration> sheet_rows();
 
 // What comes after what shines.
 std::vector<Declaration> march_rows();
+std::vector<Declaration> own_line_rows();
 std::vector<Declaration> light_rows();
 std::vector<Declaration> sensor_rows();
 std::vector<Declaration> sky_rows();

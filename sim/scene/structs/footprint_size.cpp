@@ -11,38 +11,39 @@ namespace {
 
 constexpr double kPieceWidths = 0.8;
 constexpr double kCurtainPieceKm = 4.0, kShellCurtainPieceKm = 16.0;
-constexpr double kFootRadiusKm = kEarthRadiusKm + kFootAltitudeKm;
 
 bool is_shell(const Footprint& f) { return f.shape == FootprintShape::shell; }
 
 /// Between two points of the spline.
-double chord_km(const Footprint& f, std::size_t a, std::size_t b) {
+double chord_km(const Footprint& f, std::size_t a, std::size_t b, double sphere_km) {
   if (!is_shell(f)) return std::hypot(f.east_km[b] - f.east_km[a], f.north_km[b] - f.north_km[a]);
   const double la = f.latitude_deg[a] * kRadiansPerDegree, lb = f.latitude_deg[b] * kRadiansPerDegree;
   const double half = 0.5 * kRadiansPerDegree * (f.longitude_deg[b] - f.longitude_deg[a]);
   const double up = std::sin(0.5 * (lb - la)), aside = std::sin(half);
-  return 2.0 * kFootRadiusKm * std::sqrt(up * up + std::cos(la) * std::cos(lb) * aside * aside);
+  return 2.0 * (sphere_km + kFootAltitudeKm) *
+         std::sqrt(up * up + std::cos(la) * std::cos(lb) * aside * aside);
 }
 
 }  // namespace
 
-double drawn_width_km(const Footprint& f) {
+double drawn_width_km(const Footprint& f, double sphere_km) {
   // A cube's face spans two radii; its cells are widest in its middle.
-  const double cell_km = is_shell(f) ? 2.0 * kFootRadiusKm / f.face_cells : f.cell_km;
+  const double cell_km = is_shell(f) ? 2.0 * (sphere_km + kFootAltitudeKm) / f.face_cells : f.cell_km;
   return std::max(f.width_km, kNarrowestCells * cell_km);
 }
 
-double longest_piece_km(const Footprint& f) {
+double longest_piece_km(const Footprint& f, double sphere_km) {
   if (f.model == FootprintModel::curtain) return is_shell(f) ? kShellCurtainPieceKm : kCurtainPieceKm;
-  return kPieceWidths * drawn_width_km(f);
+  return kPieceWidths * drawn_width_km(f, sphere_km);
 }
 
-double spline_pieces(const Footprint& f) {
+double spline_pieces(const Footprint& f, double sphere_km) {
   const std::size_t n = is_shell(f) ? f.latitude_deg.size() : f.east_km.size();
   if (n < 2) return 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < (f.closed ? n : n - 1); ++i)
-    sum += std::max(16.0, std::ceil(1.5 * chord_km(f, i, (i + 1) % n) / longest_piece_km(f)));
+    sum += std::max(16.0,
+                    std::ceil(1.5 * chord_km(f, i, (i + 1) % n, sphere_km) / longest_piece_km(f, sphere_km)));
   return sum;
 }
 

@@ -1,4 +1,4 @@
-// How large the parts of a footprint become, from its keys alone.
+// How large the parts of a footprint become, from its keys and the radius of the body alone.
 #pragma once
 
 #include <cstddef>
@@ -27,15 +27,15 @@ inline bool only_drifts(const Footprint& f) {
 inline constexpr double kNarrowestCells = 0.7;
 
 /// Standard deviation of the Gaussian as it is drawn, at the scene's own width_km.
-double drawn_width_km(const Footprint& footprint);
+double drawn_width_km(const Footprint& footprint, double sphere_km);
 
 /// How long a piece of a footprint's spline is at most: of a volume 0.8 of the drawn width, since an even sum
 /// of Gaussians so far apart is their integral to 1e-13; of a curtain 4 km, of a shell's 16 km.
-double longest_piece_km(const Footprint& footprint);
+double longest_piece_km(const Footprint& footprint, double sphere_km);
 
 /// How many pieces its spline has, from point to point: 16 or more, and as if each way were half as long
 /// again as its chord.
-double spline_pieces(const Footprint& footprint);
+double spline_pieces(const Footprint& footprint, double sphere_km);
 inline constexpr double kMaxSplinePieces = 1048576.0;
 
 /// Cells of the map along the longer side of a box, and in all.

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "sim/base/number/vec3.h"
+#include "sim/scene/structs/body.h"
+#include "sim/scene/structs/own_line.h"
 #include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/site.h"
 #include "sim/scene/structs/sun_of_scene.h"
@@ -555,6 +557,7 @@ struct Scene {
   ~Scene();
 
   std::uint64_t seed = 1;
+  Body body;
   Site site;
   Field field;
   Camera camera;
@@ -570,6 +573,7 @@ struct Scene {
   std::vector<Bundle> bundles;
   std::vector<Ejection> ejections;
   March march;
+  std::vector<OwnLine> own_lines;
   Emission emission;
   Blur blur;
   Film film;

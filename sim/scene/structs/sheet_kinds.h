@@ -11,8 +11,14 @@ enum class ProfileKind {
   gaussian,    ///< or a Gaussian one
   form,        ///< a form's measured curve, with the Maxwellian's ratios of lines
   file,        ///< of a CSV
-  spline       ///< free, a coefficient per knot and line
+  spline,      ///< free, a coefficient per knot and line
+  layer        ///< of the layers that the scene's own lines have
 };
+
+/// Whether it is that of electrons in the Earth's air, by the emission tables.
+constexpr bool is_of_electrons(ProfileKind profile) {
+  return profile != ProfileKind::file && profile != ProfileKind::spline && profile != ProfileKind::layer;
+}
 
 /// The line that the layers of a sheet follow.
 enum class SheetCourse {

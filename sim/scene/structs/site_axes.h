@@ -21,13 +21,13 @@ inline SiteAxes axes_at(const Site& site) {
 }
 
 /// A point of one frame in another: turn p + shift_km. Frames are east, north and up of an observer at its
-/// origin, its altitude included.
+/// origin, its altitude included, on a sphere of this radius.
 struct SiteTurn {
   double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   double shift_km[3] = {0.0, 0.0, 0.0};
 };
 
-inline SiteTurn turn_between(const Site& from, const Site& to) {
+inline SiteTurn turn_between(const Site& from, const Site& to, double sphere_km = kEarthRadiusKm) {
   SiteTurn out;
   if (from.latitude_deg == to.latitude_deg && from.longitude_deg == to.longitude_deg) {
     out.shift_km[2] = (from.altitude_m - to.altitude_m) * 1e-3;
@@ -39,8 +39,8 @@ inline SiteTurn turn_between(const Site& from, const Site& to) {
       out.turn[i][j] = 0.0;
       for (int k = 0; k < 3; ++k) out.turn[i][j] += b.axis[i][k] * a.axis[j][k];
     }
-    out.shift_km[i] = out.turn[i][2] * (kEarthRadiusKm + from.altitude_m * 1e-3) -
-                      (i == 2 ? kEarthRadiusKm + to.altitude_m * 1e-3 : 0.0);
+    out.shift_km[i] = out.turn[i][2] * (sphere_km + from.altitude_m * 1e-3) -
+                      (i == 2 ? sphere_km + to.altitude_m * 1e-3 : 0.0);
   }
   return out;
 }

@@ -30,10 +30,9 @@ StationDual direction_rad(const StationDual& east, const StationDual& north) {
 
 /// The bearing is the one within half a turn of that at home: a search may have turned it beyond 360.
 template <class T>
-void carry_numbers(const double (&turn)[3][3], T (&number)[Station::kNumbers]) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
+void carry_numbers(const double (&turn)[3][3], double radius_km, T (&number)[Station::kNumbers]) {
   const T east = number[0], north = number[1], bearing = number[2];
-  const T up = square_root(kRadius * kRadius - east * east - north * north);
+  const T up = square_root(radius_km * radius_km - east * east - north * north);
   const auto turned = [&](const T& e, const T& n, T(&out)[3]) {  // a point of the sphere moves along it
     const T u = -((east * e + north * n) / up);
     for (int i = 0; i < 3; ++i) out[i] = e * turn[i][0] + n * turn[i][1] + u * turn[i][2];
@@ -59,8 +58,9 @@ std::array<double*, Station::kNumbers> Station::numbers(Sheet& sheet) {
           &sheet.wavelength_km,  &sheet.drift_km_s.east, &sheet.drift_km_s.north};
 }
 
-Station::Station(const Site& home, const Site& there)
-    : elsewhere_(home.latitude_deg != there.latitude_deg || home.longitude_deg != there.longitude_deg) {
+Station::Station(const Site& home, const Site& there, double sphere_km)
+    : elsewhere_(home.latitude_deg != there.latitude_deg || home.longitude_deg != there.longitude_deg),
+      foot_radius_km_(sphere_km + kFootAltitudeKm) {
   if (!elsewhere_) return;
   const SiteAxes from = axes_at(home), to = axes_at(there);
   for (int i = 0; i < 3; ++i)
@@ -71,9 +71,8 @@ Station::Station(const Site& home, const Site& there)
 }
 
 EastNorth Station::carry(EastNorth foot_km) const {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  const double up =
-      std::sqrt(kRadius * kRadius - foot_km.east * foot_km.east - foot_km.north * foot_km.north);
+  const double up = std::sqrt(foot_radius_km_ * foot_radius_km_ - foot_km.east * foot_km.east -
+                              foot_km.north * foot_km.north);
   const auto part = [&](int i) {
     return foot_km.east * turn_[i][0] + foot_km.north * turn_[i][1] + up * turn_[i][2];
   };
@@ -81,9 +80,8 @@ EastNorth Station::carry(EastNorth foot_km) const {
 }
 
 std::array<double, 4> Station::slopes(EastNorth foot_km) const {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  const double up =
-      std::sqrt(kRadius * kRadius - foot_km.east * foot_km.east - foot_km.north * foot_km.north);
+  const double up = std::sqrt(foot_radius_km_ * foot_radius_km_ - foot_km.east * foot_km.east -
+                              foot_km.north * foot_km.north);
   std::array<double, 4> slopes;
   for (int i = 0; i < 2; ++i) {
     slopes[2 * i] = turn_[i][0] - turn_[i][2] * foot_km.east / up;
@@ -99,10 +97,9 @@ EastNorth Station::drift_of_curve(const Sheet& at_home) const {
 }
 
 std::array<double, 4> Station::drift_slopes(const Sheet& at_home) const {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
   const EastNorth at = mean_of_points(at_home);
   const EastNorth& drift = at_home.drift_km_s;
-  const double up = std::sqrt(kRadius * kRadius - at.east * at.east - at.north * at.north);
+  const double up = std::sqrt(foot_radius_km_ * foot_radius_km_ - at.east * at.east - at.north * at.north);
   const double out = (at.east * drift.east + at.north * drift.north) / (up * up);
   std::array<double, 4> slopes;
   for (int i = 0; i < 2; ++i) {
@@ -126,7 +123,7 @@ void Station::carry(Sheet& sheet) const {
   const std::array<double*, kNumbers> places = numbers(sheet);
   double number[kNumbers];
   for (int i = 0; i < kNumbers; ++i) number[i] = *places[i];
-  carry_numbers(turn_, number);
+  carry_numbers(turn_, foot_radius_km_, number);
   for (int i = 0; i < kNumbers; ++i) *places[i] = number[i];
 }
 
@@ -138,7 +135,7 @@ std::array<double, Station::kNumbers * Station::kNumbers> Station::slopes(const 
     number[i] = StationDual(*places[i]);
     number[i].d.t[i] = 1.0;
   }
-  carry_numbers(turn_, number);
+  carry_numbers(turn_, foot_radius_km_, number);
   std::array<double, kNumbers * kNumbers> slopes;
   for (int i = 0; i < kNumbers; ++i)
     for (int j = 0; j < kNumbers; ++j) slopes[i * kNumbers + j] = number[i].d.t[j];

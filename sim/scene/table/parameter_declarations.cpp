@@ -32,7 +32,8 @@ std::vector<Declaration> declare() {
   using Rows = std::vector<Declaration> (*)();
   std::vector<Rows> groups = {place_rows, sheet_rows};
   for (const EmitterKind& kind : emitter_kinds()) groups.push_back(kind.rows);
-  for (const Rows rows : {march_rows, light_rows, sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows})
+  for (const Rows rows :
+       {march_rows, own_line_rows, light_rows, sensor_rows, sky_rows, night_sky_rows, time_rows, fit_rows})
     groups.push_back(rows);
   std::vector<Declaration> all;
   for (const Rows rows : groups) {
@@ -48,6 +49,7 @@ std::vector<RepeatedTable> all_repeated_tables() {
   std::vector<RepeatedTable> all = {repeated_table_of(sheet_table, &Scene::sheets)};
   for (const EmitterKind& kind : emitter_kinds())
     all.insert(all.end(), kind.repeated.begin(), kind.repeated.end());
+  all.push_back(repeated_table_of("line", &Scene::own_lines));
   return all;
 }
 

@@ -160,7 +160,7 @@ void let_emitters_stay(const Site& home, Scene& of_photo) {
 }
 
 Station station_of_photo(const Scene& scene, const Scene& of_photo) {
-  return Station(scene.site, of_photo.site);
+  return Station(scene.site, of_photo.site, scene.body.radius_km);
 }
 
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry) {

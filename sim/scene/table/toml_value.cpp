@@ -80,9 +80,13 @@ const toml::array& array_of(const toml::node& node, std::optional<std::size_t> c
 }
 
 void set_list(Scene& scene, const Declaration& d, int sheet, const std::vector<double>& list,
-              const Origin& origin) {
+              const toml::array* nodes, const Origin& origin) {
   if (d.list_rule) {
-    if (const auto complaint = d.list_rule(scene, list)) complain(*complaint, origin);
+    if (const auto complaint = d.list_rule(scene, list)) {
+      const bool at_one = nodes != nullptr && complaint->element >= 0;
+      complain(*complaint,
+               at_one ? at_node(origin, (*nodes)[static_cast<std::size_t>(complaint->element)]) : origin);
+    }
   }
   d.set_list(scene, sheet, list);
 }
@@ -90,12 +94,13 @@ void set_list(Scene& scene, const Declaration& d, int sheet, const std::vector<d
 void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node& node,
                  const Origin& origin) {
   std::vector<double> list;
-  for (const toml::node& element : array_of(node, std::nullopt, origin, expected_vector(d))) {
+  const toml::array& nodes = array_of(node, std::nullopt, origin, expected_vector(d));
+  for (const toml::node& element : nodes) {
     const double number = number_of(element, origin, expected_text(d));
     if (const auto complaint = number_complaint(d, number)) complain(*complaint, at_node(origin, element));
     list.push_back(number);
   }
-  set_list(scene, d, sheet, list, origin);
+  set_list(scene, d, sheet, list, &nodes, origin);
 }
 
 /// Of a form: what the table says of other keys of the same element.
@@ -162,7 +167,7 @@ void assign_component(Scene& scene, const Declaration& d, int sheet, int compone
     // Through the whole list, whose rule may forbid the new component beside the others.
     std::vector<double> list = d.list(scene, sheet);
     std::visit(Assign{d, node, origin}, ValueRef(&list.at(component)));
-    set_list(scene, d, sheet, list, origin);
+    set_list(scene, d, sheet, list, nullptr, origin);
     return;
   }
   std::visit(Assign{d, node, origin}, d.at(scene, sheet, component));

@@ -21,6 +21,17 @@ std::optional<Complaint> text_complaint(const Declaration& declaration, const st
 /// A name that is none of fit.photos; empty stands for all photographs.
 std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
 
+/// What a scene asks for that is known of the Earth alone, where its body is another one; and numbers of the
+/// Earth that are others than its own. Throws Error(scene) with the scene's file.
+void check_body(const Scene& scene);
+
+/// Throws Error(scene) unless the scene's body is the Earth: `what`, "the map", is known of nothing else.
+void require_earth(const Scene& scene, const std::string& what);
+
+/// The scene's own lines: no two at one wavelength, none that follows what the emission tables lack, none at
+/// the name of a set of bands. Throws Error(scene) with the scene's file.
+void check_own_lines(const Scene& scene);
+
 /// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
 /// entry's line.
 void check_free_parameters(const Scene& scene);

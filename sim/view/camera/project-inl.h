@@ -74,14 +74,21 @@ class PinholeFilm {
   PlaceOnFilm<C> place_;
 };
 
-/// Altitude above the Earth's sphere from `excess_km2` = (distance from its centre)^2 - R^2, without a root
+/// A body's sphere, as altitude_km() needs it.
+struct SphereScale {
+  double per_km, per_km2;  ///< 1/R, 1/R^2
+  explicit SphereScale(double radius_km) : per_km(1.0 / radius_km), per_km2(1.0 / (radius_km * radius_km)) {}
+};
+
+/// Altitude above the body's sphere from `excess_km2` = (distance from its centre)^2 - R^2, without a root
 /// or a quotient: R (sqrt(1 + w) - 1), w = excess / R^2, by a polynomial through Chebyshev nodes, good to 2
-/// cm from 0 to 650 km and monotonic beyond, so that what is outside the height profile stays outside.
+/// cm from 0 to 650 km over the Earth or a larger body, and monotonic beyond, so that what is outside the
+/// height profile stays outside.
 template <class P>
-HWY_INLINE P altitude_km(const P& excess_km2) {
+HWY_INLINE P altitude_km(const P& excess_km2, const SphereScale& sphere) {
   using L = decltype(value_of(excess_km2));
-  const P w = excess_km2 * L(1.0 / (kEarthRadiusKm * kEarthRadiusKm));
-  return excess_km2 * L(1.0 / kEarthRadiusKm) *
+  const P w = excess_km2 * L(sphere.per_km2);
+  return excess_km2 * L(sphere.per_km) *
          (w * (w * (w * (w * L(0.018779819854331855) + L(-0.037586261512127024)) + L(0.06239117512593812)) +
                L(-0.1249971327886212)) +
           L(0.49999998774279175));
@@ -94,8 +101,9 @@ struct BeamAltitude {
   P at_start_km2, slope_km[3];
 
   template <class L, class C>
-  HWY_INLINE void start(const P start_in_enu_km[3], L observer_altitude_km, const C axes[3][3]) {
-    const L diameter(static_cast<float>(2.0 * kEarthRadiusKm));
+  HWY_INLINE void start(const P start_in_enu_km[3], L observer_altitude_km, const C axes[3][3],
+                        double sphere_km) {
+    const L diameter(static_cast<float>(2.0 * sphere_km));
     const P& east = start_in_enu_km[0];
     const P& north = start_in_enu_km[1];
     const P up = start_in_enu_km[2] + observer_altitude_km;

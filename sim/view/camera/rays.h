@@ -1,4 +1,5 @@
-// Rays from the observer: through the middles of a film's cells, to the ground, past the Earth's limb.
+// Rays from the observer: through the middles of a film's cells, to the ground of a body, past the Earth's
+// limb.
 #pragma once
 
 #include <cmath>
@@ -18,10 +19,10 @@ bool enu_of_cell(const CameraView<T>& view, const FilmGeometry& film, int row, i
 
 /// Where a ray from the observer meets the ground, in km; infinity if nowhere. `up` is the direction's third
 /// component.
-inline double ground_km(double observer_altitude_km, double up) {
-  const double radius = kEarthRadiusKm + observer_altitude_km;
+inline double ground_km(double observer_altitude_km, double up, double sphere_km = kEarthRadiusKm) {
+  const double radius = sphere_km + observer_altitude_km;
   const double along = radius * up;  // of the observer's place, from the Earth's centre
-  const double square = along * along - (radius * radius - kEarthRadiusKm * kEarthRadiusKm);
+  const double square = along * along - (radius * radius - sphere_km * sphere_km);
   if (along >= 0.0 || square < 0.0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, -along - std::sqrt(square));
 }

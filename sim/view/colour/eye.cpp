@@ -47,7 +47,7 @@ EyeLight eye_light_per_rayleigh(double wavelength_nm) {
 
 EyeLight line_eye_light_per_rayleigh(double line_nm) {
   EyeLight sum;
-  for (const LineComponent& component : find_emission_line(line_nm)->components) {
+  for (const LineComponent& component : line_components(line_nm)) {
     EyeLight light = eye_light_per_rayleigh(component.wavelength_nm);
     for (double& value : light.xyz_cd_m2) value *= component.share;
     light.scotopic_cd_m2 *= component.share;

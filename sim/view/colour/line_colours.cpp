@@ -31,7 +31,7 @@ std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   std::vector<Vector3> colours;
   for (const double wavelength_nm : scene.emission.lines) {
     Vector3 colour{};
-    for (const LineComponent& component : find_emission_line(wavelength_nm)->components) {
+    for (const LineComponent& component : line_components(wavelength_nm)) {
       const Vector3 rgb = response.rgb_per_kilorayleigh(component.wavelength_nm);
       for (int c = 0; c < 3; ++c) colour[c] += component.share * rgb[c];
     }

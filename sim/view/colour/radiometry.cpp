@@ -18,7 +18,7 @@ double luminance_cd_m2_per_rayleigh(double wavelength_nm) {
 
 double line_luminance_cd_m2_per_rayleigh(double line_nm) {
   double luminance = 0.0;
-  for (const LineComponent& component : find_emission_line(line_nm)->components)
+  for (const LineComponent& component : line_components(line_nm))
     luminance += component.share * luminance_cd_m2_per_rayleigh(component.wavelength_nm);
   return luminance;
 }

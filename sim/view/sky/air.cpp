@@ -75,8 +75,8 @@ double pressure_share(double altitude_km) {
          std::exp(-(potential_km - below) / kScaleHeightAboveKm);
 }
 
-double sine_of_horizon(double observer_km) {
-  const double cos_of_dip = kEarthRadiusKm / (kEarthRadiusKm + std::max(0.0, observer_km));
+double sine_of_horizon(double observer_km, double sphere_km) {
+  const double cos_of_dip = sphere_km / (sphere_km + std::max(0.0, observer_km));
   return -std::sqrt(1.0 - cos_of_dip * cos_of_dip);
 }
 

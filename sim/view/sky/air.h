@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
 
@@ -30,8 +31,8 @@ double ozone_optical_depth(double wavelength_nm, double ozone_dobson);
 /// and its constant temperature at 11 km carried on above.
 double pressure_share(double altitude_km);
 
-/// Sine of the elevation of the Earth's horizon: below 0 for an observer above the ground.
-double sine_of_horizon(double observer_altitude_km);
+/// Sine of the elevation of a body's horizon: below 0 for an observer above the ground.
+double sine_of_horizon(double observer_altitude_km, double sphere_km = kEarthRadiusKm);
 
 /// How a component's density goes with altitude, up to a factor.
 struct AirShape {

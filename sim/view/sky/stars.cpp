@@ -86,7 +86,7 @@ class StarPainter {
       : camera_(scene.camera),
         view_(camera_view(scene.camera)),
         sigma_px_(std::max(kStarNarrowestPx, scene.stars.width_deg * pixels_per_degree(scene.camera))),
-        lowest_up_(sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3)),
+        lowest_up_(sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3, scene.body.radius_km)),
         luminance_per_photon_(luminance_per_photon(scene) / static_cast<double>(instants)),
         tints_(SensorResponse(scene)),
         air_(scene),

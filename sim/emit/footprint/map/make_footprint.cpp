@@ -74,9 +74,9 @@ PlaneFootprint<double> values(const PlaneFootprint<FreeDual>& plane) {
 
 }  // namespace
 
-double turned_deg(const Footprint& f, double instant_s) {
-  constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
-  return f.shape == FootprintShape::shell ? drifted_km(f, instant_s).east / (kRadius * kRadiansPerDegree)
+double turned_deg(const Scene& scene, const Footprint& f, double instant_s) {
+  const double radius = scene.body.radius_km + kFootAltitudeKm;
+  return f.shape == FootprintShape::shell ? drifted_km(f, instant_s).east / (radius * kRadiansPerDegree)
                                           : 0.0;
 }
 
@@ -110,9 +110,10 @@ template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footp
 CubeFootprint<double> make_cube_footprint(const Scene& scene, const Footprint& f,
                                           const FootprintPictures& pictures, int threads,
                                           std::optional<double> instant_s) {
-  CubeFootprint<double> cube =
-      f.source == FootprintSource::spline ? spline_cube(f, threads) : picture_cube(f, pictures, threads);
-  cube.turned_deg = turned_deg(f, instant_s.value_or(scene.time.start_s));
+  CubeFootprint<double> cube = f.source == FootprintSource::spline
+                                   ? spline_cube(f, scene.body.radius_km, threads)
+                                   : picture_cube(f, pictures, threads);
+  cube.turned_deg = turned_deg(scene, f, instant_s.value_or(scene.time.start_s));
   return cube;
 }
 

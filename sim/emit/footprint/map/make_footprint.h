@@ -18,7 +18,7 @@ inline EastNorth drifted_km(const Footprint& footprint, double instant_s) {
 }
 
 /// By how much a shell has turned to the east.
-double turned_deg(const Footprint& footprint, double instant_s);
+double turned_deg(const Scene& scene, const Footprint& footprint, double instant_s);
 
 /// Of a footprint of shape "box", at an instant of the scene's clock (none: its start); of the sheets it is
 /// the mean over all instants of the exposure, as if that began then, wound up by as much as at this one. The

@@ -66,7 +66,7 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
   const T width = number(f.width_km);
   const T drawn = value_of(width) < kNarrowestCells * f.cell_km ? T(kNarrowestCells * f.cell_km) : width;
   const std::vector<CurvePiece<T, 2>> pieces =
-      curve_pieces<T, 2>(points, f.closed, longest_piece_km(f), false).pieces;
+      curve_pieces<T, 2>(points, f.closed, longest_piece_km(f, kEarthRadiusKm), false).pieces;
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
   const bool has_energy = !f.point_energy.empty();
   if (has_energy) grid.ln_energy.assign(grid.cells(), T(0.0));
@@ -97,8 +97,8 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
   return plane;
 }
 
-CubeFootprint<double> spline_cube(const Footprint& f, int threads) {
-  const double radius = kEarthRadiusKm + kFootAltitudeKm;
+CubeFootprint<double> spline_cube(const Footprint& f, double sphere_km, int threads) {
+  const double radius = sphere_km + kFootAltitudeKm;
   const NumberAs<double> number = [](const double& n) { return n; };
   std::vector<CurveNode<double, 3>> points(f.latitude_deg.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -108,9 +108,9 @@ CubeFootprint<double> spline_cube(const Footprint& f, int threads) {
                     radius * std::cos(latitude) * std::sin(longitude), radius * std::sin(latitude)};
     set_cargo(f, i, number, points[i]);
   }
-  const double drawn = drawn_width_km(f);
+  const double drawn = drawn_width_km(f, sphere_km);
   const std::vector<CurvePiece<double, 3>> pieces =
-      curve_pieces<double, 3>(points, f.closed, longest_piece_km(f), true).pieces;
+      curve_pieces<double, 3>(points, f.closed, longest_piece_km(f, sphere_km), true).pieces;
   const bool has_energy = !f.point_energy.empty();
   CubeFootprint<double> cube = cube_grid<double>(f.face_cells, has_energy);
   const double reach = kGaussianReach * drawn / radius;  // a chord of the unit sphere

@@ -27,6 +27,6 @@ PlaneFootprint<T> spline_plane(const Footprint& footprint, const NumberAs<T>& nu
 
 /// Of a shell: on the sphere of the feet, at 110 km altitude. Points are less than 90 degrees apart; across
 /// the curve exp(-chord² / (2 width²)), which is Fisher's distribution on the sphere.
-CubeFootprint<double> spline_cube(const Footprint& footprint, int threads);
+CubeFootprint<double> spline_cube(const Footprint& footprint, double sphere_km, int threads);
 
 }  // namespace vegard::sim

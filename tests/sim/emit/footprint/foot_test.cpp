@@ -29,7 +29,8 @@ TEST(Foot, IsThatOfTheBeamThroughThePoint) {
     for (const double north : {-400.0, 50.0, 900.0}) {
       const Beam<double> beam = start_beam(east, north, fall, 0.0, 500.0, 80.0);
       for (const double part : {0.0, 0.3, 0.9, 1.0}) {
-        const PlaneFoot<double> foot = foot_along(point_of_beam(beam, fall, part), fall.along);
+        const PlaneFoot<double> foot =
+            foot_along(point_of_beam(beam, fall, part), fall.along, kEarthRadiusKm);
         ASSERT_TRUE(foot.is_there);
         EXPECT_NEAR(foot.east_km, east, 1e-8);
         EXPECT_NEAR(foot.north_km, north, 1e-8);
@@ -46,7 +47,8 @@ TEST(Foot, OfADipoleIsThatOfItsBeamToAFewMetres) {
       const FallFrame<double> fall = dipole_fall_frame(axis, east, north);
       const Beam<double> beam = start_beam(east, north, fall, 0.0, 300.0, 80.0);
       for (const double part : {0.0, 0.3, 0.9, 1.0}) {
-        const PlaneFoot<double> foot = foot_of_dipole(point_of_beam(beam, fall, part), axis.in_enu);
+        const PlaneFoot<double> foot =
+            foot_of_dipole(point_of_beam(beam, fall, part), axis.in_enu, kEarthRadiusKm);
         ASSERT_TRUE(foot.is_there);
         EXPECT_NEAR(foot.east_km, east, 0.02);
         EXPECT_NEAR(foot.north_km, north, 0.02);
@@ -87,7 +89,7 @@ TEST(Foot, AroundTheEarthIsThatOfTheBeam) {
           const int face = static_cast<int>(face_number(p));
           const AirPoint<double> foot =
               model == FieldModel::dipole
-                  ? foot_in_dipole_around_earth(p, rule.axis)
+                  ? foot_in_dipole_around_body(p, rule.axis, kEarthRadiusKm)
                   : foot_in_patch_around_earth(
                         p, face, (*rule.patches)[static_cast<std::size_t>(face)].numbers<double>(),
                         (*rule.patches)[static_cast<std::size_t>(face)].per_place);
@@ -101,10 +103,10 @@ TEST(Foot, IsMissingWhereTheLineRisesOrPassesTheEarth) {
   const double level[3] = {0.0, 1.0, 0.0};
   AirPoint<double> p{{0.0, -100.0, kEarthRadiusKm + 300.0}, 0.0};
   p.square = 100.0 * 100.0 + 300.0 * (300.0 + 2.0 * kEarthRadiusKm);
-  EXPECT_FALSE(foot_along(p, level).is_there);
+  EXPECT_FALSE(foot_along(p, level, kEarthRadiusKm).is_there);
   AirPoint<double> behind = p;
   behind.x[2] = -p.x[2];
-  EXPECT_FALSE(foot_below(behind).is_there);
+  EXPECT_FALSE(foot_below(behind, kEarthRadiusKm).is_there);
 }
 
 TEST(Foot, StandsOnTheFaceThatReachesFarthest) {

@@ -23,10 +23,11 @@ using namespace march_case;
 constexpr double kDegree = 0.017453292519943295;
 
 /// Kilometres of a ray from r0 between two spheres, before `end`, by the closed form.
-double path_km(double observer_km, double up, double bottom_km, double top_km, double end = kInfinity) {
-  const double r0 = kEarthRadiusKm + observer_km, closest = -r0 * up;
+double path_km(double observer_km, double up, double bottom_km, double top_km, double end = kInfinity,
+               double sphere_km = kEarthRadiusKm) {
+  const double r0 = sphere_km + observer_km, closest = -r0 * up;
   const auto until = [&](double altitude_km, double to) {  // kilometres inside a sphere, from 0 to `to`
-    const double radius = kEarthRadiusKm + altitude_km;
+    const double radius = sphere_km + altitude_km;
     const double half2 = closest * closest + radius * radius - r0 * r0;
     if (half2 <= 0.0) return 0.0;
     const double half = std::sqrt(half2);
@@ -51,17 +52,22 @@ Rays sky(int count, std::uint32_t seed, double lowest_deg, double highest_deg) {
   return rays;
 }
 
-TEST(FootprintEmitter, GivesAUniformShellItsPathInClosedForm) {
+/// Of the Earth, or of a body as large as Jupiter.
+class UniformShell : public ::testing::TestWithParam<double> {};
+
+TEST_P(UniformShell, HasItsPathInClosedForm) {
   const auto even = cube(16, [](const double*) { return 2.0; });
   for (const double observer : {0.0, 10.0, 150.0, 400.0, 2000.0}) {
     Scene scene = scene_at(observer, "shell");
+    scene.body.radius_km = GetParam();
     const auto shell = emitter(scene, even, drawn([](double) { return 50.0; }));
     const Rays rays = sky(200, 7, -89.0, 89.0);
     const Light light = rays.through(*shell, 2);
     int lit = 0;
     for (std::size_t i = 0; i < rays.count(); ++i) {
       // The path at the limb is exact; what is left is the rounding of floats.
-      const double want = 0.1 * 2.0 * 50.0 * path_km(observer, rays.direction[2][i], 80.0, 300.0);
+      const double want =
+          0.1 * 2.0 * 50.0 * path_km(observer, rays.direction[2][i], 80.0, 300.0, kInfinity, GetParam());
       EXPECT_NEAR(light.rayleigh[i], want, 3e-6 * want) << observer << " " << i;
       EXPECT_NEAR(light.rayleigh[rays.count() + i], 0.25 * want, 1e-6 * want);
       lit += want > 0.0 ? 1 : 0;
@@ -69,6 +75,8 @@ TEST(FootprintEmitter, GivesAUniformShellItsPathInClosedForm) {
     EXPECT_GT(lit, 30);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(FootprintEmitter, UniformShell, ::testing::Values(kEarthRadiusKm, 69911.0));
 
 TEST(FootprintEmitter, BrightensAThinShellAtItsLimbAsTheClosedFormHasIt) {
   // A layer of four kilometres, with the ramps of its table's rows: so its mean over rows is the path between

@@ -7,6 +7,7 @@
 
 #include "sim/light/tables/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/lines/solar_lines.h"
 #include "tests/support/glow.h"
 

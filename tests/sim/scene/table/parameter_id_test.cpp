@@ -9,6 +9,7 @@
 #include <unordered_set>
 
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/full_scene.h"

@@ -16,14 +16,17 @@ namespace {
 
 using HWY_NAMESPACE::Pack;
 
+const HWY_NAMESPACE::SphereScale kEarth(kEarthRadiusKm);
+
 float first_lane(Pack pack) { return hwy::HWY_NAMESPACE::GetLane(pack.v); }
 
 TEST(AltitudeKm, IsThatOfTheSphereWithinTwoCentimetres) {
   // Floats are good to some 6e-8 of the altitude more.
   for (double altitude = 0.0; altitude <= 650.0; altitude += 0.7) {
     const double excess = std::pow(kEarthRadiusKm + altitude, 2) - std::pow(kEarthRadiusKm, 2);
-    EXPECT_NEAR(HWY_NAMESPACE::altitude_km(excess), altitude, 2e-5);
-    EXPECT_NEAR(first_lane(HWY_NAMESPACE::altitude_km(Pack(excess))), altitude, 2e-5 + 3e-7 * altitude);
+    EXPECT_NEAR(HWY_NAMESPACE::altitude_km(excess, kEarth), altitude, 2e-5);
+    EXPECT_NEAR(first_lane(HWY_NAMESPACE::altitude_km(Pack(excess), kEarth)), altitude,
+                2e-5 + 3e-7 * altitude);
   }
 }
 
@@ -31,7 +34,7 @@ TEST(AltitudeKm, RisesFromTheEarthsCentreToTwoRadii) {
   double before = -1e9;
   for (double distance = 0.0; distance <= 2.0; distance += 0.001) {
     const double altitude =
-        HWY_NAMESPACE::altitude_km(kEarthRadiusKm * kEarthRadiusKm * (distance * distance - 1.0));
+        HWY_NAMESPACE::altitude_km(kEarthRadiusKm * kEarthRadiusKm * (distance * distance - 1.0), kEarth);
     EXPECT_GT(altitude, before) << distance;
     before = altitude;
   }
@@ -47,7 +50,7 @@ TEST(BeamAltitude, IsTheExcessOfThePointOverTheSphere) {
     axes[2][i] = frame.across2[i];
   }
   HWY_NAMESPACE::BeamAltitude<double> beam;
-  beam.start(start, observer_km, axes);
+  beam.start(start, observer_km, axes, kEarthRadiusKm);
   for (double along : {0.0, 3.0, 250.0, 430.0})
     for (double across : {-9.0, 0.0, 4.0}) {
       const double way[3] = {along, across, 0.5 * across};

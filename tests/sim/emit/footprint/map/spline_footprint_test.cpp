@@ -172,7 +172,7 @@ TEST(SplineFootprint, AroundThePoleHasNoPreferredSideAndTheTotalOfItsLength) {
     f.latitude_deg.push_back(62.0);
     f.longitude_deg.push_back(15.0 * i);
   }
-  const CubeFootprint<double> cube = spline_cube(f, 2);
+  const CubeFootprint<double> cube = spline_cube(f, kEarthRadiusKm, 2);
   const double radius = kEarthRadiusKm + kFootAltitudeKm;
   double sum = 0.0, most = 0.0;
   for (const auto& grid : cube.face)
