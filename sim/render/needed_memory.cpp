@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include "sim/base/image.h"
 #include "sim/base/parallel.h"
 #include "sim/light/sample.h"
+#include "sim/render/emitters/footprint_looks.h"
 #include "sim/render/film.h"
 #include "sim/render/physical_blur.h"
 #include "sim/render/slab_exposer.h"
@@ -25,6 +28,12 @@ double film_bytes_of_cell(const Scene& scene, int threads) {
   if (!scene.sheets.empty()) bytes += threads * stride * kFilmUnit;
   // Light, what it lets through and its distance; and of a softened or coarser march a second set.
   if (has_volumes(scene)) bytes += 2.0 * kFloatBytes * (2.0 * lines + 1.0);
+  return bytes;
+}
+
+double map_bytes_of_all(const Scene& scene, std::size_t number_bytes) {
+  double bytes = 0.0;
+  for (const Footprint& footprint : scene.footprints) bytes += map_bytes(scene, footprint, number_bytes);
   return bytes;
 }
 
@@ -49,7 +58,8 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   // this one.
   const double of_sheets =
       use.sheet_layers ? static_cast<double>(scene.sheets.size()) * (of_lines + of_colours) : 0.0;
-  const double exposing = film_bytes + pixels * (2.0 * of_lines + of_sheets);
+  const double exposing =
+      film_bytes + pixels * (2.0 * of_lines + of_sheets) + map_bytes_of_all(scene, sizeof(double));
   // After it: lines (twice, once to be written), the aurora, and all of it together.
   double of_pixel = 2.0 * of_lines + 2.0 * of_colours + of_sheets + use.bytes_per_px;
   if (has_night_sky(scene)) of_pixel += 2.0 * of_colours;
@@ -66,16 +76,22 @@ int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, 
   const auto bytes = [&](int count) { return kProgramBytes + render_bytes(scene, count, use); };
   int count = thread_count(threads);
   while (count > 1 && bytes(count) > limit.bytes) --count;
-  require_memory(limit, bytes(count),
-                 "a picture of " + size_text(scene.camera.width, scene.camera.height) + " pixels",
-                 "a smaller camera.width and camera.height need less");
+  const std::string picture =
+      "a picture of " + size_text(scene.camera.width, scene.camera.height) + " pixels";
+  if (map_bytes_of_all(scene, sizeof(double)) > 0.5 * bytes(count))
+    require_memory(
+        limit, bytes(count), picture + " with its footprints' maps",
+        "a larger cell_km of footprints, fewer time.instants, or emission.lag = \"none\" need less");
+  else
+    require_memory(limit, bytes(count), picture, "a smaller camera.width and camera.height need less");
   return count;
 }
 
 double model_bytes(const Scene& scene, double cells, int free, int threads) {
   const double lines = static_cast<double>(scene.emission.lines.size()), of_lines = kFloatBytes * lines;
   const double width = std::max(1.0, std::ceil(free / static_cast<double>(kTangentWidth))) * kTangentWidth;
-  const double of_means = cells * (of_lines + 6.0 * kFloatBytes + 24.0);
+  const double of_means =
+      cells * (of_lines + 6.0 * kFloatBytes + 24.0) + map_bytes_of_all(scene, sizeof(FreeDual));
   if (scene.blur.model == BlurModel::physical) {
     // In slabs, on a film of as many square cells.
     FilmGeometry film;

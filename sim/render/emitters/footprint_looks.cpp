@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/change_times.h"
@@ -15,8 +16,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kLooksPerChange = 2.0;
-constexpr int kMaxLooks = 64, kMaxCurtains = 16, kMaxMaps = 8, kMaxFlowsOrShells = 2;
-constexpr int kLevelLooks = 8;
+constexpr int kMaxLooks = 64, kMaxCurtains = 16, kMaxMaps = 8, kMaxFlowsOrShells = 4;
+constexpr int kLevelLooks = 8, kMaxLevelLooks = 4096;
 
 bool is_of_sheets(const Footprint& f) { return f.source == FootprintSource::sheets; }
 
@@ -39,12 +40,27 @@ double mean_level(const Scene& scene, const Footprint& f, const std::vector<doub
   return sum / static_cast<double>(instants.size());
 }
 
-/// Instants of an interval of age, evenly in the logarithm of the age, before those of the exposure in turn.
-std::vector<double> past(const std::vector<double>& instants, const AgeIntervals& ages, int age, int count) {
+/// Instants of an interval of age, evenly in the logarithm of the age, before those of the exposure in turn:
+/// at least `wanted`, as many for each of the exposure's; but at most `max`, before as many of the
+/// exposure's, evenly through it, where it has more.
+std::vector<double> past(const std::vector<double>& instants, const AgeIntervals& ages, int age,
+                         double wanted, int max) {
   std::vector<double> all;
   const int ends = static_cast<int>(instants.size());
-  for (int k = 0; k < count; ++k)
-    all.push_back(instants[count < ends ? k * ends / count : k % ends] - ages.age_s(age, (k + 0.5) / count));
+  int count = max;
+  if (ends <= max) {
+    const int most_each = max / ends;
+    count =
+        ends * static_cast<int>(std::clamp(std::ceil(wanted / ends), 1.0, static_cast<double>(most_each)));
+  }
+  const auto end_s = [&](int k) {
+    if (count >= ends) return instants[k % ends];
+    const double place = (k + 0.5) * ends / count - 0.5;  // between two of the exposure's
+    const int before = static_cast<int>(place);
+    return instants[before] +
+           (place - before) * (instants[std::min(before + 1, ends - 1)] - instants[before]);
+  };
+  for (int k = 0; k < count; ++k) all.push_back(end_s(k) - ages.age_s(age, (k + 0.5) / count));
   return all;
 }
 
@@ -64,7 +80,8 @@ LightShare of_levels(const Scene& scene, const Footprint& f, const std::vector<d
                      const AgeIntervals& ages, const std::vector<LightShare>& shares) {
   LightShare sum = shares[0];
   for (int age = 0; age < ages.count(); ++age) {
-    const double level = mean_level(scene, f, age == 0 ? instants : past(instants, ages, age, kLevelLooks));
+    const double level =
+        mean_level(scene, f, age == 0 ? instants : past(instants, ages, age, kLevelLooks, kMaxLevelLooks));
     for (std::size_t l = 0; l < sum.size(); ++l)
       for (std::size_t a = 0; a < sum[l].size(); ++a) {
         const float part = static_cast<float>(level) * shares[age][l][a];
@@ -74,23 +91,28 @@ LightShare of_levels(const Scene& scene, const Footprint& f, const std::vector<d
   return sum;
 }
 
+bool is_box_of_cells(const Footprint& f) {
+  return f.model == FootprintModel::volume && f.shape == FootprintShape::box;
+}
+
 /// One look, or several: where a footprint is no map in a box each of its instants is an emitter, and a map
-/// of the whole way of one that drifts far would be mostly dark.
-void add_parts(const Scene& scene, const Footprint& f, const std::vector<double>& then, const LightShare& of,
+/// of the whole way of one that drifts far would be mostly dark, so that one map goes no further than its
+/// size.
+void add_parts(const Scene& scene, const Footprint& f, std::vector<double> then, const LightShare& of,
                std::vector<FootprintLook>& looks) {
-  std::size_t at_a_time = 1;
-  if (f.model == FootprintModel::volume && f.shape == FootprintShape::box) {
-    const double way_km =
-                     std::hypot(f.drift_km_s.east, f.drift_km_s.north) * std::abs(then.front() - then.back()),
-                 parts = std::max(1.0, std::ceil(way_km / std::max(f.size_km.east, f.size_km.north)));
-    at_a_time = static_cast<std::size_t>(std::ceil(static_cast<double>(then.size()) / parts));
-  }
-  for (std::size_t first = 0; first < then.size(); first += at_a_time) {
-    const auto begin = then.begin() + static_cast<std::ptrdiff_t>(first);
-    const std::vector<double> some(
-        begin, begin + static_cast<std::ptrdiff_t>(std::min(at_a_time, then.size() - first)));
+  std::sort(then.begin(), then.end());
+  const double speed_km_s = std::hypot(f.drift_km_s.east, f.drift_km_s.north),
+               longest_km = is_box_of_cells(f) ? std::max(f.size_km.east, f.size_km.north) : 0.0;
+  const auto goes_with = [&](double first_s, double instant_s) {
+    return is_box_of_cells(f) && speed_km_s * (instant_s - first_s) <= longest_km;
+  };
+  for (std::size_t first = 0; first < then.size();) {
+    std::vector<double> some{then[first]};
+    for (++first; first < then.size() && goes_with(some.front(), then[first]); ++first)
+      some.push_back(then[first]);
     const double share = static_cast<double>(some.size()) / static_cast<double>(then.size());
-    looks.push_back({some, mean_level(scene, f, some) * share, of});
+    const double level = mean_level(scene, f, some);
+    looks.push_back({std::move(some), level * share, of});
   }
 }
 
@@ -132,13 +154,26 @@ std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& 
   const std::vector<double> ends = is_of_sheets(f) ? std::vector<double>{scene.time.start_s} : instants;
   for (int age = 1; age < ages.count(); ++age) {
     const double stretch_s = ages.age_s(age, 1.0) - ages.age_s(age, 0.0);
-    const double wanted =
-        std::max(std::ceil(kLooksPerChange * stretch_s / change_s), static_cast<double>(ends.size()));
-    std::vector<double> then =
-        past(ends, ages, age, static_cast<int>(std::min(wanted, static_cast<double>(max_looks(f)))));
-    add_parts(scene, f, then, shares[age], looks);
+    const double wanted = std::ceil(kLooksPerChange * stretch_s / change_s);
+    add_parts(scene, f, past(ends, ages, age, wanted, max_looks(f)), shares[age], looks);
   }
   return looks;
+}
+
+double map_bytes(const Scene& scene, const Footprint& f, std::size_t number_bytes) {
+  if (f.model == FootprintModel::curtain) return 0.0;
+  double cells = 0.0;
+  for (const FootprintLook& look : footprint_looks(scene, f)) {
+    if (f.shape == FootprintShape::shell || look.instants_s.size() < 2) {
+      cells += map_cells(f);
+      continue;
+    }
+    const auto [first, last] = std::minmax_element(look.instants_s.begin(), look.instants_s.end());
+    const double way_s = *last - *first;
+    cells += (std::ceil((f.size_km.east + std::abs(f.drift_km_s.east) * way_s) / f.cell_km) + 1.0) *
+             (std::ceil((f.size_km.north + std::abs(f.drift_km_s.north) * way_s) / f.cell_km) + 1.0);
+  }
+  return cells * bytes_per_cell(f, number_bytes);
 }
 
 }  // namespace vegard::sim

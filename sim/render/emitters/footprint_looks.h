@@ -5,6 +5,7 @@
 // many times as it changes in it. Where no more than the substorm's level changes it is looked at once.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "sim/render/beams/age_intervals.h"
@@ -21,8 +22,12 @@ struct FootprintLook {
 /// All that add up to the light of an exposure. A footprint of colours shines at once, and so does everything
 /// where emission.lag is "none". In an interval of age a footprint of a box that only drifts is looked at 64
 /// times at most, a curtain 16 times, one whose map must be made again each time 8 times, one around the
-/// Earth, or whose flow must be followed, twice.
+/// Earth, or whose flow must be followed, 4 times: each instant of an exposure as often as the others, or so
+/// many of them, evenly through it, where it has more.
 std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& footprint);
+
+/// What the maps of all looks take in memory, in bytes, with numbers of this size.
+double map_bytes(const Scene& scene, const Footprint& footprint, std::size_t number_bytes);
 
 /// How soon a footprint becomes something else, in seconds: by drifting over its own width or cells, by its
 /// noise's lifetime, its flow's turn by a radian, the phases of a substorm, or what its sheets do. Infinite

@@ -16,7 +16,10 @@
 #include "sim/render/beams/altitude_slabs.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/rows/complaint.h"
+#include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/line_of.h"
 #include "sim/view/colour/line_colours.h"
 
 namespace vegard::sim {
@@ -192,11 +195,25 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
 
 namespace {
 
+/// That the past of one that moves takes no more memory than a machine has.
+void check_memory_of_looks(const Scene& scene, const Footprint& f, std::size_t number_bytes) {
+  const double bytes = map_bytes(scene, f, number_bytes);
+  // make_plane_footprint() refuses one map that is too large by itself.
+  if (bytes <= std::max(kMaxMapBytes, map_cells(f) * bytes_per_cell(f, number_bytes))) return;
+  const std::string key = "footprint." + f.name + ".cell_km";
+  complain({"the footprint's maps of the exposure's instants, and of the past whose light lags, would take " +
+                short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB",
+            "at most 4 GB", "a larger cell_km, fewer time.instants, or emission.lag = \"none\""},
+           {scene.file, line_of(scene, key), key});
+}
+
 template <class T>
 void add_footprints(const EmitterInputs<T>& in, Emitters<T>& all) {
-  for (const Footprint& footprint : in.scene.footprints)
+  for (const Footprint& footprint : in.scene.footprints) {
+    check_memory_of_looks(in.scene, footprint, sizeof(T));
     for (const FootprintLook& look : footprint_looks(in.scene, footprint))
       all.push_back(footprint_emitter<T>(in.scene, footprint, in.files, in.number, in.threads, look));
+  }
 }
 
 void add_footprint_fields(const FieldInputs& in, std::vector<NamedField>& all) {

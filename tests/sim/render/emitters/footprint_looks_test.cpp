@@ -1,9 +1,11 @@
 // The light of footprints that move lags behind their electrons (docs/physics.md, rows B18 and B26).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/emit/aurora/motion.h"
@@ -89,6 +91,60 @@ TEST(FootprintLooks, AreOnAverageAsOldAsTheAtomsThatShine) {
           mean += part(look, l, a) / static_cast<double>(look.instants_s.size()) * (1000.0 - instant);
       EXPECT_NEAR(mean, tau, 0.06 * tau + 1.5) << scene.emission.lines[l] << " nm at " << km << " km";
     }
+  }
+}
+
+/// When a line's light of an altitude began, on average, and the share of it that there is.
+std::pair<double, double> mean_instant_s(const Scene& scene, std::size_t line, int altitude) {
+  double sum = 0.0, share = 0.0;
+  for (const FootprintLook& look : looks_of(scene))
+    for (const double instant : look.instants_s) {
+      const double here = part(look, line, altitude) / static_cast<double>(look.instants_s.size());
+      sum += here * instant;
+      share += here;
+    }
+  return {sum / share, share};
+}
+
+// Light of an exposure is that of its instants on average: their past has the mean age of that of one
+// instant, to some per cent of it (where looks lie in an interval of age goes by their number).
+TEST(FootprintLooks, CountEachInstantOfAnExposureAlike) {
+  const std::string shell =
+      "[[footprint]]\nshape = \"shell\"\nface_cells = 64\nlatitude_deg = [66, 67]\n"
+      "longitude_deg = [-8, 8]\nwidth_km = 200\ndrift_km_s = [0.5, 0]\n";
+  for (const std::string& text : {kArc + "drift_km_s = [2, 2]\n", kArc + kDrift + "model = \"curtain\"\n",
+                                  kArc + kDrift + "flow_turns_per_s = 0.01\n", shell})
+    for (const int instants : {2, 3, 5, 8, 20, 70}) {
+      const Scene one = scene_of(text),
+                  all = scene_of(text + "[time]\nexposure_s = 2000\ninstants = " + std::to_string(instants));
+      const double middle_s = 1000.0 * (instants - 1) / instants;
+      for (std::size_t l = 0; l < one.emission.lines.size(); ++l)
+        for (const double km : {120.0, 220.0, 299.0}) {
+          const int a = at_altitude(km);
+          const auto [mean_s, share] = mean_instant_s(all, l, a);
+          const double age_s = -mean_instant_s(one, l, a).first;
+          EXPECT_NEAR(share, 1.0, 1e-5);
+          EXPECT_NEAR(mean_s, middle_s - age_s, 0.04 * age_s + 0.5)
+              << text << instants << " instants, line " << l << " at " << km << " km";
+        }
+    }
+}
+
+// One map goes no further than the footprint is long, wherever instants lie.
+TEST(FootprintLooks, HaveMapsOfABoundedSize) {
+  for (const int instants : {1, 2, 3, 8}) {
+    const Scene scene = scene_of(
+        kArc + "drift_km_s = [2, 2]\n[time]\nexposure_s = 4000\ninstants = " + std::to_string(instants));
+    const std::vector<FootprintLook> looks = looks_of(scene);
+    double numbers = 0.0;
+    for (const FootprintLook& look : looks) {
+      const auto [first, last] = std::minmax_element(look.instants_s.begin(), look.instants_s.end());
+      EXPECT_LE(std::hypot(2.0, 2.0) * (*last - *first), 300.0);
+      numbers += look.instants_s.size() > 1 ? 4.0 : 1.0;  // twice as long and wide at most
+    }
+    // 150 by 150 cells of 8 bytes, and a cell of margin each way.
+    EXPECT_LE(map_bytes(scene, scene.footprints[0], sizeof(double)), numbers * 152.0 * 152.0 * 8.0);
+    EXPECT_GE(map_bytes(scene, scene.footprints[0], sizeof(double)), looks.size() * 150.0 * 150.0 * 8.0);
   }
 }
 
