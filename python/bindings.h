@@ -43,6 +43,13 @@ std::vector<std::shared_ptr<const fit::Photo>> photographs_given(const sim::Scen
 /// The files that such work rests on. A scene that is no file counts by the text that would be written of it.
 std::vector<fit::InputFile> inputs_of_work(const sim::Scene& scene, const std::vector<fit::Photo>& photos);
 
+/// Throws sim::Error(usage) for an argument that is not from `min` to `max`, NaN too: the limits of the
+/// option of the same name of a command.
+void require_within(const char* argument, double value, double min, double max);
+
+/// The same for a number of threads; 0 means all cores.
+void require_threads(int threads);
+
 void bind_errors(py::module_& m);
 void bind_long_work(py::module_& m);
 py::class_<SceneHandle> bind_scene(py::module_& m);

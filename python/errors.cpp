@@ -1,6 +1,7 @@
 // sim::Error as the one exception of the module.
 #include "python/bindings.h"
 #include "sim/base/error.h"
+#include "sim/scene/rows/value_words.h"
 
 namespace vegard::python {
 namespace {
@@ -42,6 +43,14 @@ void raise(const sim::Error& error) {
 }
 
 }  // namespace
+
+void require_within(const char* argument, double value, double min, double max) {
+  if (value >= min && value <= max) return;
+  sim::refuse_key(sim::ErrorKind::usage, argument, sim::short_real_text(value) + " is out of range",
+                  "a number from " + sim::short_real_text(min) + " to " + sim::short_real_text(max));
+}
+
+void require_threads(int threads) { require_within("threads", threads, 0.0, 1024.0); }
 
 void bind_errors(py::module_& m) {
   py::dict unknown;

@@ -54,6 +54,10 @@ fit::SceneFitOptions options_of(const FitWords& words, LongWork& long_work) {
 
 Fit fit_scene(const SceneHandle& self, const py::object& photo, const FitWords& words,
               const py::object& progress, const py::object& stop) {
+  require_threads(words.threads);
+  require_within("max_evaluations", words.max_evaluations, 1.0, 1e6);
+  if (words.bootstrap != 0) require_within("bootstrap", words.bootstrap, 2.0, 1e6);
+  if (words.mcmc != 0) require_within("mcmc", words.mcmc, 2.0, 1e6);
   const std::shared_ptr<const sim::Scene> scene = self.scene;
   const auto given = photographs_given(*scene, photo, true);
   LongWork long_work(progress, stop);
@@ -99,6 +103,7 @@ py::array_t<double> correlation(const Fit& self) {
 }
 
 void write(const Fit& self, const py::object& directory, bool overwrite, int threads) {
+  require_threads(threads);
   const auto name = py::module_::import("os").attr("fspath")(directory).cast<std::string>();
   const py::gil_scoped_release others_may_run;
   fit::RunContext context;

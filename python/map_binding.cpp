@@ -23,6 +23,11 @@ struct Map {
 
 Map map_scene(const SceneHandle& self, const py::object& photo, int threads, int replicates, double sparsity,
               double farthest_km, double altitude_scale, const py::object& progress, const py::object& stop) {
+  require_threads(threads);
+  require_within("replicates", replicates, 0.0, 1000.0);
+  require_within("sparsity", sparsity, 0.0, 1000.0);
+  require_within("farthest_km", farthest_km, 0.0, 2000.0);
+  require_within("altitude_scale", altitude_scale, 0.9, 1.2);
   const std::shared_ptr<const sim::Scene> scene = self.scene;
   const auto given = photographs_given(*scene, photo, false);
   LongWork long_work(progress, stop);

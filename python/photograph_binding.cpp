@@ -58,6 +58,7 @@ PhotoHandle of_array(const Floats& light, const std::optional<Bools>& usable, co
 }
 
 CostHandle cost_of(const SceneHandle& self, const py::object& photo, int threads) {
+  require_threads(threads);
   CostHandle handle;
   handle.scene = self.scene;
   const sim::Scene& scene = *handle.scene;

@@ -24,6 +24,7 @@ struct Picture {
 
 py::object render(const SceneHandle& self, int threads, bool sheet_layers, const py::object& progress,
                   const py::object& stop) {
+  require_threads(threads);
   const std::shared_ptr<const sim::Scene> scene = self.scene;
   LongWork long_work(progress, stop);
   auto rendering = result_of<sim::Rendering>(long_work, [&] {
@@ -97,8 +98,8 @@ void bind_pictures(py::module_& m, py::class_<SceneHandle>& scene) {
   const std::pair<const char*, sim::Image sim::Rendering::*> parts[] = {
       {"night_sky", &sim::Rendering::night_sky}, {"background", &sim::Rendering::background},
       {"stars", &sim::Rendering::stars},         {"foreground", &sim::Rendering::foreground},
-      {"volume", &sim::Rendering::volume},       {"hidden", &sim::Rendering::hidden},
-      {"literal", &sim::Rendering::literal}};
+      {"ground", &sim::Rendering::ground},       {"volume", &sim::Rendering::volume},
+      {"hidden", &sim::Rendering::hidden},       {"literal", &sim::Rendering::literal}};
   for (const auto& [name, part] : parts)
     picture.def_property_readonly(
         name, [part = part](const Picture& p) { return p.array(part); },

@@ -235,6 +235,8 @@ py::array_t<bool> used_of(const Stars& self) {
 }
 
 py::dict find_stars(const PhotoHandle& photo, double min_signal, int most) {
+  require_within("min_signal", min_signal, 1.0, 1e6);
+  require_within("most", most, 1.0, 1e6);
   std::vector<fit::FoundStar> found;
   {
     const py::gil_scoped_release others_may_run;

@@ -38,6 +38,16 @@ def test_is_the_commands_map(mapped, run, scenes, photo_file, tmp_path):
         np.testing.assert_allclose(column, [float(row[name] or "nan") for row in rows], rtol=1e-5, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    "name, value",
+    [("threads", -1), ("replicates", -1), ("sparsity", float("nan")), ("farthest_km", -1.0), ("altitude_scale", 2.0)],
+)
+def test_refuses_what_the_command_refuses(scenes, photo_file, name, value):
+    with pytest.raises(vegard.Error) as caught:
+        vegard.load(scenes / "map.toml").map(str(photo_file), **{name: value})
+    assert caught.value.kind == "usage" and caught.value.key == name
+
+
 def test_planes_are_those_of_precipitation_fits(mapped, tmp_path):
     mapped.write(tmp_path / "run")
     planes = fits_planes(tmp_path / "run" / "precipitation.fits")

@@ -26,6 +26,16 @@ def test_is_what_the_command_renders_bit_by_bit(scene, scenes, run, tmp_path):
         assert rgb[name].tobytes() == picture.rgb[:, :, c].tobytes()
 
 
+def test_ground_and_limits():
+    scene = vegard.parse("[camera]\nwidth = 24\nheight = 16\nelevation_deg = 0\n[ground]\nshown = true\n[[sheet]]\nbeams = 20\n")
+    ground = scene.render().ground
+    assert ground.shape == (16, 24, 4)
+    assert ground[0, :, 3].max() == 0.0 and ground[-1, :, 3].min() == 1.0  # the horizon goes through the middle
+    with pytest.raises(vegard.Error) as caught:
+        scene.render(threads=-1)
+    assert caught.value.kind == "usage" and caught.value.key == "threads"
+
+
 def test_shapes_types_and_light(scene):
     picture = scene.render()
     assert picture.rayleigh.shape == (120, 160, 3) and picture.rayleigh.dtype == np.float32
