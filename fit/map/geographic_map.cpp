@@ -159,11 +159,17 @@ GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, d
     sim::refuse_key(sim::ErrorKind::usage, "--step-deg", "the map is smaller than a step", "a smaller step");
   GeographicGrid grid{frame, steps_between(west, east, longitude_step),
                       steps_between(south, north, step_deg)};
-  // GEMINI's longitudes lie between 0 and 360, unless the map itself goes over that edge.
-  if (frame == EarthFrame::geographic) {
-    while (grid.longitude_deg.front() <= -kHalfTurn_deg - kTurn_deg)
-      for (double& longitude : grid.longitude_deg) longitude += kTurn_deg;
+  // A map over a pole: each longitude once, and no centre of a cell beyond the pole.
+  if (grid.longitude_deg.size() * longitude_step > kTurn_deg) {
+    const double columns = std::floor(kTurn_deg / longitude_step), step = kTurn_deg / columns,
+                 first = frame == EarthFrame::geographic ? -kHalfTurn_deg : 0.0;
+    grid.longitude_deg.clear();
+    for (double i = 0; i < columns; ++i) grid.longitude_deg.push_back(first + i * step);
   }
+  auto& latitudes = grid.latitude_deg;
+  latitudes.erase(std::remove_if(latitudes.begin(), latitudes.end(),
+                                 [](double latitude) { return std::abs(latitude) > 90.0; }),
+                  latitudes.end());
   return grid;
 }
 

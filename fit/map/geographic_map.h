@@ -11,7 +11,7 @@ namespace vegard::fit {
 /// Whose longitudes and latitudes.
 enum class EarthFrame {
   geographic,  ///< of the sphere
-  /// Of the centred dipole that GEMINI has unless it is told otherwise: its pole at colatitude 11 degrees and
+  /// Of the centred dipole that GEMINI has by default: its pole at colatitude 11 degrees and
   /// longitude 289 degrees; the geographic pole stands at the magnetic longitude 180 degrees.
   gemini_dipole
 };
@@ -34,10 +34,10 @@ struct GeographicGrid {
 
 /// Over all maps. `step_deg` of latitude; of longitude as many degrees more as makes cells about square.
 /// Throws sim::Error(usage) with key "--step-deg" for a grid of more than 4194304 cells or fewer than two
-/// each way.
+/// each way. Maps over a pole get each longitude once, and no latitude beyond it.
 GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, double step_deg);
 
-/// [latitude * longitudes + longitude]. NaN where less than half of a cell is told; the energy where there is
+/// [latitude * longitudes + longitude]. NaN where less than half of a cell is constrained; the energy where there is
 /// no flux.
 struct GeographicMap {
   std::vector<double> energy_flux_mw_m2;                     ///< mean over the cell

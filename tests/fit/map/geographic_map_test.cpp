@@ -13,7 +13,7 @@ namespace vegard::fit::geographic_map_test {
 namespace {
 
 /// A blob of 20 km about (east, north) = (30, 200) km, E0 from 2 keV in the west to 4 keV in the east; a
-/// corner is not told.
+/// corner is not constrained.
 MapPlanes blob() {
   MapPlanes map;
   map.columns = 101;
@@ -122,7 +122,31 @@ TEST(GeographicMap, KeepsTheEnergyThatFalls) {
   }
 }
 
-TEST(GeographicMap, LeavesOutWhatIsNotTold) {
+// 200 km to the north of 88.5 degrees lies beyond the pole.
+TEST(GeographicMap, GoesOnceAroundAPole) {
+  MapPlanes map = blob();
+  map.site.latitude_deg = 88.5;
+  constexpr double kStep_deg = 0.1, kRadius_km = 6481.0;
+  const GeographicGrid grid = grid_over({map}, EarthFrame::geographic, kStep_deg);
+  EXPECT_LT(grid.longitude_deg.back() - grid.longitude_deg.front(), 360.0);
+  EXPECT_GE(grid.longitude_deg.front(), -180.0);
+  EXPECT_LE(grid.latitude_deg.back(), 90.0);
+  const GeographicMap made = on_grid(map, grid);
+  double before = 0.0, after = 0.0;
+  for (const double q : map.energy_flux_mw_m2)
+    if (std::isfinite(q)) before += q * map.step_km * map.step_km;
+  const double dlon = (grid.longitude_deg[1] - grid.longitude_deg[0]) * sim::kRadiansPerDegree;
+  for (std::size_t i = 0; i < grid.cells(); ++i) {
+    const double q = made.energy_flux_mw_m2[i];
+    const double latitude = grid.latitude_deg[i / grid.longitude_deg.size()] * sim::kRadiansPerDegree;
+    if (std::isfinite(q))
+      after += q * kRadius_km * kRadius_km * dlon * kStep_deg * sim::kRadiansPerDegree * std::cos(latitude);
+  }
+  // A place that had two columns would count twice. Cells that touch the pole are not square: 2 %.
+  EXPECT_NEAR(after / before, 1.0, 0.02);
+}
+
+TEST(GeographicMap, LeavesOutWhatIsUnconstrained) {
   const MapPlanes map = blob();
   const GeographicGrid grid = grid_over({map}, EarthFrame::geographic, 0.05);
   const GeographicMap made = on_grid(map, grid);
