@@ -51,6 +51,10 @@ struct Lamp {
   double voxel_km;
 };
 
+bool same_place(const LampPlace& a, const LampPlace& b) {
+  return a.is_far == b.is_far && a.stop == b.stop && std::equal(a.at, a.at + 3, b.at);
+}
+
 double with_input(double value, int, double) { return value; }
 RayDual with_input(double value, int input, const RayDual&) {
   RayDual out(value);
@@ -140,7 +144,8 @@ FreeDual chained(const RayDual& value, const FreeDual (&input)[kInputs]) {
 
 template <class T>
 GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-                            const Sun* sun, double share, double turned_rad, int threads)
+                            const Sun* sun, double share, double turned_rad, int threads,
+                            const GridEmitter* other)
     : grid_(grid),
       home_(grid_home(grid, volume, sun, number, turned_rad)),
       extinction_(number(volume.extinction_per_km)),
@@ -161,7 +166,10 @@ GridEmitter<T>::GridEmitter(const GridBricks& grid, const Volume& volume, const 
   if (!is_lit_) return;
   lamp_ = lamp_place(grid, volume, sun, turned_rad);
   flux_ = lamp_flux(grid, volume, sun);
-  columns_ = LampColumns(grid, lamp_, home_.voxel_km, threads);
+  if (other != nullptr && other->is_lit_ && same_place(other->lamp_, lamp_))
+    columns_ = other->columns_;
+  else
+    columns_ = std::make_shared<const LampColumns>(grid, lamp_, home_.voxel_km, threads);
 }
 
 template <class T>
@@ -209,7 +217,7 @@ void GridEmitter<T>::march(const RayBundle<T>& rays, const BundleLight<T>& out) 
     extinction.d.t[kExtinction] = 1.0;
     asymmetry.d.t[kAsymmetry] = 1.0;
   }
-  const Lamp lamp{lamp_, columns_, home_.voxel_km};
+  const Lamp lamp{lamp_, *columns_, home_.voxel_km};
   for (std::size_t r = 0; r < rays.count; ++r) {
     T input[kInputs], along[3];
     along_of(r, along);

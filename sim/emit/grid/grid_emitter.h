@@ -9,6 +9,7 @@
 // exp(-x)) albedo 4 pi p F exp(-extinction column).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "sim/emit/grid/grid_bricks.h"
@@ -25,9 +26,11 @@ class GridEmitter : public Emitter<T> {
  public:
   /// `grid` must outlive it. `number` gives the volume's and the Sun's numbers as T; `sun` is the scene's,
   /// for a volume whose frame it is or that it lights; `share` is a factor of the grid's own light,
-  /// `turned_rad` as by grid_turn_rad().
+  /// `turned_rad` as by grid_turn_rad(). What the lamp's light passes is taken over from `other`, of the same
+  /// volume, where its lamp is in the same place of the grid.
   GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
-              const Sun* sun = nullptr, double share = 1.0, double turned_rad = 0.0, int threads = 1);
+              const Sun* sun = nullptr, double share = 1.0, double turned_rad = 0.0, int threads = 1,
+              const GridEmitter* other = nullptr);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
   bool absorbs() const override { return absorbs_; }
@@ -44,7 +47,7 @@ class GridEmitter : public Emitter<T> {
   T albedo_, asymmetry_;
   LampPlace lamp_;
   std::vector<double> flux_;  ///< [line] as lamp_flux()
-  LampColumns columns_;
+  std::shared_ptr<const LampColumns> columns_;
 };
 
 extern template class GridEmitter<double>;

@@ -49,13 +49,16 @@ void add_volumes(const EmitterInputs<T>& in, Emitters<T>& all) {
     const Volume& volume = in.scene.volumes[v];
     const GridBricks& grid = *in.files.grids[v];
     const double share = substorm_share(in.scene, volume, instants_s(in.scene.time));
+    const GridEmitter<T>* last = nullptr;
     add_mean<T>(
         instants_of(in.scene,
                     volume.frame == VolumeFrame::sun && in.scene.sun.rotation != SolarRotation::none),
         [&](double instant) {
-          return std::make_unique<GridEmitter<T>>(grid, volume, in.number, &in.scene.sun, share,
-                                                  grid_turn_rad(grid, volume, &in.scene.sun, instant),
-                                                  in.threads);
+          auto emitter = std::make_unique<GridEmitter<T>>(grid, volume, in.number, &in.scene.sun, share,
+                                                          grid_turn_rad(grid, volume, &in.scene.sun, instant),
+                                                          in.threads, last);
+          last = emitter.get();
+          return emitter;
         },
         all);
   }
