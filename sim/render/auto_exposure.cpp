@@ -8,6 +8,8 @@
 
 #include "sim/render/reduced_scene.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/freedom/ties.h"
+#include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
 namespace {
@@ -63,10 +65,11 @@ std::optional<Scene> auto_exposed(const Scene& scene, double white, RenderOption
   const double factor = factors[static_cast<std::size_t>(at)];
   if (!(factor > 0.0) || !std::isfinite(factor)) return std::nullopt;
   Scene exposed = scene;
-  if (scene.sensor.exposure == ExposureRule::gain)
-    exposed.sensor.gain_per_kilorayleigh = kGainPerKilorayleigh * factor;
-  else
-    exposed.sensor.iso = kIso * factor;
+  const bool by_gain = scene.sensor.exposure == ExposureRule::gain;
+  double& value = by_gain ? exposed.sensor.gain_per_kilorayleigh : exposed.sensor.iso;
+  value = (by_gain ? kGainPerKilorayleigh : kIso) * factor;
+  const char* path = by_gain ? "sensor.gain_per_kilorayleigh" : "sensor.iso";
+  if (!is_within_limits(resolve(scene, path).front(), value)) return std::nullopt;
   return exposed;
 }
 
