@@ -55,7 +55,7 @@ bool frees(const Scene& scene, const std::string& path) {
 
 Complaint inert(const std::string& what, const std::string& key, const std::string& hint) {
   return {what + ", so " + key + " has no effect", "a parameter that the light depends on",
-          "leave it out of fit.free, or " + hint};
+          "leave it out of fit.free, or " + hint, -1, true};
 }
 
 bool turns_with_sun(const Scene& scene) {

@@ -72,6 +72,9 @@ std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const Par
 }
 
 std::optional<Complaint> inert_number_complaint(const Scene& scene, const ParameterPath& path) {
+  for (const EmitterKind& kind : emitter_kinds())
+    if (kind.why_inert != nullptr)
+      if (auto complaint = kind.why_inert(scene, path); complaint && complaint->is_inert) return complaint;
   const std::string expected = "a parameter that the light depends on";
   const std::string& key = path.row->key;
   if (path.row->table == "field" && key != "model") {

@@ -11,7 +11,7 @@ namespace vegard::sim {
 /// another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path);
 
-/// A complaint about an inert number of sheets, camera, field, air or tables, whether it is fitted or not.
+/// A complaint about a number that nothing depends on, whether it is fitted or not.
 std::optional<Complaint> inert_number_complaint(const Scene& scene, const ParameterPath& path);
 
 }  // namespace vegard::sim

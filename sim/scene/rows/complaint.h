@@ -8,7 +8,8 @@ namespace vegard::sim {
 /// What is wrong with a value, before anyone knows in which file it stands.
 struct Complaint {
   std::string problem, expected, hint;
-  int element = -1;  ///< of a list: the number that is wrong, where it is one alone
+  int element = -1;       ///< of a list: the number that is wrong, where it is one alone
+  bool is_inert = false;  ///< of a number: nothing depends on it, free or not
 };
 
 /// Where a value stands, for messages.
