@@ -38,6 +38,7 @@
 #include "sim/render/render.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/freedom/ties.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/sensor/tone_curve.h"
@@ -93,6 +94,16 @@ void spare_input(const AnimateRequest& options, const FrameNames& names, const s
   const std::optional<int> frame = names.frame_of(std::filesystem::path(input).filename().string());
   for (const std::string& output : {options.output, frame ? names.file(*frame) : std::string()})
     if (same_file(output, input)) refuse_same_file("--output", output, what);
+}
+
+/// Throws sim::Error(usage) for an animation that goes beyond the limits of time.start_s.
+void check_last_instant(const sim::Scene& scene, int frame, double frames_per_second) {
+  const double start_s = scene_of_frame(scene, frame, frames_per_second).time.start_s;
+  const sim::ParameterPath path = sim::resolve(scene, "time.start_s").front();
+  if (!sim::is_within_limits(path, start_s))
+    throw usage_error(
+        "--frames", fmt::format("frame {} would be at {} s", frame, start_s),
+        "time.start_s of " + sim::limits_text(*path.row) + " s; fewer frames or a smaller time.lapse");
 }
 
 /// The one camera of all frames.
@@ -156,7 +167,7 @@ int run_animate(const AnimateRequest& request) {
   note_inert_keys(scene);
   const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
   const std::vector<int> frames = frames_of(options, scene);
-  sim::validate(scene_of_frame(scene, frames.back(), frames_per_second));  // time has limits
+  check_last_instant(scene, frames.back(), frames_per_second);
   if (options.list) {
     json_answer()["frames"] = Json::array();
     for (const int frame : frames) {
