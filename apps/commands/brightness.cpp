@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <atomic>
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -41,7 +40,7 @@ int run_brightness(const BrightnessRequest& options) {
     rendering = sim::render(scene, render_options);
   }
   if (stop.load()) {
-    std::fputs("vegard: interrupted\n", stderr);
+    tell("vegard: interrupted\n");
     return interrupted;
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
@@ -58,7 +57,7 @@ int run_brightness(const BrightnessRequest& options) {
     report.ground = sim::light_on_ground(scene, of_sky);
   }
   if (stop.load()) {
-    std::fputs("vegard: interrupted\n", stderr);
+    tell("vegard: interrupted\n");
     return interrupted;
   }
   answer_with(brightness_json(report));

@@ -269,8 +269,7 @@ std::vector<fit::StarSighting> recognised(const CalibrateOptions& options,
       lens.only.empty() ? fit::free_numbers({start.model, 0, false, false}, lens.centre_free) : lens.only;
   const fit::Identification found = fit::identify(start, frame, catalogue, points, settings);
   say("%zu points of light; %zu of the %d stars to magnitude %.1f that should be seen have one within %.1f "
-      "px "
-      "(%.1f would by chance)\n",
+      "px (%.1f would by chance)\n",
       points.size(), found.stars.size(), found.in_frame, options.faintest, found.last_radius_px,
       found.by_chance);
   if (!fit::is_trustworthy(found))

@@ -108,8 +108,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
                                                  options.faintest, options.min_elevation_deg);
   if (local.elsewhere) {
     say("the time or the site is not this picture's: %d of its %d recognised stars were below the horizon "
-        "there "
-        "then. Nothing was written but what the stars say alone\n",
+        "there then. Nothing was written but what the stars say alone\n",
         local.below_horizon, local.recognised);
     answer.exit_code = doubted;
     return answer;
@@ -119,8 +118,7 @@ BlindStars recognise_blindly(const CalibrateOptions& options, const fit::Photo& 
   answer.camera = local.camera;
   answer.stars = local.stars;
   say("with time and site: %zu of the %d stars to magnitude %.1f that should be seen have a point within "
-      "%.1f px (%.1f "
-      "would by chance)\n",
+      "%.1f px (%.1f would by chance)\n",
       answer.stars.size(), local.again.in_frame, options.faintest, local.again.last_radius_px,
       local.again.by_chance);
   return answer;

@@ -25,8 +25,7 @@ void print(const std::vector<fit::DerivativeCheck>& checks) {
   for (const fit::DerivativeCheck& check : checks) widest = std::max(widest, check.name.size());
   say_result(
       "Of each column of the Jacobian: its length (sigmas per natural step: the parameter itself, or one of "
-      "its "
-      "unit),\nand how far central differences are from it, relative, by step (share of a natural "
+      "its unit),\nand how far central differences are from it, relative, by step (share of a natural "
       "step).\n\n");
   json_answer()["steps"] = fit::derivative_steps();
   json_answer()["parameters"] = Json::array();
@@ -78,8 +77,7 @@ ExitCode print_derivative_check(const sim::Scene& scene, const fit::Photo& photo
   if (inert == static_cast<long>(checks.size()))
     say_result(
         "Is the model's light anywhere near the photograph's at this start? Where it is not, the gains are "
-        "held at "
-        "0:\ncheck the best.toml of a run instead.\n");
+        "held at 0:\ncheck the best.toml of a run instead.\n");
   return doubted;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
@@ -292,13 +291,11 @@ int run_fit(const FitRequest& options, const std::string& command) {
   context.netcdf = options.netcdf;
   fit::write_run(options.out, replaces, result, photos, context);
   if (result.verdict == fit::Verdict::interrupted)
-    std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
+    tell("vegard: interrupted; the same command with --resume goes on\n");
   else if (result.validation_interrupted)
-    std::fputs(
+    tell(
         "vegard: the fit is finished, the validation of its error bars was interrupted; the same command "
-        "with "
-        "--resume goes on\n",
-        stderr);
+        "with --resume goes on\n");
   else
     journal.remove();
   answer_with(fit::result_json(result));

@@ -145,7 +145,7 @@ int run_grid(const GridRequest& options) {
   if (!is_vdb_name(options.output)) single_channel(options, file.grid);  // refused now
   const bool finished = filter(file.grid, steps, options.threads, stop) && !stop.load();
   if (!finished) {
-    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    tell("vegard: interrupted, nothing is written\n");
     return interrupted;
   }
   if (file.grid.bricks.empty())

@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <set>
@@ -157,7 +156,7 @@ int run_map(const MapRequest& options, const std::string& command) {
     facts.decodings.emplace_back(result.photos[i].name, photos[i].decoding);
   fit::write_map_run(options.out, replaces, result, curtains, facts);
   if (result.interrupted)
-    std::fputs("vegard: interrupted; the same command with --resume goes on\n", stderr);
+    tell("vegard: interrupted; the same command with --resume goes on\n");
   else
     journal.remove();
   answer_with(sim::input_bytes(options.out + "/map.json", "a map"));

@@ -391,8 +391,7 @@ void Measuring::doubt_skyline() {
   stage.trust = Trust::doubtful;
   stage.found +=
       "and is as smooth as a border of light, which it may be: nothing is masked by it. If it is a ridge or "
-      "a "
-      "roof, a border told there is that of the ground.";
+      "a roof, a border measured there is that of the ground.";
   stage.lacking = "a mask of what is ground: --mask MASK.png (vegard mask)";
 }
 
@@ -472,8 +471,7 @@ void Measuring::camera() {
                                 : "A skyline is there, but the picture does not tell its field of view.";
     stage.lacking =
         "points on the horizon and the field of view: vegard horizon PHOTO --points X,Y X,Y --hfov DEGREES "
-        "-o "
-        "camera.toml, then vegard measure PHOTO --camera camera.toml";
+        "-o camera.toml, then vegard measure PHOTO --camera camera.toml";
     return;
   }
   if (!camera_by_horizon(stage)) {
@@ -556,10 +554,11 @@ std::string Measuring::region_mask() const {
   };
   double brightest = 0.0;
   for (const nlohmann::json& trace : border_.value("traces", nlohmann::json::array()))
-    if (trace.value("measured", 0) > 0) brightest = std::max(brightest, trace.at("brightness").get<double>());
+    if (trace.at("measured").get<int>() > 0)
+      brightest = std::max(brightest, trace.at("brightness").get<double>());
   std::vector<TracedRange> ranges;
   for (const nlohmann::json& trace : border_.value("traces", nlohmann::json::array())) {
-    if (trace.value("measured", 0) == 0 || !trace.at("from_azimuth_deg").is_number() ||
+    if (trace.at("measured").get<int>() == 0 || !trace.at("from_azimuth_deg").is_number() ||
         trace.at("brightness").get<double>() < kMappedShare * brightest)
       continue;
     const double from = trace.at("from_azimuth_deg").get<double>();

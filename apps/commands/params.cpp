@@ -254,18 +254,16 @@ std::string forms_page() {
       "sets them again; a later `--set` of one of them counts. A written scene names the form and every key. "
       "The forms are those of\n"
       "Baranoski et al. 2000, section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: "
-      "arcs "
-      "and bands 20 to\n"
+      "arcs and bands 20 to\n"
       "30 km tall between the tenths of their brightest light, rays 1 km wide or less and up to several "
-      "hundred "
-      "tall, folds about 20\n"
+      "hundred tall, folds about 20\n"
       "and curls 2 to 10 km apart. Place, direction, motion and lifetimes are left to the scene; so is the "
       "camera, which alone tells\n"
       "a corona (the band overhead, the camera at the magnetic zenith) from a rayed band.\n\n"
       "A form's light is that of its electrons, whose energies give the source's heights by our own emission "
       "tables. `profile = \"form\"` has the\n"
-      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which otherwise "
-      "have no effect.\n\n"
+      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which otherwise have "
+      "no effect.\n\n"
       "| form | |\n|---|---|\n";
   for (const sim::Form& form : sim::forms()) text += fmt::format("| `{}` | {} |\n", form.name, form.meaning);
   text += "\n| key |";

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,7 +70,7 @@ int run_points(const PointsRequest& options) {
   }
   bar.finish();
   if (stop.load()) {
-    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    tell("vegard: interrupted, nothing is written\n");
     return interrupted;
   }
   const std::string beams =

@@ -153,10 +153,9 @@ fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, c
   return placing_errors(scene, [&] {
     const fit::LineBrightness lines = fit::line_brightness(scene, profile);
     if (!photo.floating && photo.filters.empty() && scene.sensor.matrix_rule != sim::MatrixRule::none)
-      std::fputs(
+      tell(
           "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines of "
-          "little light are told wrong (sensor.matrix_rule = \"none\" has them right)\n",
-          stderr);
+          "little light are wrong (sensor.matrix_rule = \"none\" has them right)\n");
     return lines;
   });
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -190,11 +189,9 @@ std::optional<sim::Scene> auto_exposed(const RenderRequest& options, const sim::
   std::optional<sim::Scene> exposed = sim::auto_exposed(scene, kBrightest, render_options);
   if (!exposed)
     tell(
-        "vegard: --auto-exposure found none: %s; the exposure is the scene's "
-        "own\n",
-        fmt::format("by no gain is one pixel in a thousand at {}, for want of "
-                    "light or because sky.level is "
-                    "brighter",
+        "vegard: --auto-exposure found none: %s; the exposure is the scene's own\n",
+        fmt::format("by no gain or ISO within its limits is one pixel in a thousand at {}, for want of light "
+                    "or because sky.level is brighter",
                     kBrightest)
             .c_str());
   return exposed;
@@ -203,7 +200,7 @@ std::optional<sim::Scene> auto_exposed(const RenderRequest& options, const sim::
 std::string exposure_text(const sim::Scene& scene) {
   return scene.sensor.exposure == sim::ExposureRule::gain
              ? fmt::format("sensor.gain_per_kilorayleigh = {:.4g}", scene.sensor.gain_per_kilorayleigh)
-             : fmt::format("sensor.iso = {:.0f}", scene.sensor.iso);
+             : fmt::format("sensor.iso = {:.6g}", scene.sensor.iso);
 }
 
 int run_render(const RenderRequest& request) {
@@ -240,7 +237,7 @@ int run_render(const RenderRequest& request) {
   }
   if (stop.load()) {
     bar.finish();
-    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    tell("vegard: interrupted, nothing is written\n");
     return interrupted;
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);

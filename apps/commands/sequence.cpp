@@ -300,8 +300,7 @@ void add_sequence_command(Program& program) {
   command
       .option("--reports", options->reports,
               "Of which frames to write the whole run with its pictures: all, those that are not good, or "
-              "none; rows "
-              "are written of all")
+              "none; rows are written of all")
       .one_of({"all", "doubtful", "none"})
       .shows_default();
   command.flag("--netcdf", options->netcdf,

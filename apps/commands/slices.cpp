@@ -126,7 +126,7 @@ int run_slices(const SlicesRequest& options) {
   const Input input = input_of(options, stop);
   const sim::SparseGrid& grid = input.file.grid;
   const auto interrupted_here = [&] {
-    if (stop.load()) std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    if (stop.load()) tell("vegard: interrupted, nothing is written\n");
     return stop.load();
   };
   if (interrupted_here()) return interrupted;

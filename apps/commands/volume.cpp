@@ -77,7 +77,7 @@ int run_volume(const VolumeRequest& options) {
   sim::SceneGrid made = sim::grid_of_scene(scene, grid_of);
   bar.finish();
   if (stop.load()) {
-    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    tell("vegard: interrupted, nothing is written\n");
     return interrupted;
   }
   const std::size_t bricks = made.grid.bricks.size();

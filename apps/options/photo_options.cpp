@@ -53,8 +53,7 @@ void add_at_option(const Command& command, std::string& time) {
   command
       .option("--at", time,
               "Of a file with many frames the one taken at this time, ISO 8601 in UTC or with a zone; by its "
-              "number "
-              "from 0: FILE#12")
+              "number from 0: FILE#12")
       .type_name("TIME");
 }
 

@@ -23,8 +23,8 @@ std::string solution_text(const fit::SipWcs& wcs) {
   constexpr double kSecondsPerDegree = 3600.0;
   std::string text = fmt::format(
       "  a tangent plane on the sky (Astrometry.net's .wcs)\n  reference    right ascension {:.4f}, "
-      "declination "
-      "{:.4f} deg, J2000, at ({:.2f}, {:.2f}) px\n  scale        {:.2f} seconds of arc a pixel there\n",
+      "declination {:.4f} deg, J2000, at ({:.2f}, {:.2f}) px\n  scale        {:.2f} seconds of arc a pixel "
+      "there\n",
       wcs.reference.right_ascension_deg, wcs.reference.declination_deg, wcs.reference_px.x() - 0.5,
       wcs.reference_px.y() - 0.5, scale * kSecondsPerDegree);
   if (wcs.width_px > 0) text += fmt::format("  size         {} x {} pixels\n", wcs.width_px, wcs.height_px);
@@ -59,8 +59,7 @@ std::string aida_text(const std::vector<fit::AidaCamera>& cameras) {
     const fit::AidaCamera& c = cameras[i];
     text += fmt::format(
         "  line {}: station {:g}, pointed to azimuth {:g}, zenith distance {:g} deg, lens {}, f {:.4f} "
-        "{:.4f} of the "
-        "picture's sides\n",
+        "{:.4f} of the picture's sides\n",
         c.line, c.station, c.azimuth_deg, c.zenith_deg, c.model, c.numbers[0], c.numbers[1]);
   }
   if (cameras.size() > kMaxShown) text += "  ...\n";

@@ -62,8 +62,7 @@ std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& ra
   if (!may_emit(scene) || shines) return {};
   std::string text = fmt::format(
       "warning: no light reaches the picture, it holds the sky alone: the camera looks to azimuth "
-      "{:g}\u00b0, "
-      "elevation {:g}\u00b0, ",
+      "{:g}\u00b0, elevation {:g}\u00b0, ",
       scene.camera.azimuth_deg, scene.camera.elevation_deg);
   text += scene.camera.model == sim::LensModel::pinhole
               ? fmt::format("with {:g}\u00b0 across", scene.camera.hfov_deg)

@@ -118,8 +118,7 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
       attributes["whiteLuminance"] = fmt::format("{:.9g}", sim::white_luminance_cd_m2(scene));
     attributes["units"] =
         "R, G, B: linear sensor values, white = 1, negative where a line is out of gamut; rayleigh.*: "
-        "rayleighs, "
-        "by wavelength in tenths of a nanometre";
+        "rayleighs, by wavelength in tenths of a nanometre";
     if (options.photograph) {
       rendering.rgb = sim::developed(scene, raw_of(options, scene, rendering));
       attributes["units"] += std::string("; ") + photograph_words +

@@ -121,7 +121,7 @@ int run_preview_frames(const sim::Scene& scene, const PreviewOptions& options) {
     }
   }
   if (stop.load()) {
-    std::fputs("vegard: interrupted, nothing is written\n", stderr);
+    tell("vegard: interrupted, nothing is written\n");
     return interrupted;
   }
   if (folder) folder->commit();

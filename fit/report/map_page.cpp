@@ -310,8 +310,7 @@ std::string verdict_table(const std::vector<QuantityVerdict>& verdicts) {
 std::string prior_words(const MapResult& result) {
   std::string html = fmt::format(
       "<p>Strength of the prior: {} per lit cell{}. {} cells of the ground, {} energies from {} to {} keV, "
-      "{} "
-      "values of the picture, {} perturbed solutions for the error bars.</p>\n",
+      "{} values of the picture, {} perturbed solutions for the error bars.</p>\n",
       sim::short_number(result.sparsity, 3),
       result.trials.empty() ? ", as given"
       : is_prior_at_its_end(result)
@@ -363,8 +362,7 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
   html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) + "</section>\n";
   html +=
       "<section><h2>Where electrons fall</h2>\n<p>Energy flux and energy on the ground's cells, at the feet "
-      "of "
-      "the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
+      "of the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
       "class=\"plots\">" +
       maps(result, curtains) + "</div></section>\n";
   for (const MappedPhoto& photo : result.photos)

@@ -134,9 +134,7 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
         "<p class=\"soft\">(Photograph \u2212 model) / \u03c3, " +
         sim::html_text(places) +
         " downwards and bands to the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a "
-        "pattern is something that "
-        "the model "
-        "does not have. Grey was not used.</p>\n</div>\n";
+        "pattern is something that the model does not have. Grey was not used.</p>\n</div>\n";
   const std::string compared =
       fitted.best.fit.profile_weight > 0.0
           ? "This is what was fitted: "

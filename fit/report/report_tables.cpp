@@ -140,8 +140,7 @@ std::string tied_table(const FitResult& result) {
   if (result.tied.empty()) return {};
   std::string html =
       "<table class=\"wide\">\n<thead><tr><th>Tied parameter</th><th class=\"number\">Value \u00b1 "
-      "\u03c3</th>"
-      "<th>Equals</th></tr></thead>\n<tbody>\n";
+      "\u03c3</th><th>Equals</th></tr></thead>\n<tbody>\n";
   for (const TiedNumber& t : result.tied)
     html += "<tr><td><code>" + sim::html_text(t.path) + "</code><div class=\"soft\">" +
             sim::html_text(t.meaning) + "</div></td><td class=\"number strong\">" +

@@ -100,13 +100,12 @@ void write_pictures(const sim::WholeDirectory& run, const FitResult& result, con
       result, fitted,
       "R, G, B: linear light of the photograph, sky included; rayleigh.*: rayleighs before any gain, by "
       "wavelength in tenths of a nanometre");
-  attributes["gain"] = has_named_axes(fitted.data) ? "in the fit's bins their band's gain and sky, the mean "
-                                                     "gain where a band's is unconstrained; elsewhere "
-                                                     "the mean gain and sky"
-                                                   : "of every column: the bands' gains at the bands' "
-                                                     "centres, linear between them, level outside; the fit "
-                                                     "itself has "
-                                                     "one gain in all of a band";
+  attributes["gain"] = has_named_axes(fitted.data)
+                           ? "in the fit's bins their band's gain and sky, the mean "
+                             "gain where a band's is unconstrained; elsewhere "
+                             "the mean gain and sky"
+                           : "of every column: the bands' gains at the bands' centres, linear between them, "
+                             "level outside; the fit itself has one gain in all of a band";
   sim::write_exr(run.file(file_of(fitted.name, kModel)), {&picture.rgb, &lines}, attributes);
   sim::write_exr(
       run.file(file_of(fitted.name, kResidual)), picture.residual,

@@ -29,24 +29,20 @@ constexpr std::array<TableOfSurvey, 7> kTables = {{
      "NULL)"},
     {"frame",
      "(frame INTEGER PRIMARY KEY, block INTEGER NOT NULL, camera TEXT NOT NULL, file TEXT NOT NULL, time_utc "
-     "TEXT NOT "
-     "NULL, time_s REAL NOT NULL, status TEXT NOT NULL, reason TEXT, sha256 TEXT, decoding TEXT)"},
+     "TEXT NOT NULL, time_s REAL NOT NULL, status TEXT NOT NULL, reason TEXT, sha256 TEXT, decoding TEXT)"},
     {"input",
      "(plan INTEGER NOT NULL, input INTEGER NOT NULL, what TEXT NOT NULL, sha256 TEXT NOT NULL, PRIMARY KEY "
-     "(plan, "
-     "input)) WITHOUT ROWID"},
+     "(plan, input)) WITHOUT ROWID"},
     {"origin",
      "(origin INTEGER PRIMARY KEY, plan INTEGER NOT NULL, vegard TEXT NOT NULL, ceres TEXT NOT NULL, eigen "
-     "TEXT NOT "
-     "NULL, opencv TEXT NOT NULL)"},
+     "TEXT NOT NULL, opencv TEXT NOT NULL)"},
     {"plan",
      "(plan INTEGER PRIMARY KEY, sha256 TEXT NOT NULL, name TEXT NOT NULL, frames INTEGER NOT NULL, blocks "
-     "INTEGER NOT "
-     "NULL, first_frame INTEGER NOT NULL, first_block INTEGER NOT NULL)"},
+     "INTEGER NOT NULL, first_frame INTEGER NOT NULL, first_block INTEGER NOT NULL)"},
     {"quantity",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT NOT "
-     "NULL, value "
-     "REAL, sigma REAL, trust TEXT, reason TEXT, PRIMARY KEY (frame, work, item, name)) WITHOUT ROWID"},
+     "NULL, value REAL, sigma REAL, trust TEXT, reason TEXT, PRIMARY KEY (frame, work, item, name)) WITHOUT "
+     "ROWID"},
     {"result",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, verdict TEXT NOT NULL, words TEXT, start TEXT, "
      "chi2_per_dof REAL, "
@@ -57,9 +53,8 @@ constexpr std::array<TableOfSurvey, 7> kTables = {{
 constexpr std::array<TableOfSurvey, 3> kMotionTables = {{
     {"flag",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, track INTEGER "
-     "NOT "
-     "NULL, kind TEXT NOT NULL, chi2 REAL, chi2_limit REAL NOT NULL, PRIMARY KEY (frame, work, item, name)) "
-     "WITHOUT ROWID"},
+     "NOT NULL, kind TEXT NOT NULL, chi2 REAL, chi2_limit REAL NOT NULL, PRIMARY KEY (frame, work, item, "
+     "name)) WITHOUT ROWID"},
     {"track",
      "(track INTEGER PRIMARY KEY, camera TEXT NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT "
      "NOT NULL, unit TEXT NOT NULL, first_frame INTEGER NOT NULL, last_frame INTEGER NOT NULL, used INTEGER "
@@ -67,11 +62,9 @@ constexpr std::array<TableOfSurvey, 3> kMotionTables = {{
      "TEXT NOT NULL, innovation_chi2 REAL)"},
     {"velocity",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, track INTEGER "
-     "NOT "
-     "NULL, position REAL NOT NULL, position_sigma REAL NOT NULL, unit TEXT NOT NULL, velocity REAL NOT "
-     "NULL, "
-     "velocity_sigma REAL NOT NULL, velocity_unit TEXT NOT NULL, PRIMARY KEY (frame, work, item, name)) "
-     "WITHOUT ROWID"},
+     "NOT NULL, position REAL NOT NULL, position_sigma REAL NOT NULL, unit TEXT NOT NULL, velocity REAL NOT "
+     "NULL, velocity_sigma REAL NOT NULL, velocity_unit TEXT NOT NULL, PRIMARY KEY (frame, work, item, "
+     "name)) WITHOUT ROWID"},
 }};
 
 std::string creation_of(const TableOfSurvey& table) {

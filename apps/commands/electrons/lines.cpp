@@ -139,11 +139,9 @@ std::string line_page() {
   text +=
       "\n## Bands of the Sun\n\n"
       "What shines by such a line at temperature T, in kelvin, gives exp(-1/2 ((log10 T - p) / w)²) of what "
-      "it "
-      "gives at the\npeak: where a loop, a bundle or a corona has a `temperature_mk`. White light, scattered "
-      "by "
-      "free electrons, has no such\nresponse. For eyes these bands are black but for the visible lines: "
-      "`sensor.response = \"grey\"` counts all photons alike.\n\n"
+      "it gives at the\npeak: where a loop, a bundle or a corona has a `temperature_mk`. White light, "
+      "scattered by free electrons, has no such\nresponse. For eyes these bands are black but for the "
+      "visible lines: `sensor.response = \"grey\"` counts all photons alike.\n\n"
       "| line | ion | p | peak | w |\n|---|---|---|---|---|\n";
   std::vector<std::pair<std::string, std::string>> lines_of_source;  // in the order of their first lines
   for (const sim::EmissionLine& line : sim::emission_lines()) {
@@ -164,10 +162,9 @@ std::string line_page() {
   text +=
       "\n## Quenching\n\n"
       "How much of the light of the slow lines collisions leave, and how long their atoms live, against "
-      "altitude "
-      "(`vegard lines\n"
-      "--quenching quenching.svg`; coefficients and sources in "
-      "[physics](physics.md#the-physical-blur)). The others are prompt.\n\n"
+      "altitude (`vegard lines\n"
+      "--quenching quenching.svg`; coefficients and sources in [physics](physics.md#the-physical-blur)). The "
+      "others are prompt.\n\n"
       "![Quenching of the slow lines](pictures/quenching.svg)\n";
   return text;
 }

@@ -68,8 +68,7 @@ OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& sce
       scene, [&] { return fit::sip_of_camera(camera, observer, *julian_date, options.reach_deg); });
   const std::string words = fmt::format(
       "SIP of order {}: rms {:.3f} px, the largest {:.3f} px, over {} places within {:g} deg of the middle, "
-      "{:.0f} % "
-      "of the picture",
+      "{:.0f} % of the picture",
       fit.wcs.a.order, fit.rms_px, fit.largest_px, fit.points, options.reach_deg, 100.0 * fit.share);
   return {fit::encode_sip_wcs(fit.wcs, words, options.output),
           words,
@@ -137,8 +136,7 @@ void add_directions_command(Program& program) {
   command
       .option("-o,--output", options->output,
               "The maps to write; MAPS.fits: MAPS_az.fits and MAPS_el.fits; .wcs: Astrometry.net's solution, "
-              ".acc: a "
-              "camera of AIDA_tools, both as near as they come")
+              ".acc: a camera of AIDA_tools, both as near as they come")
       .required()
       .type_name("MAPS.exr|.fits|.wcs|.acc");
   command

@@ -113,7 +113,7 @@ std::string factor_text(const fit::StarFactor& found, const fit::RayleighFilter&
   text += fmt::format("  of its error: the stars {:.1f} % ({} degrees of freedom), their spectra {:.1f} %",
                       1e2 * found.star_error, found.degrees_of_freedom, 1e2 * found.spectrum_error);
   text += found.width_error > 0.0 ? fmt::format(", the filter's width {:.1f} %\n", 1e2 * found.width_error)
-                                  : ", the filter's width not told (width_error)\n";
+                                  : ", the error of the filter's width unknown (width_error)\n";
   text += fmt::format("  single stars scatter by {:.1f} % beyond their noise\n", 1e2 * found.scatter);
   text += "extinction: " + extinction_text(found) + "\n";
   for (const fit::MeasuredStar& star : found.stars)
@@ -269,8 +269,7 @@ void add_photometry_command(Program& program) {
   command
       .option("--extinction", options->extinction,
               "Of the air: found with the factor (stars), that of the standard air (air), or magnitudes per "
-              "airmass "
-              "(default: stars where they stand at enough different elevations, else air)")
+              "airmass (default: stars where they stand at enough different elevations, else air)")
       .type_name("stars|air|MAG");
   command.option("--catalogue-magnitude", options->settings.faintest, "Faintest star that is measured")
       .finite_range(-2.0, 6.0)

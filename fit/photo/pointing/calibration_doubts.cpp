@@ -80,8 +80,7 @@ std::string level_doubt(const Calibration& calibration, const LevelEvidence& lev
   if (rest_deg < off_deg / 3.0)
     text += fmt::format(
         "; a time {} {}, or a site {:.1f} deg farther {}, would leave {:.1f} deg: check the clock, its zone "
-        "and the "
-        "site",
+        "and the site",
         duration_text(east_deg / kSiderealPerHour_deg), east_deg > 0.0 ? "later" : "earlier",
         std::abs(east_deg), east_deg > 0.0 ? "east" : "west", rest_deg);
   else

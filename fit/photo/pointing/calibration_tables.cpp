@@ -36,8 +36,7 @@ std::string lens_words(const LensCandidate& candidate) {
 std::string residuals_csv(const Calibration& calibration) {
   std::string csv =
       "star,azimuth_deg,elevation_deg,magnitude,x_px,y_px,dx_px,dy_px,without_dx_px,without_dy_px,off_axis_"
-      "deg,"
-      "from_centre_px,used\n";
+      "deg,from_centre_px,used\n";
   for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
     const StarSighting& star = calibration.stars[i];
     const StarResidual& one = calibration.residuals[i];

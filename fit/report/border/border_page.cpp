@@ -287,8 +287,7 @@ std::string one_border_panel(Panel panel, int width_px, int height_px) {
 std::string border_table(const Border& border, const sim::Scene& scene) {
   std::string html =
       "<table>\n<tr><th>trace</th><th>azimuth (°)</th><th>border (°)</th><th>peak (°)</th><th>distance (km) "
-      "at "
-      "95</th><th>100</th><th>105</th><th>110 km</th></tr>\n";
+      "at 95</th><th>100</th><th>105</th><th>110 km</th></tr>\n";
   for (std::size_t t = 0; t < border.traces.size(); ++t) {
     const std::vector<BorderPoint>& points = border.traces[t].points;
     double last = sim::kNaN;
@@ -346,8 +345,7 @@ std::string border_sentence(const Border& border, std::size_t trace, const sim::
   const BorderSummary s = border_summary(t, scene);
   return fmt::format(
       "Trace {}: azimuths {:.0f} to {:.0f}°, elevations {:.1f} to {:.1f}°; nearest {:.0f} ± {:.0f} km away "
-      "at azimuth "
-      "{:.0f}° if the border is 105 km high ({:.0f} to {:.0f} km for 95 to 110 km)",
+      "at azimuth {:.0f}° if the border is 105 km high ({:.0f} to {:.0f} km for 95 to 110 km)",
       trace + 1, s.from_azimuth_deg, s.to_azimuth_deg, s.lowest_deg, s.highest_deg, s.distance_km[2],
       s.distance_error_km[2], s.nearest_azimuth_deg, s.distance_km[0], s.distance_km[3]);
 }
@@ -381,8 +379,7 @@ std::string border_page(const Border& border, const Photo& photo, const sim::Sce
   for (const std::string& note : border.notes) html += "<p>" + sim::html_text(note) + "</p>\n";
   html +=
       "<p>The border is where the light has fallen to half of its peak, above the sky beneath. Its elevation "
-      "is "
-      "measured; its altitude is not, so that distances stand for four of them.</p>\n</section>\n";
+      "is measured; its altitude is not, so that distances stand for four of them.</p>\n</section>\n";
   const double shape = static_cast<double>(photo.linear.height) / std::max(1, photo.linear.width);
   html += "<section><h2>Pictures</h2>\n<div class=\"plots\">" +
           one_border_panel(border_photo_panel(border, photo, scene), kBorderPanel_px,

@@ -44,9 +44,8 @@ std::string problem_of(const Scene& scene, const ParameterPath& path) {
   if (path.sheet() >= 0 && key == "energy_kev" &&
       scene.sheets[static_cast<std::size_t>(path.sheet())].profile == ProfileKind::form)
     return "the heights of the light are those of a form's curve (peak_km, lower_km, upper_km), so "
-           "energy_kev "
-           "sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has heights by "
-           "energy";
+           "energy_kev sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has "
+           "heights by energy";
   if (table == "stars" && key == "faintest_magnitude" && scene.stars.source == StarSource::catalogue &&
       scene.stars.faintest_magnitude > kCatalogueEnds_mag)
     return "the catalogue's stars end at V = 6, so none that is fainter is "

@@ -42,22 +42,18 @@ std::vector<LineComponent> first_positive_bands() {
 
 constexpr const char* kRedSource =
     "A-coefficients of Storey and Zeippen 2000: 2.997 to 1; measured 2.997 ± 0.016 (Sharpee and Slanger "
-    "2006, "
-    "J. Phys. Chem. A 110, 6707), older figures 3.1";
+    "2006, J. Phys. Chem. A 110, 6707), older figures 3.1";
 constexpr const char* kVioletSource =
     "A-coefficients of the common upper level, 1.10e7 to 3.35e6 s⁻¹ (Vallance Jones 1974, \"Aurora\"); for "
-    "air "
-    "in the dark: scattered sunlight changes it";
+    "air in the dark: scattered sunlight changes it";
 constexpr const char* kBandsSource =
     "populations of the upper state measured in aurora (Gattinger and Vallance Jones 1974, Can. J. Phys. 52, "
     "2343) times the Einstein coefficients of Vallance Jones 1974, \"Aurora\"";
 constexpr const char* kFirstPositiveSource =
     "6.0 photons per photon of the second positive system (114 R to 19 R, modelled for photoelectrons in N2, "
     "Bhardwaj and Jain 2012, arXiv:1202.2276), of which 337.1 nm has 0.267, and 0.605 of them between 570 "
-    "and "
-    "900 nm (coefficients and populations: see the bands); good to a third at best, and half as much again "
-    "in "
-    "aurora with a red lower border (Evans and Vallance Jones 1965, type-B)";
+    "and 900 nm (coefficients and populations: see the bands); good to a third at best, and half as much "
+    "again in aurora with a red lower border (Evans and Vallance Jones 1965, type-B)";
 
 }  // namespace
 

@@ -9,22 +9,19 @@ constexpr double kNebularFirstNm = 400.0, kNebularLastNm = 700.0, kNebularStepNm
 
 constexpr const char* kOxygenSource =
     "500.7 to 495.9 as 2.98 in energy (Storey and Zeippen 2000, MNRAS 312, 813; Osterbrock and Ferland "
-    "2006), "
-    "3.01 in photons; both come from one level, so that no nebula changes it";
+    "2006), 3.01 in photons; both come from one level, so that no nebula changes it";
 constexpr const char* kNitrogenSource =
     "658.4 to 654.8 as 3.05 in energy (Storey and Zeippen 2000), 3.07 in photons; both come from one level";
 constexpr const char* kSulphurSource =
     "671.6 to 673.1 as 1.2, as in gas of some 200 electrons to the cm³ at 10⁴ K (Osterbrock and Ferland "
-    "2006, "
-    "figure 5.8): from 1.45 in thin gas to 0.44 in dense";
+    "2006, figure 5.8): from 1.45 in thin gas to 0.44 in dense";
 constexpr const char* kStarlightSource =
     "photons by Planck's law at 15 000 K, a B star's, times λ^-1.3, about as small grains scatter; every 10 "
-    "nm, "
-    "and nothing beyond 400 and 700 nm";
+    "nm, and nothing beyond 400 and 700 nm";
 constexpr const char* kSynchrotronSource =
     "a power law with energy per frequency as ν^-0.43, the Crab's (Véron-Cetty and Woltjer 1993, A&A 270, "
-    "370, "
-    "freed of reddening): photons per wavelength as λ^-0.57; every 10 nm, and nothing beyond 400 and 700 nm";
+    "370, freed of reddening): photons per wavelength as λ^-0.57; every 10 nm, and nothing beyond 400 and "
+    "700 nm";
 
 /// Bands of a continuum, with photons per wavelength in these proportions.
 template <class Photons>

@@ -10,8 +10,7 @@ constexpr double kWhiteNm = 560.0;
 
 constexpr const char* kWhiteSource =
     "photons by Planck's law at 5772 K, the Sun's effective temperature (IAU 2015, resolution B3), which "
-    "free "
-    "electrons scatter alike at all wavelengths; every 10 nm, and nothing beyond 400 and 700 nm";
+    "free electrons scatter alike at all wavelengths; every 10 nm, and nothing beyond 400 and 700 nm";
 
 std::vector<LineComponent> white_light() {
   constexpr double kTemperatureK = 5772.0, kSecondRadiationConstantNmK = 1.438776877e7;
@@ -34,8 +33,7 @@ struct Band {
 
 constexpr const char* kEquilibrium =
     "where the ion is most abundant in ionisation equilibrium (CHIANTI; Mazzotta et al. 1998, A&AS 133, "
-    "403), "
-    "to 0.05, set down from memory";
+    "403), to 0.05, set down from memory";
 constexpr const char* kTransitionRegion =
     "8 10^4 K, as the Extreme ultraviolet Imaging Telescope's band has it (Delaboudinière et al. 1995, Sol. "
     "Phys. 162, 291), set down from memory; helium is not in equilibrium there";

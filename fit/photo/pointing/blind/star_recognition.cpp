@@ -303,10 +303,8 @@ std::string words_of(const StarRecognition& recognition) {
              ". ";
   return words +
          "What would help: a --mask that leaves only sky, --signal higher where trees or noise give false "
-         "points and "
-         "lower where few stars are found, a picture in which stars are points and not trails, or a rough "
-         "--camera "
-         "with --time and --site.";
+         "points and lower where few stars are found, a picture in which stars are points and not trails, or "
+         "a rough --camera with --time and --site.";
 }
 
 }  // namespace vegard::fit
