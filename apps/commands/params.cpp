@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <memory>
 #include <set>
 #include <string>
@@ -61,13 +62,11 @@ void append_file_keys(std::vector<Line>& lines) {
   }
 }
 
-/// In Markdown a bar ends a cell and "<name>" would be a tag.
-std::string cell(const std::string& text) {
+/// In Markdown "<name>" would be a tag.
+std::string prose(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '|')
-      escaped += "\\|";
-    else if (c == '<')
+    if (c == '<')
       escaped += "&lt;";
     else
       escaped += c;
@@ -90,18 +89,44 @@ std::string scale_word(const sim::ParameterRow& row) {
   return "";
 }
 
-/// "a" or "b" or "c": "a", "b", "c".
-std::string with_commas(std::string text) {
-  const std::string either = "\" or \"";
-  for (std::size_t at = text.find(either); at != std::string::npos; at = text.find(either, at))
-    text.replace(at, either.size(), "\", \"");
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   return text;
 }
 
-/// A vector is one line of the page: its components' names, and their defaults together. The unit stands
-/// behind the default. Columns that are empty throughout the table are left out.
-std::string table_of_page(const std::string& table) {
-  std::vector<std::array<std::string, 5>> lines = {{"key", "default", "limits", "free", "meaning"}};
+/// `"a" or "b"` as `"a", "b"`, `0 to 1` as `0…1`; nothing of a switch, whose default says that it is one.
+std::string limits_of_page(const sim::ParameterRow& row) {
+  const std::string limits = sim::limits_text(row);
+  if (limits == "true or false") return "";
+  if (limits.find('"') != std::string::npos) return replaced(limits, "\" or \"", "\", \"");
+  return replaced(limits, " to ", "…");
+}
+
+/// The unit as the ends of keys have it: "km_s" for "km s⁻¹", "mw_m2" for "mW m⁻²".
+std::string unit_in_keys(const std::string& unit) {
+  static const std::vector<std::pair<std::string, std::string>> kSpellings = {
+      {"⁻¹", ""}, {"⁻²", "2"}, {"⁻³", "3"}, {"²", "2"}, {"µ", "u"}, {" ", "_"}, {"/", "_"}};
+  if (unit == "R") return "rayleigh";
+  if (unit == "kR") return "kilorayleigh";
+  std::string text = unit;
+  for (const auto& [from, to] : kSpellings) text = replaced(text, from, to);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// The unit, where the key does not end with it.
+std::string unit_that_key_lacks(const std::string& key, const std::string& unit) {
+  const std::string end = "_" + unit_in_keys(unit);
+  const bool has_it = key.size() > end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
+  return has_it ? "" : unit;
+}
+
+/// The entries of the page for one table of the scene. A vector is one entry: its components' names, and
+/// their defaults together.
+std::string entries_of_page(const std::string& table) {
+  std::string text = "\n";
   const auto& rows = sim::parameter_table();
   for (std::size_t i = 0; i < rows.size();) {
     const sim::ParameterRow& row = rows[i];
@@ -114,24 +139,16 @@ std::string table_of_page(const std::string& table) {
     i = end;
     if (row.table != table) continue;
     const bool is_fixed_vector = names.find(',') != std::string::npos;
-    lines.push_back({is_fixed_vector ? code(row.key) + " (" + names + ")" : code(row.key),
-                     code(is_fixed_vector ? "[" + defaults + "]" : defaults) +
-                         (row.unit[0] == '\0' ? "" : " " + std::string(row.unit)),
-                     cell(with_commas(sim::limits_text(row))), scale_word(row), cell(row.meaning)});
-  }
-  std::string text = "\n";
-  std::array<bool, 5> has_words{};
-  for (std::size_t i = 1; i < lines.size(); ++i)
-    for (std::size_t c = 0; c < has_words.size(); ++c) has_words[c] = has_words[c] || !lines[i][c].empty();
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    std::string under = "|";
-    text += "|";
-    for (std::size_t c = 0; c < has_words.size(); ++c) {
-      if (!has_words[c]) continue;
-      text += " " + lines[i][c] + " |";
-      under += "---|";
-    }
-    text += "\n" + (i == 0 ? under + "\n" : "");
+    std::string entry = "- " + code(row.key);
+    if (is_fixed_vector) entry += " (" + names + ")";
+    entry += " " + code(is_fixed_vector ? "[" + defaults + "]" : defaults);
+    const std::string unit = unit_that_key_lacks(row.key, row.unit);
+    if (!unit.empty()) entry += " " + unit;
+    std::string range = limits_of_page(row);
+    const std::string scale = scale_word(row);
+    if (!scale.empty()) range += (range.empty() ? "" : ", ") + scale;
+    if (!range.empty()) entry += " (" + prose(range) + ")";
+    text += entry + ": " + prose(row.meaning) + "\n";
   }
   return text;
 }
@@ -213,72 +230,69 @@ void answer_forms() {
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
-      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`. Any may be left out and "
-      "then\n"
-      "has its default. Each section is a table of the file; those in double brackets, `[[sheet]]`, may "
-      "occur any\n"
-      "number of times. `--set path=value`, `fit.free` and the reports use paths: `camera.width`,\n"
-      "`sheet.main.energy_kev` (with the sheet's name, unless there is only one), "
-      "`sheet.main.center_km.east` for a\n"
-      "component. The unit stands behind the default. *Free* is the scale on which a fit varies a parameter; "
-      "others cannot be free. Limits are\n"
-      "inclusive. An integer may stand for a number, but `3.0` is not an integer.\n";
+      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: its "
+      "default, its limits, which are inclusive, and the scale on which a fit varies it (without one it "
+      "cannot be free). A unit stands behind the default where the key does not end with it. A section is "
+      "a table of the file; those in double brackets may occur any number of times. `--set path=value`, "
+      "`fit.free` and the reports use paths: `camera.width`, `sheet.main.energy_kev` (with the sheet's "
+      "name, unless there is only one), `sheet.main.center_km.east` for a component. An integer may stand "
+      "for a number, but `3.0` is not an integer.\n";
   std::string table = "\n";  // no table's name, so that the first row begins a section
   for (const sim::ParameterRow& row : sim::parameter_table()) {
     if (row.table == table) continue;
     table = row.table;
-    const std::string title = table == "sheet" ? "`[[sheet]]`" : "`[" + table + "]`";
-    text += "\n## " + (table.empty() ? "Top of the file" : title) + "\n" + table_of_page(table);
+    const bool is_repeated = sim::path_pattern(row).find("<name>") != std::string::npos;
+    const std::string title = is_repeated ? "`[[" + table + "]]`" : "`[" + table + "]`";
+    text += "\n## " + (table.empty() ? "Top of the file" : title) + "\n" + entries_of_page(table);
   }
   text +=
       "\n## Alternative forms\n\n"
-      "Keys that only a scene file knows. Those that stand for others never come beside them (and `start_km` "
-      "only with\n"
-      "`end_km`, `focal_length_mm` only with `sensor_width_mm`); they are turned into them on reading, so "
-      "`--set` and\n"
-      "written scenes know the others only.\n\n"
-      "| key | unit | value | meaning |\n|---|---|---|---|\n";
+      "These keys are only for scene files. What stands for others is turned "
+      "into them on reading and never comes beside them; `start_km` comes with `end_km`, `focal_length_mm` "
+      "with `sensor_width_mm`.\n\n";
   for (const sim::FileKey& key : sim::all_file_keys()) {
-    text += fmt::format("| {} | {} | {} | {} |\n", code(key_path_of(key)), key.unit, cell(key.type),
-                        cell(key.meaning));
+    std::string entry = "- " + code(key_path_of(key));
+    const std::string unit = unit_that_key_lacks(key.key, key.unit);
+    text += entry + " (" + prose(key.type) + (unit.empty() ? "" : ", " + unit) + "): " + prose(key.meaning) +
+            "\n";
   }
   return text;
+}
+
+/// Whether a form's value is the sheet's default; both are as TOML has them.
+bool is_default_of_sheet(const std::string& key, const std::string& value) {
+  for (const sim::ParameterRow& row : sim::parameter_table()) {
+    if (row.table != std::string("sheet") || row.key != key) continue;
+    const std::string& usual = row.default_text;
+    if (usual.empty() || usual.front() == '"')
+      return usual.size() == value.size() && usual.size() >= 2 &&
+             usual.compare(1, usual.size() - 2, value, 1, value.size() - 2) == 0;
+    return std::stod(usual) == std::stod(value);
+  }
+  return false;
 }
 
 std::string forms_page() {
   std::string text =
       "# Auroral forms\n\n"
-      "This page is the output of `vegard params --forms`; a test compares the two.\n\n"
-      "`form` in a `[[sheet]]` sets the keys below, and the sheet's other keys override what it sets. `--set "
-      "sheet.main.form=drapery`\n"
-      "sets them again; a later `--set` of one of them counts. A written scene names the form and every key. "
-      "The forms are those of\n"
-      "Baranoski et al. 2000, section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: "
-      "arcs and bands 20 to\n"
+      "This page is the output of `vegard params --forms`; a test compares the "
+      "two.\n\n"
+      "`form` in a `[[sheet]]` sets all keys below, to the [sheet's default](parameters.md#sheet) "
+      "where a form has none; the sheet's other keys override it. `--set sheet.main.form=drapery` sets "
+      "them again; a later `--set` of one of them counts. The forms are those of Baranoski et al. 2000, "
+      "section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: arcs and bands 20 to "
       "30 km tall between the tenths of their brightest light, rays 1 km wide or less and up to several "
-      "hundred tall, folds about 20\n"
-      "and curls 2 to 10 km apart. Place, direction, motion and lifetimes are left to the scene; so is the "
-      "camera, which alone tells\n"
-      "a corona (the band overhead, the camera at the magnetic zenith) from a rayed band.\n\n"
-      "A form's light is that of its electrons, whose energies give the source's heights by our own emission "
-      "tables. `profile = \"form\"` has the\n"
-      "source's measured curve in its place, by `peak_km`, `lower_km` and `upper_km`, which otherwise have "
-      "no effect.\n\n"
-      "| form | |\n|---|---|\n";
-  for (const sim::Form& form : sim::forms()) text += fmt::format("| `{}` | {} |\n", form.name, form.meaning);
-  text += "\n| key |";
-  std::string rule = "|---|";
-  const std::vector<std::pair<std::string, std::string>>& keys = sim::forms().back().values;
+      "hundred tall, folds about 20 and curls 2 to 10 km apart. Place, direction, motion and lifetimes are "
+      "left to the scene, and so is the camera: a corona is a rayed band overhead, seen towards the "
+      "magnetic zenith.\n\n"
+      "A form's light is that of its electrons, whose energies give the source's "
+      "heights by our own emission tables. `profile = \"form\"` has the source's measured curve in its "
+      "place, by `peak_km`, `lower_km` and `upper_km`, which otherwise have no effect.\n\n";
   for (const sim::Form& form : sim::forms()) {
-    if (form.values.empty()) continue;
-    text += " " + form.name + " |";
-    rule += "---|";
-  }
-  text += "\n" + rule + "\n";
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    text += "| `" + keys[k].first + "` |";
-    for (const sim::Form& form : sim::forms())
-      if (!form.values.empty()) text += " " + form.values[k].second + " |";
+    text += fmt::format("- **{}**: {}.", form.name, form.meaning);
+    for (const auto& [key, value] : form.values)
+      if (!is_default_of_sheet(key, value)) text += fmt::format(" `{}` {},", key, value);
+    if (text.back() == ',') text.back() = '.';
     text += "\n";
   }
   return text;

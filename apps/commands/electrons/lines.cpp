@@ -43,8 +43,6 @@ std::string column_text(const sim::EmissionLine& line) {
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
 }
 
-std::string or_dash(const char* text) { return text[0] == '\0' ? "–" : text; }
-
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string result = "\"";
@@ -52,15 +50,8 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// Bands at even steps, by a law that is named with them.
-bool is_continuum(const sim::EmissionLine& line) {
-  if (line.components.size() < 3) return false;
-  const double step = line.components[1].wavelength_nm - line.components[0].wavelength_nm;
-  for (std::size_t i = 1; i < line.components.size(); ++i)
-    if (std::abs(line.components[i].wavelength_nm - line.components[i - 1].wavelength_nm - step) > 1e-6)
-      return false;
-  return true;
-}
+/// Lines of more components have them only in the CSV.
+constexpr std::size_t kMaxPrintedShares = 5;
 
 std::string line_listing() {
   std::string text;
@@ -99,56 +90,59 @@ void answer_lines() {
 std::string line_page() {
   std::string text =
       "# Emission lines\n\n"
-      "The lines that a scene can have (`emission.lines`, up to eight of them), by `vegard lines "
-      "--markdown`.\n"
-      "*Light* is the line's column of the [emission tables](file_formats.md#emission-tables), or a ratio "
-      "of\n"
-      "photons to another column; [nebulae](nebulae.md) and the Sun have neither, and electrons in the air "
-      "do\n"
-      "not excite their lines. A filter of some nm also passes what a line is *blended with*, which is not\n"
-      "added to it.\n\n"
-      "| line | species | transition | lifetime | light | blended with |\n|---|---|---|---|---|---|\n";
-  for (const sim::EmissionLine& line : sim::emission_lines())
-    text += fmt::format("| {:.1f} nm | {} | {} | {} | {} | {} |\n", line.wavelength_nm, line.species,
-                        line.transition, lifetime_text(line.lifetime_s), column_text(line),
-                        or_dash(line.blended_with));
+      "The lines that a scene can have (`emission.lines`, up to eight of them), by "
+      "`vegard lines --markdown`: species, transition, lifetime, and light. Light is the line's column of "
+      "the [emission tables](file_formats.md#emission-tables), or a ratio of photons to another column; "
+      "[nebulae](nebulae.md) and the Sun have neither, and electrons in the air do not excite their lines. "
+      "A filter of some nm also passes what a line is *blended with*, which is not added to it.\n\n";
+  for (const sim::EmissionLine& line : sim::emission_lines()) {
+    text += fmt::format("- {:.1f} nm:", line.wavelength_nm);
+    if (line.species != std::string("*")) text += fmt::format(" {}", line.species);
+    text += fmt::format(" {}", line.transition);
+    if (line.lifetime_s != 0.0) text += ", " + lifetime_text(line.lifetime_s);
+    if (const auto response = sim::temperature_response(line.wavelength_nm))
+      text += fmt::format("; of the Sun, p = {:.2f} ({:.2g} MK), w = {:.2f}", response->peak_log_k,
+                          megakelvin(*response), response->width_log_k);
+    else
+      text += "; " + column_text(line);
+    if (line.blended_with[0] != '\0') text += fmt::format("; blended with {}", line.blended_with);
+    text += "\n";
+  }
   text += "\n## Where the ratios come from\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines())
     if (line.ratio_source[0] != '\0')
       text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
                           line.table_column, line.ratio_source);
   text +=
-      "\nA line with a ratio has the height profile of its column. For the first positive bands that is an\n"
-      "approximation: they are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and are\n"
-      "quenched below 90 km.\n";
+      "\nA line with a ratio has the height profile of its column. For the first positive bands that is "
+      "an\napproximation: they are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and "
+      "are\nquenched below 90 km.\n";
   text +=
       "\n## Lines and bands under one wavelength\n\n"
-      "A camera's colour is that of all of them. `vegard lines --csv` has every share.\n\n";
+      "A camera's colour is that of all of them. `vegard "
+      "lines --csv` has every share.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
     text += fmt::format("- **{:.1f} nm**: {}", line.wavelength_nm, line.components_source);
-    if (!is_continuum(line)) {
+    if (line.components.size() <= kMaxPrintedShares) {
       std::string shares;
       for (const sim::LineComponent& band : line.components)
-        shares += fmt::format("{}{:.1f}: {:.2f} %", shares.empty() ? "" : ", ", band.wavelength_nm,
+        shares += fmt::format("{}{:.1f}: {:.2f}", shares.empty() ? "" : ", ", band.wavelength_nm,
                               100.0 * band.share);
-      text += ". Shares of the photons (nm): " + shares;
+      text += ". Shares of the photons (nm: %): " + shares;
     }
     text += ".\n";
   }
   text +=
       "\n## Bands of the Sun\n\n"
-      "What shines by such a line at temperature T, in kelvin, gives exp(-1/2 ((log10 T - p) / w)²) of what "
-      "it gives at the\npeak: where a loop, a bundle or a corona has a `temperature_mk`. White light, "
-      "scattered by free electrons, has no such\nresponse. For eyes these bands are black but for the "
-      "visible lines: `sensor.response = \"grey\"` counts all photons alike.\n\n"
-      "| line | ion | p | peak | w |\n|---|---|---|---|---|\n";
+      "At the temperature T, in kelvin, a loop, a bundle or a corona with a "
+      "`temperature_mk` gives exp(-1/2 ((log10 T - p) / w)²) of what such a line gives at its peak. White "
+      "light, scattered by free electrons, has no such response. For eyes these bands are black but for "
+      "the visible lines: `sensor.response = \"grey\"` counts all photons alike. Sources of the peaks:\n\n";
   std::vector<std::pair<std::string, std::string>> lines_of_source;  // in the order of their first lines
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     const auto response = sim::temperature_response(line.wavelength_nm);
     if (!response) continue;
-    text += fmt::format("| {:.1f} nm | {} | {:.2f} | {:.2g} MK | {:.2f} |\n", line.wavelength_nm,
-                        line.species, response->peak_log_k, megakelvin(*response), response->width_log_k);
     const auto known = std::find_if(lines_of_source.begin(), lines_of_source.end(),
                                     [&](const auto& entry) { return entry.second == response->source; });
     const std::string nm = fmt::format("{:.1f}", line.wavelength_nm);
@@ -157,15 +151,14 @@ std::string line_page() {
     else
       known->first += ", " + nm;
   }
-  text += "\nSources of the peaks:\n\n";
   for (const auto& [nm, source] : lines_of_source) text += fmt::format("- {} nm: {}\n", nm, source);
   text +=
       "\n## Quenching\n\n"
-      "How much of the light of the slow lines collisions leave, and how long their atoms live, against "
-      "altitude (`vegard lines\n"
-      "--quenching quenching.svg`; coefficients and sources in [physics](physics.md#the-physical-blur)). The "
-      "others are prompt.\n\n"
-      "![Quenching of the slow lines](pictures/quenching.svg)\n";
+      "How much of the light of the slow lines collisions leave, and how long their "
+      "atoms live, against altitude (`vegard lines\n--quenching quenching.svg`; coefficients and sources "
+      "in [physics](physics.md#the-physical-blur)). The others are prompt.\n\n"
+      "![Quenching of the slow "
+      "lines](pictures/quenching.svg)\n";
   return text;
 }
 
