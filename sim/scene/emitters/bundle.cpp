@@ -20,14 +20,14 @@ std::vector<Declaration> bundle_rows() {
   using B = Bundle;
   // clang-format off
   return {
-      row("name", &B::name).means("by which paths call the bundle"),
-      row("count", &B::count).within(1, 100000).means("how many lines it has"),
+      row("name", &B::name).means("name in paths"),
+      row("count", &B::count).within(1, 100000).means("number of lines"),
       row("length", &B::length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("length of a line, in sun.unit_km"),
       row("gradient_deg", &B::gradient_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("angle of a line from the vertical towards the equator, at its foot"),
       row("slope_noise_deg", &B::slope_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a line's slope, in either direction"),
       row("position_noise_deg", &B::position_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a foot's place about an even spread"),
-      row("density_noise", &B::density_noise).within(0, 5).may_be_free(ParameterScale::linear).means("standard deviation of the logarithm of a line's density"),
-      row("density", &B::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("in the middle of a line at its foot"),
+      row("density_noise", &B::density_noise).within(0, 5).may_be_free(ParameterScale::linear).means("standard deviation of ln(density) of lines"),
+      row("density", &B::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density in the middle of a line at its foot"),
       row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("length along a line over which density falls to 1 / e"),
       row("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("radius of a line at its foot"),
       row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),

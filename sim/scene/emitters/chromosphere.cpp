@@ -16,7 +16,7 @@ std::vector<Declaration> chromosphere_rows() {
   using C = Chromosphere;
   // clang-format off
   return {
-      row("name", &C::name).means("by which paths call the chromosphere"),
+      row("name", &C::name).means("name in paths"),
       row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km"),
       row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it"),
       row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves (ω)"),

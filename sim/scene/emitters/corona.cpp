@@ -19,12 +19,12 @@ std::vector<Declaration> corona_rows() {
   using C = Corona;
   // clang-format off
   return {
-      row("name", &C::name).means("by which paths call the corona"),
-      row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("at the photosphere, where the shares add up to 1: density (Σ share (r / R)^-power)"),
+      row("name", &C::name).means("name in paths"),
+      row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density at the photosphere if shares add up to 1: density (Σ share (r / R)^-power)"),
       row("share", &C::share).of({"<n>"}).named_by(name_by_term).within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
       row("power", &C::power).of({"<n>"}).named_by(name_by_term).within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
       row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("ratio of the density over the poles to that over the equator (sin² of latitude between)"),
-      row("reach", &C::reach).within(1.001, 1000).means("where it ends, in radii of the photosphere"),
+      row("reach", &C::reach).within(1.001, 1000).means("its end, in radii of the photosphere"),
       row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density, as its square (collisions), or scattered from the photosphere (Thomson)"),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line; scattered light: at the photosphere"),

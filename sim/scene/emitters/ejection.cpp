@@ -15,16 +15,16 @@ std::vector<Declaration> ejection_rows() {
   using E = Ejection;
   // clang-format off
   return {
-      row("name", &E::name).means("by which paths call the ejection"),
+      row("name", &E::name).means("name in paths"),
       row("kind", &E::kind).one_of<EjectionKind>({{"rope", EjectionKind::rope}, {"shell", EjectionKind::shell}}).means("a flux rope of twisted strands, or a shell"),
       row("latitude_deg", &E::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic, of the place that it leaves"),
       row("longitude_deg", &E::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("the same, growing to the west"),
       row("bearing_deg", &E::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("bearing of a rope from foot to foot, from solar north to the west"),
       row("width_deg", &E::width_deg).in("deg").within(0.1, 120).may_be_free(ParameterScale::linear).means("angle at the Sun's middle between the feet of a rope, or that a shell spans"),
-      row("speed_km_s", &E::speed_km_s).called("speed").in("km/s").within(0, 1e5).may_be_free(ParameterScale::logarithmic).means("of its front at age 0"),
-      row("acceleration_m_s2", &E::acceleration_m_s2).in("m/s²").within(-1e4, 1e4).may_be_free(ParameterScale::linear).means("of its front; one that slows down stays where it has come to rest"),
-      row("start_height", &E::start_height).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("height of its front at age 0, in units of the Sun's frame"),
-      row("age_s", &E::age_s).in("s").within(0, 1e9).may_be_free(ParameterScale::linear).means("at the time 0 of the scene's clock"),
+      row("speed_km_s", &E::speed_km_s).called("speed").in("km/s").within(0, 1e5).may_be_free(ParameterScale::logarithmic).means("speed of its front at age 0"),
+      row("acceleration_m_s2", &E::acceleration_m_s2).in("m/s²").within(-1e4, 1e4).may_be_free(ParameterScale::linear).means("acceleration of its front, until it comes to rest"),
+      row("start_height", &E::start_height).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("height of its front at age 0, in sun.unit_km"),
+      row("age_s", &E::age_s).in("s").within(0, 1e9).may_be_free(ParameterScale::linear).means("age at the time 0 of the scene's clock"),
       row("aspect", &E::aspect).within(1e-3, 0.9).may_be_free(ParameterScale::linear).means("radius of a rope at its top or thickness of a shell, relative to the front's height"),
       row("turns", &E::turns).within(-100, 100).may_be_free(ParameterScale::linear).means("turns of a strand about the rope's axis"),
       row("strands", &E::strands).within(1, 10000).means("of a rope"),

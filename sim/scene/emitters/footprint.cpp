@@ -26,7 +26,7 @@ std::vector<Declaration> footprint_rows() {
   using F = Footprint;
   // clang-format off
   return {
-      row("name", &F::name).means("by which paths call the footprint"),
+      row("name", &F::name).means("name in paths"),
       row("shape", &F::shape).one_of<FootprintShape>({{"box", FootprintShape::box}, {"shell", FootprintShape::shell}})
           .means("a box in the observer's tangent plane, or a shell around the Earth"),
       row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
@@ -92,11 +92,11 @@ std::vector<Declaration> footprint_rows() {
           .means("energy flux Q at the spline, or where the picture is white"),
       row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"layer", ProfileKind::layer}})
           .means("light against altitude: of a spectrum of electrons, a form, or the layers of the scene's own lines ([[line]])"),
-      row("energy_spread", &F::energy_spread).within(0.01, 1).means("of the profile \"gaussian\", as a sheet's"),
-      row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("of the profile \"form\": altitude of its peak"),
+      row("energy_spread", &F::energy_spread).within(0.01, 1).means("for \"gaussian\", as a sheet's"),
+      row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("for \"form\": altitude of the peak"),
       row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("for \"form\": distance below the peak where the light is a tenth"),
       row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("for \"form\": distance above the peak where the light is a tenth"),
-      row("top_km", &F::top_km).in("km").within(100, 640).means("above which there is no light"),
+      row("top_km", &F::top_km).in("km").within(100, 640).means("top of the light"),
   };
   // clang-format on
 }

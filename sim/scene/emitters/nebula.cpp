@@ -27,13 +27,13 @@ std::vector<Declaration> nebula_rows() {
   using N = Nebula;
   // clang-format off
   return {
-      row("name", &N::name).means("by which paths call the nebula"),
+      row("name", &N::name).means("name in paths"),
       row("method", &N::method).one_of<NebulaMethod>({{"physical", NebulaMethod::physical}, {"literal", NebulaMethod::literal}})
           .means("emission and absorption in rayleighs; or the source's literal march, in colours only"),
       row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
       row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
       row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("distance of its middle; below bound the camera is inside"),
-      row("unit_pc", &N::unit_pc).in("pc").within(1e-6, 1e6).may_be_free(ParameterScale::logarithmic).means("its unit of length, which all its lengths are in"),
+      row("unit_pc", &N::unit_pc).in("pc").within(1e-6, 1e6).may_be_free(ParameterScale::logarithmic).means("unit of all its lengths"),
       row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation as seen by the observer"),
       row("bound", &N::bound).within(0.01, 1000).means("radius of the sphere that holds it; the source's is √8"),
       row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("distance over which density falls from 1 to 0 outside a surface (h of the source)"),
@@ -47,16 +47,16 @@ std::vector<Declaration> nebula_rows() {
           .means("the same far out"),
       row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("light of the glow of density 1 per unit of path and line"),
-      row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("distance from the middle up to which inner_rayleigh holds"),
-      row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("distance from which on outer_rayleigh holds"),
+      row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("up to this radius inner_rayleigh holds"),
+      row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("from this radius on outer_rayleigh holds"),
       row("density_power", &N::density_power).within(0.1, 4).may_be_free(ParameterScale::linear).means("exponent from density to light: 2 for recombination"),
-      row("brightness", &N::brightness).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times all its light"),
+      row("brightness", &N::brightness).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on all its light"),
       row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth of dust of density 1 per unit of path at 550 nm"),
       row("dust_exponent", &N::dust_exponent).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power"),
       row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
       row("literal_colour", &N::literal_colour).one_of<LiteralColour>({{"two", LiteralColour::two}, {"white", LiteralColour::white}})
           .means("light of the literal march: from colour_a to colour_b, or white as in the source"),
-      row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: and at distance 1"),
+      row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: colour at distance 1"),
   };
   // clang-format on
 }
@@ -64,27 +64,27 @@ std::vector<Declaration> nebula_rows() {
 std::vector<Declaration> node_rows() {
   // clang-format off
   return {
-      node("name", &Node::name).means("by which other nodes, nebulae and paths call it"),
+      node("name", &Node::name).means("name for other nodes, nebulae and paths"),
       node("kind", &Node::kind)
           .one_of<NodeKind>({{"sphere", NodeKind::sphere}, {"shell", NodeKind::shell}, {"lobes", NodeKind::lobes}, {"torus", NodeKind::torus}, {"tube", NodeKind::tube}, {"slab", NodeKind::slab}, {"filaments", NodeKind::filaments}, {"turbulence", NodeKind::turbulence}, {"warp", NodeKind::warp}, {"union", NodeKind::unite}, {"intersection", NodeKind::intersect}, {"difference", NodeKind::subtract}, {"scale", NodeKind::scale}, {"rotate", NodeKind::rotate}, {"move", NodeKind::move}})
           .means("what it is: docs/nebulae.md"),
       node("of", &Node::of).means("names of the nodes that it works on, separated by commas"),
       node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
-          .means("place of a shape's middle: to the right, up and towards the observer"),
+          .means("middle of a shape: to the right, up and towards the observer"),
       node("angles_deg", &Node::angles_deg).of({"right", "up", "near"}).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("rotation about these axes, one after the other"),
       node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("stretch along these axes, before any rotation"),
       node("radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
       node("thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("thickness of a shell's, slab's or lobes' walls or of a torus's ring"),
-      node("length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("from the middle to the end of lobes or of a tube"),
+      node("length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("half-length of lobes or a tube"),
       node("waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
       node("amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("amplitude of filaments, turbulence and warp"),
       node("frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("frequency of the noise's largest waves, per unit of length"),
       node("gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves"),
       node("blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding length of a union, intersection or difference; 0: sharp"),
       node("octaves", &Node::octaves).within(1, 12).means("of noise"),
-      node("seed", &Node::seed).within(0, 1e9).means("of its noise, beside the scene's"),
+      node("seed", &Node::seed).within(0, 1e9).means("seed of its noise, with the scene's"),
   };
   // clang-format on
 }

@@ -16,7 +16,7 @@ Row row(const char* key, Value Sun::*value) {
 std::vector<Declaration> sun_rows() {
   // clang-format off
   return {
-      row("shown", &Sun::shown).means("the Sun, and what stands on it, is in the scene"),
+      row("shown", &Sun::shown).means("whether the Sun and all on it are in the scene"),
       row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
       row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
       row("distance_km", &Sun::distance_km).in("km").within(1, 1e12).may_be_free(ParameterScale::logarithmic).means("distance of its middle"),
@@ -30,9 +30,9 @@ std::vector<Declaration> sun_rows() {
       row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)², μ the cosine from the vertical; 0: uniform"),
       row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law"),
       row("rotation", &Sun::rotation).one_of<SolarRotation>({{"none", SolarRotation::none}, {"rigid", SolarRotation::rigid}, {"differential", SolarRotation::differential}})
-          .means("how what stands on it turns with the scene's clock (docs/corona/time.md): not at all; at Carrington's rate; or slower towards the poles"),
+          .means("rotation with the scene's clock (docs/corona/time.md): none; at Carrington's rate; or slower towards the poles"),
       row("rotation_frame", &Sun::rotation_frame).one_of<RotationFrame>({{"synodic", RotationFrame::synodic}, {"sidereal", RotationFrame::sidereal}})
-          .means("against what that is counted: as seen from the Earth, which goes round the Sun; or from among the stars"),
+          .means("frame of that rotation: as seen from the Earth, or from the stars"),
   };
   // clang-format on
 }

@@ -16,28 +16,28 @@ Row row(const char* key, Value Volume::*value) {
 std::vector<Declaration> volume_rows() {
   // clang-format off
   return {
-      row("name", &Volume::name).means("by which paths call the volume"),
+      row("name", &Volume::name).means("name in paths"),
       row("file", &Volume::file).names_file().means("OpenVDB file (grids emission_5577, density …) or pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`), relative to the scene's file"),
       row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
           .means("frame of the file: the ground, in km, or the Sun, in sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
           .means("shift; on the Sun along x, y and z"),
-      row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("times its light"),
+      row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on its light"),
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
           .means("extinction of density 1 of the grid \"density\"; 0: none"),
       row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
           .means("light of density 1 of the grid \"density\" per line and km (or unit of the Sun's frame), instead of emission grids; empty: none"),
       row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
-      row("albedo", &Volume::albedo).within(0, 1).may_be_free(ParameterScale::linear).means("share of the extinction that is scattering, once, of the lamp's light; 0: none"),
-      row("asymmetry", &Volume::asymmetry).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the angle by which light is scattered (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),
+      row("albedo", &Volume::albedo).within(0, 1).may_be_free(ParameterScale::linear).means("share of scattering, once, in the extinction; 0: none"),
+      row("asymmetry", &Volume::asymmetry).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the scattering angle (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),
       row("lamp_kind", &Volume::lamp).one_of<VolumeLamp>({{"none", VolumeLamp::none}, {"direction", VolumeLamp::direction}, {"point", VolumeLamp::point}, {"sun", VolumeLamp::sun}})
-          .means("what lights it: nothing, parallel light, a point, or the scene's Sun by its photosphere_rayleigh"),
-      row("lamp_azimuth_deg", &Volume::lamp_azimuth_deg).in("deg").within(-720, 720).means("where parallel light comes from, from north to the east; on the Sun the heliographic longitude"),
-      row("lamp_elevation_deg", &Volume::lamp_elevation_deg).in("deg").within(-90, 90).means("the same above the horizon; on the Sun the heliographic latitude"),
+          .means("lamp: none, parallel light, a point, or the scene's Sun"),
+      row("lamp_azimuth_deg", &Volume::lamp_azimuth_deg).in("deg").within(-720, 720).means("direction of parallel light, from north to the east; on the Sun heliographic longitude"),
+      row("lamp_elevation_deg", &Volume::lamp_elevation_deg).in("deg").within(-90, 90).means("the same above the horizon; on the Sun heliographic latitude"),
       row("lamp_km", &Volume::lamp_km).of({"east", "north", "up"}).in("km").within(-1e9, 1e9)
-          .means("place of a point; on the Sun along the x, y and z of its frame, in its unit"),
+          .means("place of a point; on the Sun x, y and z of its frame"),
       row("lamp_flux", &Volume::lamp_flux).by_line().in("10⁶ cm⁻² s⁻¹").within(0, 1e18)
-          .means("photons of the lamp per emission line, through an area across them: of parallel light, or of a point at a distance of 1 km (a unit of the Sun's frame)"),
+          .means("photons of the lamp per line: of parallel light, or of a point at 1 km (sun.unit_km on the Sun)"),
   };
   // clang-format on
 }

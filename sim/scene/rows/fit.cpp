@@ -28,13 +28,13 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "band_sky", &Scene::fit, &Fit::band_sky)
           .means("whether each band has its own sky, along its profile; else one sky down the picture"),
       Row("fit", "decoding", &Scene::fit, &Fit::decoding).rule(decoding_complaint).names_table()
-          .means("photograph to linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor (sensor.tone, vignetting), unknown or unknown:2 (fitted)"),
+          .means("photograph to linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor, unknown or unknown:2 (docs/fitting.md)"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
       Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).within(0, 1e4)
-          .means("for free-form profiles: inverse standard deviation of the second differences of ln(spline_rate); 0: by maximum evidence, line by line"),
+          .means("inverse standard deviation of the second differences of ln(spline_rate); 0: most probable for each line"),
       Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
-          .means("standard deviation of the logarithm of wavelength over twice the amplitude outside the paper's 5.2 to 31.4, as a prior; 0: none"),
+          .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2 to 31.4; 0: none"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
           .means("wavelengths tried before the descents; 0: one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
@@ -46,23 +46,23 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "search_beams", &Scene::fit, &Fit::search_beams).within(0.01, 1)
           .means("share of the beams used by the search"),
       Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).within(0, 0.5)
-          .means("smoothing of profiles in the search, standard deviation relative to the region's height"),
+          .means("smoothing of profiles in the search, relative to the region's height"),
       Row("fit", "model", &Scene::fit, &Fit::model).one_of<FitModel>({{"expected", FitModel::expected}, {"draws", FitModel::draws}})
-          .means("picture that is compared: the mean over random beams, or one draw (always with folds, curls and undulating borders)"),
+          .means("picture that is compared: the mean over random beams, or one draw (as always with folds, curls, undulating borders)"),
       Row("fit", "profile_weight", &Scene::fit, &Fit::profile_weight).within(0, 100)
-          .means("weight of intensity profiles in chi2; 0: not used (as for all weights)"),
+          .means("weight of intensity profiles in chi2; 0: not used"),
       Row("fit", "colour_weight", &Scene::fit, &Fit::colour_weight).within(0, 100)
           .means("weight of colour profiles, ln(red / green) and ln(blue / green)"),
       Row("fit", "horizontal_weight", &Scene::fit, &Fit::horizontal_weight).within(0, 100)
-          .means("of intensity profiles across the picture"),
+          .means("weight of intensity profiles across the picture"),
       Row("fit", "border_weight", &Scene::fit, &Fit::border_weight).within(0, 100)
           .means("weight of the lower border from band to band"),
       Row("fit", "image_weight", &Scene::fit, &Fit::image_weight).within(0, 100)
-          .means("of a picture of low resolution"),
+          .means("weight of a picture of low resolution"),
       Row("fit", "texture_weight", &Scene::fit, &Fit::texture_weight).within(0, 100)
-          .means("weight of the autocovariance along the arc, which constrains the rays' spacing"),
+          .means("weight of the autocovariance along the arc"),
       Row("fit", "granulation_weight", &Scene::fit, &Fit::granulation_weight).within(0, 100)
-          .means("weight of the angular power spectrum of the Sun's disc, which constrains the granules' size"),
+          .means("weight of the angular power spectrum of the Sun's disc"),
       Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
           .means("direction of profiles: columns, elevation, field lines, across a loop (guide points), or away from the Sun's limb"),
       Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)

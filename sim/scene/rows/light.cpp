@@ -19,7 +19,7 @@ std::vector<Declaration> light_rows() {
           .list_rule(lines_complaint).set_by(change_lines)
           .means("wavelengths of the emission lines, of the program's (vegard lines) or of [[line]]"),
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
-          .means("emission tables: \"vegard\", \"glow\" (not free), or a folder relative to the scene's file (docs/file_formats.md)"),
+          .means("emission tables: \"vegard\", \"glow\" (not free), or a folder (docs/file_formats.md)"),
       Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)
           .within(kMinOxygenFactor, kMaxOxygenFactor).may_be_free(ParameterScale::logarithmic)
           .means("factor on the atomic oxygen of the tables, within the factors that they have"),
@@ -34,11 +34,11 @@ std::vector<Declaration> light_rows() {
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of<BlurKernelKind>({{"full", BlurKernelKind::full}, {"paper", BlurKernelKind::paper}})
           .means("kernel of the blur by angle: a full Gaussian, or truncated as in the paper"),
       Row("blur", "model", &Scene::blur, &Blur::model).one_of<BlurModel>({{"angle", BlurModel::angle}, {"physical", BlurModel::physical}})
-          .means("width_deg everywhere; or the diffusion of excited atoms in their lifetimes (width_deg and kernel are not used)"),
+          .means("width_deg everywhere; or the diffusion of excited atoms in their lifetimes"),
       Row("blur", "order", &Scene::blur, &Blur::order).one_of<BlurOrder>({{"lines", BlurOrder::lines}, {"rgb", BlurOrder::rgb}})
           .means("what is blurred by angle: each line; or red, green and blue as in the paper (beams only)"),
       Row("blur", "widths", &Scene::blur, &Blur::widths).one_of<BlurWidths>({{"given", BlurWidths::given}, {"paper", BlurWidths::paper}})
-          .means("width_deg; or the paper's 4.75 px for lifetimes above 10 s, 2.0 px above 0.1 s, in proportion to a picture of 383 px over 35°"),
+          .means("width_deg; or the paper's pixels (docs/physics.md)"),
       Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)
           .means("wind that carries the excited atoms, of the physical model"),
 

@@ -30,9 +30,9 @@ std::vector<Declaration> place_rows() {
           .means("mean mass of the air's particles there"),
 
       Row("site", "latitude_deg", &Scene::site, &Site::latitude_deg).in("deg").within(-90, 90)
-          .means("geographic latitude of the observer, north positive"),
+          .means("geographic latitude of the observer"),
       Row("site", "longitude_deg", &Scene::site, &Site::longitude_deg).in("deg").within(-180, 360)
-          .means("geographic longitude of the observer, east positive"),
+          .means("geographic longitude of the observer, to the east"),
       Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
           .means("altitude of the observer above the sphere of the Earth"),
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
@@ -48,7 +48,7 @@ std::vector<Declaration> place_rows() {
       Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
           .means("latitude of the dipole's northern pole (default: 2020)"),
       Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg).in("deg").within(-180, 360)
-          .means("longitude of the dipole's northern pole, east positive"),
+          .means("its longitude, to the east"),
 
       Row("camera", "model", &Scene::camera, &Camera::model)
           .one_of<LensModel>({{"pinhole", LensModel::pinhole}, {"equidistant", LensModel::equidistant}, {"equisolid", LensModel::equisolid}, {"stereographic", LensModel::stereographic}, {"orthographic", LensModel::orthographic}, {"polynomial", LensModel::polynomial}, {"equirectangular", LensModel::equirectangular}, {"cube", LensModel::cube}})

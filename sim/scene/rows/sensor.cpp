@@ -42,7 +42,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
           .means("linear sensor value (white = 1) of 1 kR of 557.7 nm: its luminance, or a camera's raw green"),
       Row("sensor", "response", &Scene::sensor, &Sensor::response).names_table().rule(response_complaint)
-          .means("colour response: `cie` (1931 observer), `filters` (channels are the first three of emission.lines), `grey` (all photons alike), a camera (`canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`), or `FILE.csv` of wavelength_nm, red, green, blue"),
+          .means("colour response: `cie` (1931 observer), `filters` (the first three emission.lines), `grey` (all photons alike), `canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`, or `FILE.csv` of wavelength_nm, red, green, blue"),
       Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of<ResponsePer>({{"energy", ResponsePer::energy}, {"photon", ResponsePer::photon}})
           .means("what the numbers of a table `FILE.csv` are relative to"),
       Row("sensor", "white_balance_rule", &Scene::sensor, &Sensor::white_balance_rule).one_of<WhiteBalanceRule>({{"given", WhiteBalanceRule::given}, {"daylight", WhiteBalanceRule::daylight}})

@@ -29,7 +29,7 @@ std::vector<Declaration> sky_rows() {
       Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times the stars' photometric brightness"),
 
       Row("moon", "shown", &Scene::moon, &Moon::shown).means("the Moon's disc with its phase, as it stands at the site and its time"),
-      Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters; the ground has the Moon's own as well, moon.shown or not"),
+      Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters, and on the ground its own"),
 
       Row("ground", "shown", &Scene::ground, &Ground::shown)
           .means("a matt grey ground below the horizon, lit by the sky"),

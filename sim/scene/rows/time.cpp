@@ -16,7 +16,7 @@ std::vector<Declaration> time_rows() {
           .means("of an animation"),
       Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
       Row("time", "lapse", &Scene::time, &Time::lapse).within(1e-6, 1e7)
-          .means("seconds of the scene's clock to a second of an animation: 1: as it happens; 900: time lapse, a quarter of an hour a second"),
+          .means("seconds of the scene's clock to a second of an animation; 900: time lapse"),
 
       Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)
           .means("brightness of all aurora before and after a substorm, relative; 1: no substorm"),
