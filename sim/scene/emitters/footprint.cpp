@@ -34,7 +34,7 @@ std::vector<Declaration> footprint_rows() {
       row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}, {"precipitation", FootprintSource::precipitation}})
           .means("origin of the footprint: a curve, a picture, six faces of a cube, the scene's sheets (then not drawn as beams), fractal noise, or a map by vegard map"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
-          .means("light along the scene's field or straight down; of a shell in a uniform field always straight down"),
+          .means("along the scene's field or straight down (as always of a shell in a uniform field)"),
       row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
@@ -64,7 +64,7 @@ std::vector<Declaration> footprint_rows() {
       row("point_flux", &F::point_flux).called("energy flux of point").of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
           .means("energy flux at the spline's points relative to energy_flux_mw_m2; empty: 1"),
       row("file", &F::file).names_file()
-          .means("for \"precipitation\": FITS map by vegard map, relative to the scene's file (energy flux in mW m⁻², energy in keV; axes EAST, NORTH in km)"),
+          .means("for \"precipitation\": FITS map by vegard map, relative to the scene's file (docs/volumes.md)"),
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
       row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
@@ -91,7 +91,7 @@ std::vector<Declaration> footprint_rows() {
       row("energy_flux_mw_m2", &F::energy_flux_mw_m2).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
       row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"layer", ProfileKind::layer}})
-          .means("light against altitude: of a spectrum of electrons, a form, or the layers of the scene's own lines ([[line]])"),
+          .means("light against altitude: of a spectrum of electrons, a form, or the layers of [[line]]"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("for \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("for \"form\": altitude of the peak"),
       row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("for \"form\": distance below the peak where the light is a tenth"),

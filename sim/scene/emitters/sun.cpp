@@ -27,7 +27,7 @@ std::vector<Declaration> sun_rows() {
       row("radius", &Sun::radius).within(1e-3, 1e9).means("radius of the photosphere"),
       row("photosphere_rayleigh", &Sun::photosphere_rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light at the middle of the disc, per line; empty: dark"),
-      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)², μ the cosine from the vertical; 0: uniform"),
+      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)²; 0: uniform"),
       row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law"),
       row("rotation", &Sun::rotation).one_of<SolarRotation>({{"none", SolarRotation::none}, {"rigid", SolarRotation::rigid}, {"differential", SolarRotation::differential}})
           .means("rotation with the scene's clock (docs/corona/time.md): none; at Carrington's rate; or slower towards the poles"),

@@ -26,7 +26,7 @@ std::vector<Declaration> volume_rows() {
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
           .means("extinction of density 1 of the grid \"density\"; 0: none"),
       row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
-          .means("light of density 1 of the grid \"density\" per line and km (or unit of the Sun's frame), instead of emission grids; empty: none"),
+          .means("light of density 1 per line and km (on the Sun: sun.unit_km), instead of emission grids; empty: none"),
       row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
       row("albedo", &Volume::albedo).within(0, 1).may_be_free(ParameterScale::linear).means("share of scattering, once, in the extinction; 0: none"),
       row("asymmetry", &Volume::asymmetry).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the scattering angle (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),

@@ -16,17 +16,17 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
           .means("region of interest; all zero: the whole image"),
       Row("fit", "bands", &Scene::fit, &Fit::bands).within(1, 65535)
-          .means("number of equal column strips of the region of interest"),
+          .means("equal column strips of the region of interest"),
       Row("fit", "average_rows", &Scene::fit, &Fit::average_rows).within(0, 65535)
-          .means("larger photographs are averaged over blocks of pixels to about so many rows; 0: never"),
+          .means("rows to which larger photographs are averaged; 0: never"),
       Row("fit", "band_brightness", &Scene::fit, &Fit::band_brightness)
           .means("whether each band has its own brightness"),
       Row("fit", "white_balance_known", &Scene::fit, &Fit::white_balance_known)
-          .means("if false, each channel has its own gain, and colour does not constrain the energy"),
+          .means("false: each channel has its own gain, and colour does not constrain the energy"),
       Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
-          .means("terms of the sky solved per channel: 1 level, 2 and gradient, 3 and curvature"),
+          .means("terms of the sky per channel: 1 level, 2 gradient, 3 curvature"),
       Row("fit", "band_sky", &Scene::fit, &Fit::band_sky)
-          .means("whether each band has its own sky, along its profile; else one sky down the picture"),
+          .means("whether each band has its own sky, else one sky down the picture"),
       Row("fit", "decoding", &Scene::fit, &Fit::decoding).rule(decoding_complaint).names_table()
           .means("photograph to linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor, unknown or unknown:2 (docs/fitting.md)"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
@@ -36,13 +36,13 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
           .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2 to 31.4; 0: none"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
-          .means("wavelengths tried before the descents; 0: one descent from the start"),
+          .means("wavelengths tried before; 0: one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
-          .means("number of trials that are followed by a descent"),
+          .means("trials that are followed by a descent"),
       Row("fit", "overall_trials", &Scene::fit, &Fit::overall_trials).within(0, 1000000)
-          .means("number of distances, energies and bearings tried before"),
+          .means("trials of distance, energy and bearing before"),
       Row("fit", "polish_descents", &Scene::fit, &Fit::polish_descents).within(1, 1000)
-          .means("number of descents that are polished with all beams"),
+          .means("descents with all beams"),
       Row("fit", "search_beams", &Scene::fit, &Fit::search_beams).within(0.01, 1)
           .means("share of the beams used by the search"),
       Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).within(0, 0.5)
@@ -64,7 +64,7 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "granulation_weight", &Scene::fit, &Fit::granulation_weight).within(0, 100)
           .means("weight of the angular power spectrum of the Sun's disc"),
       Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
-          .means("direction of profiles: columns, elevation, field lines, across a loop (guide points), or away from the Sun's limb"),
+          .means("direction of profiles: columns, elevation, field lines, across a loop, or away from the Sun's limb"),
       Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
           .means("for profiles across a loop: points along it, from the left edge"),
       Row("fit", "guide_y_px", &Scene::fit, &Fit::guide_y_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
@@ -74,11 +74,11 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "guide_cell_px", &Scene::fit, &Fit::guide_cell_px).in("px").within(0.5, 100)
           .means("from position to position across a loop"),
       Row("fit", "limb_lowest", &Scene::fit, &Fit::limb_lowest).within(0, 1000)
-          .means("start of profiles away from the Sun's limb, in radii of the photosphere"),
+          .means("start of profiles from the Sun's limb, in radii"),
       Row("fit", "limb_highest", &Scene::fit, &Fit::limb_highest).within(0, 1000).means("and where they end"),
       Row("fit", "limb_step", &Scene::fit, &Fit::limb_step).within(1e-4, 100).means("from position to position"),
       Row("fit", "horizontal_strips", &Scene::fit, &Fit::horizontal_strips).within(1, 1000)
-          .means("strips of rows in which horizontal profiles are taken"),
+          .means("strips of rows for horizontal profiles"),
       Row("fit", "image_cell_px", &Scene::fit, &Fit::image_cell_px).in("px").within(2, 1000)
           .means("of the picture of low resolution"),
       Row("fit", "photo_noise", &Scene::fit, &Fit::photo_noise).one_of<PhotoNoise>({{"estimated", PhotoNoise::estimated}, {"sensor", PhotoNoise::sensor}})

@@ -17,35 +17,35 @@ std::vector<Declaration> light_rows() {
   return {
       Row("emission", "lines", &Scene::emission, &Emission::lines).of({"<n>"}).named_by(index_name).in("nm")
           .list_rule(lines_complaint).set_by(change_lines)
-          .means("wavelengths of the emission lines, of the program's (vegard lines) or of [[line]]"),
+          .means("emission lines, the program's (vegard lines) or those of [[line]]"),
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)
           .means("emission tables: \"vegard\", \"glow\" (not free), or a folder (docs/file_formats.md)"),
       Row("emission", "oxygen_factor", &Scene::emission, &Emission::oxygen_factor).as(ParameterRole::oxygen_factor)
           .within(kMinOxygenFactor, kMaxOxygenFactor).may_be_free(ParameterScale::logarithmic)
-          .means("factor on the atomic oxygen of the tables, within the factors that they have"),
+          .means("factor on the atomic oxygen of the tables"),
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
-          .means("light against the energy flux: by the tables' columns (GLOW's: up to 15 % from proportion), or proportional"),
+          .means("light against the energy flux: by the tables' columns, or proportional"),
       Row("emission", "lag", &Scene::emission, &Emission::lag).one_of<EmissionLag>({{"lifetime", EmissionLag::lifetime}, {"none", EmissionLag::none}})
-          .means("delay of light behind the electrons: the atoms' effective lifetimes, or none"),
+          .means("delay of light: the atoms' effective lifetimes, or none"),
 
       Row("blur", "width_deg", &Scene::blur, &Blur::width_deg).as(ParameterRole::blur_width).by_line().in("deg")
           .within(0, 10).list_rule(blur_complaint).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation per line of emission.lines (for \"angle\"); a component by its wavelength in ångström: blur.width_deg.6300"),
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of<BlurKernelKind>({{"full", BlurKernelKind::full}, {"paper", BlurKernelKind::paper}})
-          .means("kernel of the blur by angle: a full Gaussian, or truncated as in the paper"),
+          .means("blur by angle: a full Gaussian, or truncated as in the paper"),
       Row("blur", "model", &Scene::blur, &Blur::model).one_of<BlurModel>({{"angle", BlurModel::angle}, {"physical", BlurModel::physical}})
           .means("width_deg everywhere; or the diffusion of excited atoms in their lifetimes"),
       Row("blur", "order", &Scene::blur, &Blur::order).one_of<BlurOrder>({{"lines", BlurOrder::lines}, {"rgb", BlurOrder::rgb}})
-          .means("what is blurred by angle: each line; or red, green and blue as in the paper (beams only)"),
+          .means("what is blurred by angle: each line; or, as in the paper, red, green and blue of beams"),
       Row("blur", "widths", &Scene::blur, &Blur::widths).one_of<BlurWidths>({{"given", BlurWidths::given}, {"paper", BlurWidths::paper}})
           .means("width_deg; or the paper's pixels (docs/physics.md)"),
       Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)
           .means("wind that carries the excited atoms, of the physical model"),
 
       Row("film", "splat", &Scene::film, &Film::splat).one_of<SplatRule>({{"bilinear", SplatRule::bilinear}, {"nearest", SplatRule::nearest}})
-          .means("distribution of a point on the pixels; the paper: nearest"),
+          .means("distribution of a point on pixels; the paper: nearest"),
       Row("film", "weight", &Scene::film, &Film::weight).one_of<PointWeight>({{"rayleigh", PointWeight::rayleigh}, {"unit", PointWeight::unit}})
-          .means("what a point adds: rayleighs, or as in the paper each the same"),
+          .means("weight of a point: rayleighs, or as in the paper each the same"),
   };
   // clang-format on
 }

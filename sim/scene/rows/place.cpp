@@ -17,13 +17,13 @@ std::vector<Declaration> place_rows() {
       Row("seed", &Scene::seed).from(0).means("seed of all random numbers"),
 
       Row("body", "name", &Scene::body, &Body::name).one_of(body_names()).then(bring_along)
-          .means("the body that the scene stands on; setting it sets the other keys of [body], the dipole's pole and, on another body than the Earth, the dipole field, the lines of [[line]] and emission.lines, which those keys override (docs/bodies.md)"),
+          .means("body of the scene; it sets the other keys of [body], the dipole's pole and, other than the Earth, the dipole field, [[line]] and emission.lines, which those keys override (docs/bodies.md)"),
       Row("body", "radius_km", &Scene::body, &Body::radius_km).in("km").within(6000, 100000)
           .means("of the sphere from which altitudes are counted"),
       Row("body", "gravity_m_s2", &Scene::body, &Body::gravity_m_s2).in("m s⁻²").within(0.1, 100)
-          .means("on that sphere; with temperature and mass of the air it gives the scale height of layers that have none of their own"),
+          .means("gravity on that sphere, for the scale height of layers without their own"),
       Row("body", "dipole_moment_t_m3", &Scene::body, &Body::dipole_moment_t_m3).in("T m³").within(-1e21, 1e21)
-          .means("of the dipole; negative where the field points south at the equator: folds and spirals then turn the other way"),
+          .means("moment of the dipole; negative: southward at the equator, which reverses folds and spirals"),
       Row("body", "air_temperature_k", &Scene::body, &Body::air_temperature_k).in("K").within(10, 5000)
           .means("of the air where the aurora shines"),
       Row("body", "air_mass_dalton", &Scene::body, &Body::air_mass_dalton).in("Da").within(1, 100)
@@ -36,7 +36,7 @@ std::vector<Declaration> place_rows() {
       Row("site", "altitude_m", &Scene::site, &Site::altitude_m).in("m").within(-500, 1e9)
           .means("altitude of the observer above the sphere of the Earth"),
       Row("site", "time_utc", &Scene::site, &Site::time_utc).rule(time_complaint)
-          .means("UTC time of time.start_s = 0, ISO 8601 (\"2019-09-01T05:00:00Z\"); empty if unknown; needed by the field \"igrf\""),
+          .means("UTC of time.start_s = 0, ISO 8601 (\"2019-09-01T05:00:00Z\"); empty: unknown"),
 
       Row("field", "model", &Scene::field, &Field::model).one_of<FieldModel>({{"uniform", FieldModel::uniform}, {"dipole", FieldModel::dipole}, {"igrf", FieldModel::igrf}})
           .means("the same field everywhere; or at each foot a tilted dipole, or IGRF-14 at site.time_utc"),

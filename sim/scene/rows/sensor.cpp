@@ -40,7 +40,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "primaries", &Scene::sensor, &Sensor::primaries).one_of<Primaries>({{"srgb", Primaries::srgb}, {"smpte-c", Primaries::smpte_c}, {"rec2020", Primaries::rec2020}, {"acescg", Primaries::acescg}})
           .means("colour primaries of the image"),
       Row("sensor", "gain_per_kilorayleigh", &Scene::sensor, &Sensor::gain_per_kilorayleigh).within(1e-12, 1e12)
-          .means("linear sensor value (white = 1) of 1 kR of 557.7 nm: its luminance, or a camera's raw green"),
+          .means("linear value (white = 1) of 1 kR of 557.7 nm: its luminance, or a camera's raw green"),
       Row("sensor", "response", &Scene::sensor, &Sensor::response).names_table().rule(response_complaint)
           .means("colour response: `cie` (1931 observer), `filters` (the first three emission.lines), `grey` (all photons alike), `canon_5d_mark_ii`, `nikon_d200`, `nikon_d700`, `sony_a7s_ii`, or `FILE.csv` of wavelength_nm, red, green, blue"),
       Row("sensor", "response_per", &Scene::sensor, &Sensor::response_per).one_of<ResponsePer>({{"energy", ResponsePer::energy}, {"photon", ResponsePer::photon}})
@@ -52,7 +52,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "matrix_rule", &Scene::sensor, &Sensor::matrix_rule).one_of<MatrixRule>({{"none", MatrixRule::none}, {"colorimetric", MatrixRule::colorimetric}, {"given", MatrixRule::given}})
           .means("camera channels to primaries: `none`, `colorimetric` (least squares, docs/physics.md) or `given` (matrix)"),
       Row("sensor", "matrix", &Scene::sensor, &Sensor::matrix).of({"rr", "rg", "rb", "gr", "gg", "gb", "br", "bg", "bb"}).within(-1e6, 1e6)
-          .means("matrix from the camera's to the picture's red, green, blue, by rows"),
+          .means("matrix from camera to picture channels, by rows"),
       Row("sensor", "exposure", &Scene::sensor, &Sensor::exposure).one_of<ExposureRule>({{"gain", ExposureRule::gain}, {"camera", ExposureRule::camera}})
           .means("gain from gain_per_kilorayleigh, or from lens, pixel, time.exposure_s and iso"),
       Row("sensor", "f_number", &Scene::sensor, &Sensor::f_number).within(0.5, 64)
@@ -78,7 +78,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "bits", &Scene::sensor, &Sensor::bits).within(8, 16)
           .means("of the analogue-digital converter"),
       Row("sensor", "mosaic", &Scene::sensor, &Sensor::mosaic).one_of<MosaicPattern>({{"rggb", MosaicPattern::rggb}, {"bggr", MosaicPattern::bggr}, {"grbg", MosaicPattern::grbg}, {"gbrg", MosaicPattern::gbrg}, {"none", MosaicPattern::none}})
-          .means("colour filters of the upper left 2 × 2 pixels, by rows; none: every pixel sees all colours"),
+          .means("colour filters of the upper left 2 × 2 pixels; none: all colours in every pixel"),
       Row("sensor", "vignetting_cos_power", &Scene::sensor, &Sensor::vignetting_cos_power).within(0, 16)
           .means("vignetting as a power of the cosine off the axis (4: a simple lens); 0: none"),
       Row("sensor", "vignetting", &Scene::sensor, &Sensor::vignetting).of({"r2", "r4", "r6"}).within(-10, 10)
@@ -88,11 +88,11 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "gamma", &Scene::sensor, &Sensor::gamma).within(0.2, 5)
           .means("for \"gamma\": values are light to the power of 1 / gamma"),
       Row("sensor", "tone_file", &Scene::sensor, &Sensor::tone_file).names_table()
-          .means("for \"file\": CSV of linear and encoded values, increasing, relative to the scene's file"),
+          .means("for \"file\": CSV of linear and encoded values, relative to the scene's file"),
       Row("sensor", "colour_table", &Scene::sensor, &Sensor::colour_table).names_table().rule(colour_table_complaint)
           .means("false colour of display files: none, 171, 195, 284, 304 (solar wavelengths in ångström), or a CSV of grey, red, green, blue"),
       Row("sensor", "calibration_error", &Scene::sensor, &Sensor::calibration_error).within(0, 10)
-          .means("relative standard uncertainty of the absolute scale, from its calibration; 0: not calibrated"),
+          .means("relative standard uncertainty of the absolute scale; 0: not calibrated"),
   };
   // clang-format on
 }

@@ -91,9 +91,9 @@ std::vector<Declaration> sheet_rows() {
       Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
       Row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}})
-          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; a free form for each line; or only the layers of the scene's own lines ([[line]])"),
+          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; or the layers of [[line]]"),
       Row("profile_file", &Sheet::profile_file).names_table()
-          .means("for \"file\": CSV of altitude_km and, per line, photons cm⁻³ s⁻¹, relative to the scene's file"),
+          .means("for \"file\": CSV of altitude_km and photons cm⁻³ s⁻¹ per line, relative to the scene's file"),
       Row("peak_km", &Sheet::peak_km).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
       Row("lower_km", &Sheet::lower_km).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)

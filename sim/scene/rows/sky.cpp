@@ -11,16 +11,16 @@ std::vector<Declaration> sky_rows() {
       Row("sky", "level", &Scene::sky, &Sky::level).of({"red", "green", "blue"}).within(-1e6, 1e6)
           .means("sky brightness, mean over the picture's height, linear"),
       Row("sky", "gradient", &Scene::sky, &Sky::gradient).of({"red", "green", "blue"}).within(-1e6, 1e6)
-          .means("sky brightness at the bottom less that at the top, linear"),
+          .means("sky brightness at the bottom less that at the top"),
       Row("sky", "curvature", &Scene::sky, &Sky::curvature).of({"red", "green", "blue"}).within(-1e6, 1e6)
-          .means("curvature of the sky: four times the excess of top and bottom over the middle"),
+          .means("curvature: four times the excess of top and bottom over the middle"),
       Row("sky", "lights_gain", &Scene::sky, &Sky::lights_gain).within(0, 1e12)
           .means("factor on airglow, twilight and light pollution; a fit puts its gain's ratio here"),
 
       Row("stars", "shown", &Scene::stars, &Stars::shown).means("whether there are stars behind the aurora"),
       Row("stars", "source", &Scene::stars, &Stars::source).one_of<StarSource>({{"random", StarSource::random}, {"catalogue", StarSource::catalogue}})
           .means("random stars, or the catalogue's at the site and its time"),
-      Row("stars", "planets", &Scene::stars, &Stars::planets).means("Mercury to Saturn as they stand at the site and its time"),
+      Row("stars", "planets", &Scene::stars, &Stars::planets).means("Mercury to Saturn at the site and its time"),
       Row("stars", "milky_way", &Scene::stars, &Stars::milky_way).means("the unresolved light of faint stars"),
       Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
           .means("of the stars that are shown"),
@@ -28,7 +28,7 @@ std::vector<Declaration> sky_rows() {
           .means("standard deviation of a star's image"),
       Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times the stars' photometric brightness"),
 
-      Row("moon", "shown", &Scene::moon, &Moon::shown).means("the Moon's disc with its phase, as it stands at the site and its time"),
+      Row("moon", "shown", &Scene::moon, &Moon::shown).means("the Moon's disc with its phase, at the site and its time"),
       Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the Moon's light that the air scatters, and on the ground its own"),
 
       Row("ground", "shown", &Scene::ground, &Ground::shown)
@@ -56,7 +56,7 @@ std::vector<Declaration> night_sky_rows() {
       Row("air", "model", &Scene::air, &LowerAir::model).one_of<AirModel>({{"none", AirModel::none}, {"standard", AirModel::standard}})
           .means("extinction: none, or by molecules, aerosol and ozone along the path"),
       Row("air", "aerosol_optical_depth", &Scene::air, &LowerAir::aerosol_optical_depth).as(ParameterRole::aerosol_depth).within(0, 5).may_be_free(ParameterScale::logarithmic)
-          .means("aerosol optical depth at 550 nm from sea level to the zenith; 0.05 very clear, 0.3 hazy"),
+          .means("aerosol optical depth at 550 nm at the zenith; 0.05 very clear, 0.3 hazy"),
       Row("air", "angstrom_exponent", &Scene::air, &LowerAir::angstrom_exponent).as(ParameterRole::angstrom_exponent).within(-1, 4).may_be_free(ParameterScale::linear)
           .means("Ångström exponent of the aerosol: 1.3 on average, near 0 for sea salt and dust"),
       Row("air", "aerosol_height_km", &Scene::air, &LowerAir::aerosol_height_km).in("km").within(0.3, 10)
@@ -67,7 +67,7 @@ std::vector<Declaration> night_sky_rows() {
       Row("airglow", "green_rayleigh", &Scene::airglow, &Airglow::green_rayleigh).called("green light").as(ParameterRole::green_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
           .means("zenith airglow of 557.7 nm, at 97 km (mean at Paranal: 163)"),
       Row("airglow", "red_rayleigh", &Scene::airglow, &Airglow::red_rayleigh).called("red light").as(ParameterRole::red_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("zenith airglow of 630.0 nm, at 250 km (mean at Paranal: 120; less at high latitudes)"),
+          .means("zenith airglow of 630.0 nm, at 250 km (mean at Paranal: 120)"),
       Row("airglow", "sodium_rayleigh", &Scene::airglow, &Airglow::sodium_rayleigh).called("sodium light").as(ParameterRole::sodium_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)
           .means("zenith airglow of the sodium lines, 589.3 nm, at 92 km (mean at Paranal: 37)"),
 
@@ -83,7 +83,7 @@ std::vector<Declaration> night_sky_rows() {
 
       Row("light_pollution", "luminance_mcd_m2", &Scene::light_pollution, &LightPollution::luminance_mcd_m2).as(ParameterRole::town_light).in("mcd m⁻²")
           .within(0, 1e5).may_be_free(ParameterScale::linear)
-          .means("luminance at the horizon towards a town; 0: none; natural night sky: 0.2"),
+          .means("luminance at the horizon towards a town; natural night sky: 0.2"),
       Row("light_pollution", "azimuth_deg", &Scene::light_pollution, &LightPollution::azimuth_deg).in("deg").within(-720, 720)
           .means("of the town, from north to the east"),
       Row("light_pollution", "height_deg", &Scene::light_pollution, &LightPollution::height_deg).in("deg").within(0.5, 90)

@@ -7,11 +7,11 @@ std::vector<Declaration> time_rows() {
   // clang-format off
   return {
       Row("time", "start_s", &Scene::time, &Time::start_s).in("s").within(-1e7, 1e7)
-          .means("time of the picture or the first frame on the scene's clock"),
+          .means("time of the picture or first frame on the scene's clock"),
       Row("time", "exposure_s", &Scene::time, &Time::exposure_s).in("s").within(0, 1e5)
           .means("how long the picture is exposed"),
       Row("time", "instants", &Scene::time, &Time::instants).within(1, 1024)
-          .means("number of evenly spaced instants that are averaged, the first at the start"),
+          .means("evenly spaced instants that are averaged, the first at the start"),
       Row("time", "frames_per_second", &Scene::time, &Time::frames_per_second).in("s⁻¹").within(0.001, 1000)
           .means("of an animation"),
       Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
@@ -19,7 +19,7 @@ std::vector<Declaration> time_rows() {
           .means("seconds of the scene's clock to a second of an animation; 900: time lapse"),
 
       Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)
-          .means("brightness of all aurora before and after a substorm, relative; 1: no substorm"),
+          .means("relative brightness of all aurora before and after a substorm; 1: no substorm"),
       Row("substorm", "grown", &Scene::substorm, &Substorm::grown).within(0, 1)
           .means("brightness at the end of the growth phase"),
       Row("substorm", "onset_s", &Scene::substorm, &Substorm::onset_s).in("s").within(-1e7, 1e7)
