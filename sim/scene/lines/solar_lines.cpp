@@ -32,18 +32,21 @@ struct Band {
 };
 
 constexpr const char* kEquilibrium =
-    "where the ion is most abundant in ionisation equilibrium (CHIANTI; Mazzotta et al. 1998, A&AS 133, "
-    "403), to 0.05, set down from memory";
+    "where the ion is most abundant in CHIANTI's ionisation equilibrium (chianti.ioneq of the database: Fe "
+    "IX "
+    "5.88, X 6.02, XII 6.18, XIV 6.29, XV 6.35), to 0.05";
 constexpr const char* kTransitionRegion =
-    "8 10^4 K, as the Extreme ultraviolet Imaging Telescope's band has it (Delaboudinière et al. 1995, Sol. "
-    "Phys. 162, 291), set down from memory; helium is not in equilibrium there";
-
+    "8 10^4 K, the upper end of the 6 to 8 10^4 K that the Extreme ultraviolet Imaging Telescope's team "
+    "gives "
+    "for its band (SOHO, 13 May 2004); ESTIMATED to 0.2, since He+ is most abundant at 4.69 in CHIANTI's "
+    "equilibrium, in which helium is not";
 constexpr const char* kAiaBand =
     "as table 1 of the Atmospheric Imaging Assembly has its band (Lemen et al. 2012, Sol. Phys. 275, 17), to "
-    "0.1";
+    "0.1; CHIANTI's equilibrium has Fe XIV 6.29, XVI 6.44, XVIII 6.85, XXI 7.06";
 
-// The widths are ours: a Gaussian of some 0.35 of log10 T over half its height (Schmelz and Martens 2005,
-// astro-ph/0511487, find 0.2 to 0.3 for single lines; an imager's band adds the neighbouring ions).
+// The widths are ours, ESTIMATED to 0.03: a Gaussian of some 0.35 of log10 T over half its height (Schmelz
+// and Martens 2005, astro-ph/0511487, find 0.2 to 0.3 for single lines; an imager's band adds the
+// neighbouring ions).
 constexpr Band kBands[] = {
     {9.4, "Fe17+", "Fe XVIII 93.93 Å", {6.80, 0.16, kAiaBand}},
     {13.1, "Fe20+", "Fe XXI 128.75 Å", {7.00, 0.15, kAiaBand}},
