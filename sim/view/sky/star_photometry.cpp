@@ -6,11 +6,13 @@
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/line_colours.h"
+#include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr double kPhotonsOfMagnitude0 = 1.0e6;  // V band: 1000 photons per cm2, s and 0.1 nm over 90 nm
+constexpr double kMagnitude0_lx = 2.54e-6;
+constexpr double kLuminanceNm = 557.7;
 // Where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as these
 // wavelengths.
 constexpr std::array<double, 3> kChannelNm = {610.0, 550.0, 465.0};
@@ -22,7 +24,10 @@ double colour_temperature_k(double colour_index) {
 }
 
 double star_photons_cm2_s(double magnitude) {
-  return kPhotonsOfMagnitude0 * std::pow(10.0, -0.4 * magnitude);
+  // A rayleigh is 1e6 / 4 pi photons per cm2, s and sr.
+  static const double photons_of_magnitude_0 =
+      kMagnitude0_lx / (4.0 * kPi * 1e-6 * luminance_cd_m2_per_rayleigh(kLuminanceNm));
+  return photons_of_magnitude_0 * std::pow(10.0, -0.4 * magnitude);
 }
 
 std::array<double, 3> star_tint(double colour_index, const SensorResponse& response) {

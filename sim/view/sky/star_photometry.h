@@ -10,7 +10,10 @@
 
 namespace vegard::sim {
 
-/// Photons cm^-2 s^-1 in the V band: 1.0e6 at magnitude 0.
+/// Photons cm^-2 s^-1 of 557.7 nm that are as bright to the eye as a star of a V magnitude: 1.05e6 at
+/// magnitude 0, which is 2.54e-6 lx (Crumey 2014, MNRAS 442, 2600, doi:10.1093/mnras/stu992). AB magnitudes
+/// in the eye's own band have 2.58e-6 lx (Bara 2017, arXiv:1710.06755); a star's colour changes it by some
+/// hundredths. In the band V itself a star of magnitude 0 has 9.0e5 photons.
 double star_photons_cm2_s(double magnitude);
 
 /// Of the black body that a colour index B - V stands for: Ballesteros 2012,

@@ -12,6 +12,7 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/illuminants.h"
+#include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim::stars_test {
 namespace {
@@ -130,7 +131,12 @@ TEST(Stars, RiseInTheEastAndCulminateInTheSouth) {
 }
 
 TEST(Stars, GiveTheLightThatTheirMagnitudesSay) {
-  EXPECT_DOUBLE_EQ(star_photons_cm2_s(0.0), 1.0e6);
+  // Crumey 2014, doi:10.1093/mnras/stu992: V = 0 is 2.54e-6 lx. Bara 2017, arXiv:1710.06755, by another way:
+  // 10.96e4 cd m^-2 are AB magnitude 0 to a square arcsecond; that scale differs from V's by some hundredths.
+  const double lux = star_photons_cm2_s(0.0) * 4.0 * kPi * 1e-6 * luminance_cd_m2_per_rayleigh(557.7);
+  const double arcsecond = kRadiansPerDegree / 3600.0;
+  EXPECT_NEAR(lux, 2.54e-6, 1e-12);
+  EXPECT_NEAR(lux / (10.96e4 * arcsecond * arcsecond), 1.0, 0.02);
   EXPECT_NEAR(star_photons_cm2_s(1.0) / star_photons_cm2_s(6.0), 100.0, 1e-9) << "Pogson's definition";
   const Scene scene = starry_scene(180);
   const double in_picture = photons_in(scene, star_light(scene, {0.0}));
