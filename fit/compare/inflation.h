@@ -16,7 +16,7 @@ double correlated_residuals(const Profile& data, const std::vector<std::size_t>&
 
 /// chi2 / dof of `residuals` values of which so many go together, with one standard error of it added, for
 /// it is a mean over residuals / together independent squares: sqrt(2 together / residuals) of itself. Below
-/// 1 where sigma, of which the model error is a judgement, is more than what was missed; not below 0.01, for
+/// 1 where sigma, of which the model error is an estimate, is more than what was missed; not below 0.01, for
 /// a made picture may be met to its rounding.
 double residual_scale(double chi2, int dof, double residuals, double together);
 

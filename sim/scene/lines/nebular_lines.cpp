@@ -16,8 +16,10 @@ constexpr const char* kSulphurSource =
     "671.6 to 673.1 as 1.2, as in gas of some 200 electrons to the cm³ at 10⁴ K (Osterbrock and Ferland "
     "2006, figure 5.8): from 1.45 in thin gas to 0.44 in dense";
 constexpr const char* kStarlightSource =
-    "photons by Planck's law at 15 000 K, a B star's, times λ^-1.3, about as small grains scatter; every 10 "
-    "nm, and nothing beyond 400 and 700 nm";
+    "photons by Planck's law at 15 000 K, a B star's, times λ^-1.3, about as small grains scatter "
+    "(ESTIMATED, the exponent to 0.5); every 10 "
+    "nm, "
+    "and nothing beyond 400 and 700 nm";
 constexpr const char* kSynchrotronSource =
     "a power law with energy per frequency as ν^-0.43, the Crab's (Véron-Cetty and Woltjer 1993, A&A 270, "
     "370, freed of reddening): photons per wavelength as λ^-0.57; every 10 nm, and nothing beyond 400 and "
@@ -50,6 +52,8 @@ double synchrotron(double nm) { return std::pow(nm, 0.43 + 1.0 - 2.0); }
 // Lifetimes: the sums of the Einstein coefficients of hydrogen's levels n = 3 and 4, 1.0e8 and 3.0e7 s^-1, of
 // He+ those times 2^4; of the forbidden lines Osterbrock and Ferland 2006, "Astrophysics of Gaseous Nebulae
 // and Active Galactic Nuclei", tables 3.12 and 3.13: O++ 2.0e-2 + 6.8e-3, N+ 3.0e-3 + 9.8e-4, S+ 8.8e-4 s^-1.
+// PyNeb's files have 2.05e-2 + 6.8e-3 (Storey and Zeippen 2000), 2.91e-3 + 9.9e-4 (Froese Fischer and Tachiev
+// 2004) and 8.9e-4 (Keenan et al. 1993): lifetimes are within 2 %.
 std::vector<EmissionLine> nebular_lines() {
   return {
       {450.0, "*", "starlight scattered by dust, 400 to 700 nm", 0.0, "", 0.0, "", "", bands_of(starlight),

@@ -41,7 +41,7 @@ void add_by_the_data_sheet(std::vector<UncertaintyPart>& parts) {
   parts.push_back({"lens transmission", of_range(0.75, 0.95),
                    "0.75 to 0.95 taken for all lenses; a measured 85 mm f/1.4 is T/1.6, or 0.77 (DxOMark)"});
   parts.push_back({"quantum efficiency", of_range(0.35, 0.60),
-                   "judgement: 0.35 to 0.60 for a green pixel of today's sensors, filters included"});
+                   "estimated: 0.35 to 0.60 for a green pixel of today's sensors, filters included"});
   parts.push_back({"ISO", of_range(std::exp2(-0.5), std::exp2(0.5)),
                    "half a stop either way: ISO 12232 leaves makers the choice, and DxOMark's measurements "
                    "differ from their figures by a fifth to a half of a stop and more"});
@@ -53,14 +53,14 @@ void add_around_the_camera(const Scene& scene, std::vector<UncertaintyPart>& par
       sensor.vignetting_cos_power > 0.0 || sensor.vignetting != std::array<double, 3>{0.0, 0.0, 0.0};
   const double corner = std::pow(std::cos(corner_angle(scene.camera)), 4.0);
   if (corrected)
-    parts.push_back({"vignetting", 0.02, "judgement, of a correction; nothing on the axis"});
+    parts.push_back({"vignetting", 0.02, "estimated, of a correction; nothing on the axis"});
   else
     parts.push_back({"vignetting", of_range(corner, 1.0),
                      "uncorrected, from 1 on the axis to cos^4 in the corners; nothing on the axis"});
   constexpr double kLowest = 5.0, kMagnitudesPerAirmass = 0.05;
   const double elevation = std::max(std::abs(scene.camera.elevation_deg), kLowest) * kPi / 180.0;
   parts.push_back({"air", kMagnitudesPerAirmass / std::sin(elevation) * 0.4 * std::log(10.0),
-                   "judgement: 0.05 magnitudes per airmass from night to night at the picture's middle, for "
+                   "estimated: 0.05 magnitudes per airmass from night to night at the picture's middle, for "
                    "rayleighs above the air; Jackel et al. 2016 find the air to be the largest part"});
 }
 

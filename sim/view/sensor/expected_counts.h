@@ -19,7 +19,7 @@ namespace vegard::sim {
 struct UncertaintyPart {
   std::string name;       ///< "lens transmission"
   double relative = 0.0;  ///< standard uncertainty
-  std::string source;     ///< where the figure comes from, or that it is a judgement
+  std::string source;     ///< where the figure comes from, or that it is an estimate
 };
 
 /// What a pixel on the axis records of a line that fills it. Counts of a raw channel are 0 where the scene's
