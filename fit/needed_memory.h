@@ -9,7 +9,7 @@
 namespace vegard::fit {
 
 /// Bytes at the worst moment of a fit of the scene's photographs, or of one of its camera's size, and of the
-/// report: from above, of a picture that is full of light. Judges (--bootstrap, --mcmc) add little.
+/// report: from above, of a picture that is full of light. Validation (--bootstrap, --mcmc) adds little.
 double fit_bytes(const sim::Scene& scene, int threads);
 
 /// Throws as sim::require_memory() if a fit of the scene's photographs would take more than the limit, and

@@ -289,7 +289,7 @@ void bind_stars(py::module_& m) {
       .def_property_readonly("used", &used_of, "(stars,), bool: which stars were not left out as mistaken.")
       .def_property_readonly(
           "warnings", [](const Stars& s) { return s.calibration->warnings; },
-          "What is to be held against it (list of str).")
+          "Doubts about it (list of str).")
       .def(
           "to_toml", [](const Stars& s) { return fit::camera_toml(*s.calibration, s.origin); },
           "The file that `vegard calibrate` writes, with [camera] and, where it is known, [site] (str).")

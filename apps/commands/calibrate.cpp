@@ -163,7 +163,7 @@ std::vector<char> where_to_look(const CalibrateOptions& options, const fit::Phot
   return options.mask.empty() ? std::vector<char>() : fit::pixels_left_by(options.mask, photo);
 }
 
-/// What is to be held against a calibration.
+/// What a calibration is checked against.
 fit::StarEvidence evidence_of(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_file,
                               const fit::SkyOfPicture& sky, const std::optional<fit::Photo>& photo) {
   constexpr double kZenithCamera_deg = 80.0;

@@ -125,7 +125,7 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
   }
 }
 
-/// Of a sine: its bearing and course, as far as they were asked for.
+/// Of a sine: its bearing and its numbers, as far as they were asked for.
 void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, int s, const std::string& of,
                  std::vector<Group>& groups) {
   if (sim::is_curve(best.sheets[s])) return;

@@ -35,7 +35,7 @@ double boundary_separation_km(const sim::Sheet& sheet);
 std::vector<std::string> unusual_sheets(const sim::Scene& scene);
 
 /// Of every sheet, with error bars by the delta method: distance and azimuth, E0 and mean energy, lower
-/// border, peak altitudes and half-widths, ratios of lines along the field, shape, bearing and course where
+/// border, peak altitudes and half-widths, ratios of lines along the field, shape, bearing and sine where
 /// they were free, and the geographic and
 /// geomagnetic coordinates of its feet. docs/fitting.md, "Derived numbers", has the list. A number that
 /// cannot be told is there all the same and says why.

@@ -359,7 +359,7 @@ void assess_fit(const Evidence& evidence, FitResult& result) {
 void assess_quantities(FitResult& result) {
   static const std::string kGoodAllTheSame = " Good all the same: ";
   std::string good;
-  // Judged again, it may be another one.
+  // Assessed again, it may be another one.
   result.verdict_line.erase(std::min(result.verdict_line.size(), result.verdict_line.find(kGoodAllTheSame)));
   for (DerivedNumber& d : result.derived) {
     assess_quantity(result, d);

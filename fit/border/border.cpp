@@ -210,7 +210,7 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
 /// A peak of a column with its border, or why there is none.
 struct BorderCandidate {
   BorderPoint point;
-  double course_deg = 0.0;  ///< what is linked: the border, or the end of the picture above it
+  double linked_deg = 0.0;  ///< what is linked: the border, or the end of the picture above it
   bool used = false;
 };
 
@@ -252,7 +252,7 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   const auto refuse = [&] {
     p.limit = low == 0 ? BorderLimit::horizon : cells.limit[cells.index(column, low - 1)];
     p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
-    found.course_deg = cells.elevation_deg(low);
+    found.linked_deg = cells.elevation_deg(low);
     return true;
   };
   if (foot - low <= 2) {
@@ -283,7 +283,7 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   const double by_noise =
       std::sqrt(1.5) * sigma / slope;  // of the light there, the peak's and the foot's half
   const double by_level = 0.5 * (upper - lower);
-  p.elevation_deg = found.course_deg = cells.elevation_deg(half);
+  p.elevation_deg = found.linked_deg = cells.elevation_deg(half);
   if (p.elevation_deg < settings.lowest_measured_deg) {
     p.limit = BorderLimit::horizon;
     p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
@@ -339,7 +339,7 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     if (!find_border_below(light, settings, column, peak, low, foot, sigma, candidate)) continue;
     if (candidate.point.measured() && whole(peak) - whole(foot) < 0.5 * amplitude) continue;
     // Two peaks over one border: the lower one's is it.
-    if (!found.empty() && std::abs(found.back().course_deg - candidate.course_deg) < 0.5 &&
+    if (!found.empty() && std::abs(found.back().linked_deg - candidate.linked_deg) < 0.5 &&
         found.back().point.limit == candidate.point.limit)
       continue;
     found.push_back(candidate);
@@ -366,13 +366,13 @@ std::vector<std::vector<BorderCandidate>> border_candidates(const BorderLight& l
 
 using BorderPlaceInColumn = std::pair<int, std::size_t>;
 
-/// From a candidate on, column by column to one side; a straight course from the last few is looked along.
+/// From a candidate on, column by column to one side; along a straight line through the last few.
 std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<BorderCandidate>>& all,
                                                const BorderSettings& settings, BorderPlaceInColumn from,
                                                int side, int most) {
   const int columns = static_cast<int>(all.size());
   const int widest = std::max(1, static_cast<int>(settings.longest_gap_deg / settings.azimuth_step_deg));
-  std::vector<BorderPlaceInColumn> course;
+  std::vector<BorderPlaceInColumn> linked;
   const BorderCandidate* last = &all[static_cast<std::size_t>(from.first)][from.second];
   double slope = 0.0, brightness = last->point.brightness;
   int gap = 1;
@@ -383,7 +383,7 @@ std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<Bor
     int chosen = -1;
     for (std::size_t i = 0; i < here.size(); ++i) {
       const double ratio = here[i].point.brightness / brightness;
-      const double off = std::abs(here[i].course_deg - last->course_deg - slope * gap);
+      const double off = std::abs(here[i].linked_deg - last->linked_deg - slope * gap);
       if (here[i].used || ratio > 4.0 || ratio < 0.25 || off > nearest) continue;
       nearest = off;
       chosen = static_cast<int>(i);
@@ -393,13 +393,13 @@ std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<Bor
       continue;
     }
     const BorderCandidate& next = here[static_cast<std::size_t>(chosen)];
-    slope = 0.7 * slope + 0.3 * (next.course_deg - last->course_deg) / gap;
+    slope = 0.7 * slope + 0.3 * (next.linked_deg - last->linked_deg) / gap;
     brightness = 0.7 * brightness + 0.3 * next.point.brightness;
     last = &next;
     gap = 1;
-    course.emplace_back(column, static_cast<std::size_t>(chosen));
+    linked.emplace_back(column, static_cast<std::size_t>(chosen));
   }
-  return course;
+  return linked;
 }
 
 /// Widens error bars by the neighbours' scatter about a straight line.
@@ -457,13 +457,13 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
     const int turned = right.empty() ? 0 : ((right.back().first - seed.first) % columns + columns) % columns;
     const std::vector<BorderPlaceInColumn> left =
         follow_border(all, settings, seed, -1, columns - 1 - turned);
-    std::vector<BorderPlaceInColumn> course(left.rbegin(), left.rend());
-    course.push_back(seed);
-    course.insert(course.end(), right.begin(), right.end());
-    const int span = ((course.back().first - course.front().first) % columns + columns) % columns + 1;
-    if (span < least || course.size() < 0.6 * span) continue;
+    std::vector<BorderPlaceInColumn> linked(left.rbegin(), left.rend());
+    linked.push_back(seed);
+    linked.insert(linked.end(), right.begin(), right.end());
+    const int span = ((linked.back().first - linked.front().first) % columns + columns) % columns + 1;
+    if (span < least || linked.size() < 0.6 * span) continue;
     BorderTrace trace;
-    for (const BorderPlaceInColumn& at : course) {
+    for (const BorderPlaceInColumn& at : linked) {
       candidate(at).used = true;
       trace.points.push_back(candidate(at).point);
     }

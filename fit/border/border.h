@@ -28,7 +28,7 @@ struct BorderSettings {
   double min_signal = 8.0;              ///< of a peak above its foot, in standard deviations
   double min_contrast = 0.05;           ///< of a peak above its foot, of the brightness there
   double widest_fall_deg = 8.0;         ///< from 75 to 25 % of the peak: beyond, a glow and no border
-  double max_jump_deg = 2.0;            ///< between neighbouring columns, off a straight course
+  double max_jump_deg = 2.0;            ///< between neighbouring columns, off a straight line
   double longest_gap_deg = 4.0;
   double min_length_deg = 8.0;
 };

@@ -39,9 +39,9 @@ bool light_in_pixel(const ColumnData& data, std::size_t lines) {
   return seen;
 }
 
-class PixelJudge {
+class PixelAssessment {
  public:
-  explicit PixelJudge(const ColumnChi2& chi2) : chi2_(chi2) {
+  explicit PixelAssessment(const ColumnChi2& chi2) : chi2_(chi2) {
     degrees_of_freedom_ = static_cast<int>(chi2.model().lines());
     for (const bool is_free : chi2.free()) degrees_of_freedom_ -= is_free ? 1 : 0;
   }
@@ -68,8 +68,8 @@ class PixelJudge {
   int degrees_of_freedom_ = 0;
 };
 
-void invert_pixel(const ColumnChi2& chi2, const PixelJudge& judge, const ColumnData& data, std::size_t i,
-                  ColumnMaps& maps) {
+void invert_pixel(const ColumnChi2& chi2, const PixelAssessment& assessment, const ColumnData& data,
+                  std::size_t i, ColumnMaps& maps) {
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   const ColumnValley& best = valleys.front();
   const Eigen::Matrix3d covariance = column_covariance(best, chi2.free());
@@ -90,7 +90,7 @@ void invert_pixel(const ColumnChi2& chi2, const PixelJudge& judge, const ColumnD
   maps.ln_oxygen_error[i] = static_cast<float>(sigma_ln[kLnOxygen]);
   if (second != nullptr) maps.other_energy_kev[i] = static_cast<float>(std::exp(second->at[kLnEnergy]));
   maps.chi2[i] = static_cast<float>(best.chi2);
-  maps.quality[i] = static_cast<std::uint8_t>(judge.of(best, sigma_ln, second != nullptr));
+  maps.quality[i] = static_cast<std::uint8_t>(assessment.of(best, sigma_ln, second != nullptr));
 }
 
 }  // namespace
@@ -107,13 +107,13 @@ ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines
         &maps.relative_flux_error, &maps.ln_oxygen_error, &maps.other_energy_kev, &maps.chi2})
     values->assign(pixels, nan);
   maps.quality.assign(pixels, static_cast<std::uint8_t>(ColumnVerdict::not_measured));
-  const PixelJudge judge(chi2);
+  const PixelAssessment assessment(chi2);
   sim::parallel_for(height, threads, [&](std::size_t row, int) {
     ColumnData data;
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       if (!take_pixel(lines, i, data) || !has_errors(data, lines.size())) continue;
       if (light_in_pixel(data, lines.size()))
-        invert_pixel(chi2, judge, data, i, maps);
+        invert_pixel(chi2, assessment, data, i, maps);
       else
         maps.quality[i] = static_cast<std::uint8_t>(ColumnVerdict::no_light);
     }

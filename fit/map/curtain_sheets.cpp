@@ -60,8 +60,8 @@ RidgePoint mean_about(const Ridge& ridge, const std::vector<double>& at, std::si
   return mean;
 }
 
-/// The course alone, for looking at it.
-sim::Sheet course_through(const Ridge& ridge, const std::vector<std::size_t>& chosen) {
+/// The curve alone, to look at it.
+sim::Sheet curve_through(const Ridge& ridge, const std::vector<std::size_t>& chosen) {
   sim::Sheet sheet;
   sheet.course = sim::SheetCourse::curve;
   for (const std::size_t i : chosen) {
@@ -79,7 +79,7 @@ std::vector<std::size_t> chosen_points(const Ridge& ridge, const std::vector<dou
   for (const RidgePoint& p : ridge.points) brightest = std::max(brightest, light_per_km(p));
   for (;;) {
     const int samples = static_cast<int>(at.back() / kSampled_km) + 2;
-    const std::vector<sim::EastNorth> curve = sim::curve_feet(course_through(ridge, chosen), 0.0, samples);
+    const std::vector<sim::EastNorth> curve = sim::curve_feet(curve_through(ridge, chosen), 0.0, samples);
     std::size_t worst = 0;
     double most = 1.0;
     for (std::size_t k = 0; k + 1 < chosen.size(); ++k) {
@@ -250,7 +250,7 @@ CurveEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge) {
 sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurveEnds& ends) {
   const std::vector<double> at = lengths_along(ridge);
   const std::vector<std::size_t> chosen = chosen_points(ridge, at);
-  sim::Sheet sheet = course_through(ridge, chosen);
+  sim::Sheet sheet = curve_through(ridge, chosen);
   sheet.name = ridge.name;
   sheet.layers = 1;
   sheet.beams_per_km = kBeamsPerKm;

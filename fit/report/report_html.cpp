@@ -273,18 +273,18 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                 "moves by. What goes beyond chance (the difference of the statistical variances) is the "
                 "systematic error, added over the choices in quadrature.",
                 stability);
-  const std::string judged = validation_table(result);
-  if (!judged.empty())
+  const std::string validation = validation_table(result);
+  if (!validation.empty())
     html += section(
         "Validation of the error bars",
         "The same intervals by means that do not take \u03c7\u00b2 for a parabola. Flagged: more than "
         "half as wide again as the curvature has it, or narrower than two thirds.",
-        judged);
+        validation);
   if (!result.profiles.empty())
     html += section("Height profiles",
                     "Free of any electrons: for each line a smooth curve that is nowhere negative. Where "
                     "gains are solved "
-                    "for, only its course and the lines\u2019 ratios mean anything: the column of "
+                    "for, only its shape and the lines\u2019 ratios mean anything: the column of "
                     "557.7\u00a0nm is held at "
                     "the start\u2019s. Beside this page: <code>profile.csv</code>.",
                     "<div class=\"plots\">\n" + free_profiles_svg(result) + "</div>\n");

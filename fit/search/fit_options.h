@@ -19,7 +19,7 @@ struct FitOptions {
       nullptr;                 ///< set by Ctrl-C: the best so far comes back with verdict interrupted
   Journal* journal = nullptr;  ///< where finished steps are kept and looked up; null: nowhere
 
-  // Judges of the error bars, of a fit that has not failed (docs/fitting.md).
+  // Validation of the error bars, of a fit that has not failed (docs/fitting.md).
   bool intervals = false;  ///< profile-likelihood intervals of every parameter
   int bootstrap = 0;       ///< draws of the bootstrap over bands; 0: none
   int mcmc = 0;            ///< kept steps of a Markov chain; 0: none

@@ -69,7 +69,7 @@ bool is_periodic(const FreeNumber& n) {
   return is(n, ParameterRole::wavelength) || is(n, ParameterRole::phase);
 }
 
-/// What shapes the profile as a whole, rather than its course along the arc.
+/// What shapes the profile as a whole, rather than what varies along the arc.
 bool is_overall(const FreeNumber& n) {
   if (is_of_volume(n)) return false;
   return is(n, ParameterRole::centre) || is(n, ParameterRole::energy) || is(n, ParameterRole::bearing) ||
@@ -621,7 +621,7 @@ class Search {
     return {end};
   }
 
-  /// Descents from where one sheet has another sine, best first: through its course as it shows when it is
+  /// Descents from where one sheet has another sine, best first: through its lateral offsets when it is
   /// all but straight, and as it shows about the sine that it has.
   std::vector<Trial> with_another_sine(const Trial& from, int sheet, const std::string& stage) {
     const SineNumbers sine = sine_of(sheet);

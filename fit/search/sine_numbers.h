@@ -14,9 +14,9 @@ struct SineNumbers {
 };
 SineNumbers sine_numbers(const std::vector<FreeNumber>& free, int sheet);
 
-/// Puts a sine found from a sheet's course into the values of its free numbers: wavelength, amplitude and
-/// phase, and the line that it goes about into centre and bearing. `start` is the scene in whose frame the
-/// numbers are.
+/// Puts a sine found from a sheet's lateral offsets into the values of its free numbers: wavelength,
+/// amplitude and phase, and the line that it goes about into centre and bearing. `start` is the scene in
+/// whose frame the numbers are.
 void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughOffsets& found,
                int sheet, std::vector<double>& values);
 

@@ -18,7 +18,7 @@ struct SurveyQuantity {
   std::string unit;
   std::optional<double> value;  ///< none where it cannot be told
   std::optional<double> sigma;
-  std::optional<std::string> trust;   ///< as fit/answer/trust.h names it; none where nobody has judged it
+  std::optional<std::string> trust;   ///< as fit/answer/trust.h names it; none where it was not assessed
   std::optional<std::string> reason;  ///< why it is not told, or not to be trusted
 };
 

@@ -14,24 +14,24 @@
 namespace vegard::fit {
 namespace {
 
-using CourseState = Eigen::Vector2d;
-using CourseSpread = Eigen::Matrix2d;
+using TrackState = Eigen::Vector2d;
+using TrackCovariance = Eigen::Matrix2d;
 
-CourseSpread way_over(double time_s) { return (CourseSpread() << 1.0, time_s, 0.0, 1.0).finished(); }
+TrackCovariance way_over(double time_s) { return (TrackCovariance() << 1.0, time_s, 0.0, 1.0).finished(); }
 
 /// What the noise of acceleration adds over a time.
-CourseSpread noise_over(double time_s, double q) {
+TrackCovariance noise_over(double time_s, double q) {
   const double t2 = time_s * time_s;
-  return q * (CourseSpread() << t2 * time_s / 3.0, t2 / 2.0, t2 / 2.0, time_s).finished();
+  return q * (TrackCovariance() << t2 * time_s / 3.0, t2 / 2.0, t2 / 2.0, time_s).finished();
 }
 
 struct Guess {
-  CourseState state = CourseState::Zero();
-  CourseSpread spread = CourseSpread::Zero();
+  TrackState state = TrackState::Zero();
+  TrackCovariance spread = TrackCovariance::Zero();
 };
 
 Guess predicted(const Guess& from, double time_s, double q) {
-  const CourseSpread way = way_over(time_s);
+  const TrackCovariance way = way_over(time_s);
   return {way * from.state, way * from.spread * way.transpose() + noise_over(time_s, q)};
 }
 
@@ -56,7 +56,7 @@ Innovation innovation_of(const Guess& guess, const TrackPoint& point) {
 
 /// With the number taken in.
 Guess updated(const Guess& guess, const Innovation& innovation) {
-  const CourseState gain = guess.spread.col(0) / innovation.variance;
+  const TrackState gain = guess.spread.col(0) / innovation.variance;
   Guess after;
   after.state = guess.state + gain * innovation.difference;
   after.spread = guess.spread - gain * guess.spread.row(0);
@@ -64,7 +64,7 @@ Guess updated(const Guess& guess, const Innovation& innovation) {
   return after;
 }
 
-bool tells_position(const TrackPoint& point) {
+bool measures_position(const TrackPoint& point) {
   // Nor what no square of a double can hold.
   constexpr double kMax = 1e100;
   return std::abs(point.value) < kMax && point.sigma < kMax && point.sigma > 1.0 / kMax;
@@ -72,11 +72,11 @@ bool tells_position(const TrackPoint& point) {
 
 using Indices = std::vector<std::size_t>;
 
-/// The numbers that courses are of: pieces, in the order of time.
+/// The numbers that tracks are of: pieces, in the order of time.
 using Pieces = std::vector<Indices>;
 
-/// Of the third and later numbers: the sum over their innovations, whose mean is 1 if all is as told, and -2
-/// log likelihood.
+/// Of the third and later numbers: the sum over their innovations, whose mean is 1 if errors are as stated,
+/// and -2 log likelihood.
 struct Misfit {
   double chi2 = 0.0, deviance = 0.0;
   int count = 0;
@@ -99,7 +99,7 @@ Misfit misfit_of(const std::vector<TrackPoint>& points, const Pieces& pieces, do
   return sum;
 }
 
-/// Limits of q: below the first the noise moves nothing over all of the time, above the second a number tells
+/// Limits of q: below the first the noise moves nothing over all of the time, above the second a number says
 /// nothing of the next.
 struct NoiseLimits {
   double least = 1.0, most = 1.0;
@@ -181,7 +181,7 @@ struct WeighedNoise {
 };
 
 /// By the likelihood, and beforehand by the square root of q, all of whose values are alike (Gelman 2006,
-/// Bayesian Analysis 1, 515): the logarithm's would put all short courses on straight lines.
+/// Bayesian Analysis 1, 515): the logarithm's would put all short tracks on straight lines.
 std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   const NoiseLimits limits = noise_limits(points, pieces);
   if (!limits.any) return {{0.0, 1.0}};
@@ -189,7 +189,7 @@ std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, c
   for (const double node : nodes)
     logs.push_back(0.5 * node - 0.5 * misfit_of(points, pieces, std::exp(node)).deviance);
   const double most = *std::max_element(logs.begin(), logs.end());
-  // Of long courses the peak is narrower than the nodes' distance: then it is looked at more closely.
+  // Of long tracks the peak is narrower than the nodes' distance: then it is looked at more closely.
   constexpr double kBelow = 8.0, kFine = 12.0;
   double low = nodes.back(), high = nodes.front();
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -234,59 +234,60 @@ double disagreement(const std::vector<TrackPoint>& points, std::size_t a, std::s
 /// Each number is asked whether it agrees with those before it.
 class TrackSorting {
  public:
-  TrackSorting(const std::vector<TrackPoint>& points, const Indices& told, double q, double limit)
-      : points_(points), told_(told), q_(q), limit_(limit) {}
+  TrackSorting(const std::vector<TrackPoint>& points, const Indices& measured, double q, double limit)
+      : points_(points), measured_(measured), q_(q), limit_(limit) {}
 
   Sorted sort() {
     std::size_t next = begin_piece(0);
-    while (next < told_.size()) next = take(next);
+    while (next < measured_.size()) next = take(next);
     leave_out_held();
     return std::move(sorted_);
   }
 
  private:
-  /// One of told_ that jumps; those in a row are held until it is clear what they are.
+  /// One of measured_ that jumps; those in a row are held until it is clear what they are.
   struct Held {
     std::size_t number = 0;
     double chi2 = 0.0, variance = 1.0;
   };
 
-  /// Begins a course with the first two of those from here on that a third agrees with; of four one may be
+  /// Begins a track with the first two of those from here on that a third agrees with; of four one may be
   /// left out. The next number to be asked.
   std::size_t begin_piece(std::size_t from) {
     sorted_.pieces.emplace_back();
     held_.clear();
     std::size_t a = from, b = from + 1;
-    if (from + 3 < told_.size() && disagrees(from, from + 1, from + 2)) {
+    if (from + 3 < measured_.size() && disagrees(from, from + 1, from + 2)) {
       std::optional<std::size_t> left_out;
       double best = limit_;
       for (const std::size_t skipped : {from, from + 1, from + 2}) {
         Indices kept;
         for (std::size_t i = from; i < from + 4; ++i)
           if (i != skipped) kept.push_back(i);
-        const double chi2 = disagreement(points_, told_[kept[0]], told_[kept[1]], told_[kept[2]], q_);
+        const double chi2 =
+            disagreement(points_, measured_[kept[0]], measured_[kept[1]], measured_[kept[2]], q_);
         if (chi2 > best) continue;
         best = chi2;
         left_out = skipped;
       }
       if (left_out && *left_out < from + 2) {
-        sorted_.outliers.emplace_back(told_[*left_out], sim::kNaN);
-        const double sigma = points_[told_[*left_out]].sigma;
+        sorted_.outliers.emplace_back(measured_[*left_out], sim::kNaN);
+        const double sigma = points_[measured_[*left_out]].sigma;
         sorted_.deviance += limit_ + std::log(sigma * sigma);
         a = *left_out == from ? from + 1 : from;
         b = from + 2;
       }
     }
-    piece().push_back(told_[a]);
-    if (b >= told_.size()) return b;
-    piece().push_back(told_[b]);
-    guess_ = begun(points_[told_[a]], points_[told_[b]], q_);
-    at_s_ = points_[told_[b]].time_s;
+    piece().push_back(measured_[a]);
+    if (b >= measured_.size()) return b;
+    piece().push_back(measured_[b]);
+    guess_ = begun(points_[measured_[a]], points_[measured_[b]], q_);
+    at_s_ = points_[measured_[b]].time_s;
     return b + 1;
   }
 
   std::size_t take(std::size_t i) {
-    const TrackPoint& point = points_[told_[i]];
+    const TrackPoint& point = points_[measured_[i]];
     const Guess guess = predicted(guess_, point.time_s - at_s_, q_);
     const Innovation innovation = innovation_of(guess, point);
     if (innovation.chi2() > limit_) {
@@ -296,35 +297,35 @@ class TrackSorting {
       const auto* last = &held_[held_.size() - kInARow];
       if (disagrees(last[0].number, last[1].number, last[2].number)) return i + 1;
       const Held first = last[0];
-      // Two begin the new course.
+      // Two begin the new track.
       for (const Held* one : {last, last + 1}) sorted_.deviance += limit_ + std::log(one->variance);
       held_.erase(held_.end() - static_cast<std::ptrdiff_t>(kInARow), held_.end());
       leave_out_held();
-      sorted_.breaks.emplace_back(told_[first.number], first.chi2);
+      sorted_.breaks.emplace_back(measured_[first.number], first.chi2);
       return begin_piece(first.number);
     }
     leave_out_held();
     sorted_.deviance += innovation.chi2() + std::log(innovation.variance);
     guess_ = updated(guess, innovation);
     at_s_ = point.time_s;
-    piece().push_back(told_[i]);
+    piece().push_back(measured_[i]);
     return i + 1;
   }
 
   void leave_out_held() {
     for (const Held& one : held_) {
-      sorted_.outliers.emplace_back(told_[one.number], one.chi2);
+      sorted_.outliers.emplace_back(measured_[one.number], one.chi2);
       sorted_.deviance += limit_ + std::log(one.variance);
     }
     held_.clear();
   }
   bool disagrees(std::size_t a, std::size_t b, std::size_t c) const {
-    return disagreement(points_, told_[a], told_[b], told_[c], q_) > limit_;
+    return disagreement(points_, measured_[a], measured_[b], measured_[c], q_) > limit_;
   }
   Indices& piece() { return sorted_.pieces.back(); }
 
   const std::vector<TrackPoint>& points_;
-  const Indices& told_;
+  const Indices& measured_;
   double q_, limit_;
   Sorted sorted_;
   std::vector<Held> held_;
@@ -333,18 +334,18 @@ class TrackSorting {
 };
 
 /// The state before one that is known, backwards in time: nothing else being known beforehand, the way back
-/// is as random as the way there. With a number that tells `row` times the state.
+/// is as random as the way there. With a number that measures `row` times the state.
 struct WayBack {
-  CourseSpread way = CourseSpread::Identity(), noise = CourseSpread::Zero();
-  CourseState pull = CourseState::Zero();
+  TrackCovariance way = TrackCovariance::Identity(), noise = TrackCovariance::Zero();
+  TrackState pull = TrackState::Zero();
 
   WayBack(double time_s, double q) {
     way = way_over(-time_s);
     noise = way * noise_over(time_s, q) * way.transpose();
   }
   void take(const Eigen::RowVector2d& row, double value, double variance) {
-    const CourseState gain = noise * row.transpose() / (row * noise * row.transpose() + variance);
-    const CourseSpread left = CourseSpread::Identity() - gain * row;
+    const TrackState gain = noise * row.transpose() / (row * noise * row.transpose() + variance);
+    const TrackCovariance left = TrackCovariance::Identity() - gain * row;
     pull = left * pull + gain * value;
     way = left * way;
     noise = left * noise;
@@ -376,8 +377,8 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
   is_known[last] = 1;
   for (std::size_t i = last; i-- > second;) {
     const std::size_t k = i - second;
-    const CourseSpread way = way_over(points[i + 1].time_s - points[i].time_s);
-    const CourseSpread gain = before[k + 1].spread.ldlt().solve(way * after[k].spread).transpose();
+    const TrackCovariance way = way_over(points[i + 1].time_s - points[i].time_s);
+    const TrackCovariance gain = before[k + 1].spread.ldlt().solve(way * after[k].spread).transpose();
     smoothed[i].state = after[k].state + gain * (smoothed[i + 1].state - before[k + 1].state);
     smoothed[i].spread =
         after[k].spread + gain * (smoothed[i + 1].spread - before[k + 1].spread) * gain.transpose();
@@ -436,13 +437,13 @@ std::vector<PieceReach> reaches_of(const Pieces& pieces, std::size_t points) {
 }
 
 /// The sorting that the numbers fit best, over all q.
-Sorted best_sorting(const std::vector<TrackPoint>& points, const Indices& told, double limit) {
-  const NoiseLimits limits = noise_limits(points, {told});
-  if (!limits.any) return TrackSorting(points, told, 0.0, limit).sort();
+Sorted best_sorting(const std::vector<TrackPoint>& points, const Indices& measured, double limit) {
+  const NoiseLimits limits = noise_limits(points, {measured});
+  if (!limits.any) return TrackSorting(points, measured, 0.0, limit).sort();
   Sorted best;
   best.deviance = std::numeric_limits<double>::infinity();
   for (const double node : noise_nodes(limits)) {
-    Sorted sorted = TrackSorting(points, told, std::exp(node), limit).sort();
+    Sorted sorted = TrackSorting(points, measured, std::exp(node), limit).sort();
     if (sorted.deviance < best.deviance) best = std::move(sorted);
   }
   return best;
@@ -467,12 +468,12 @@ SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const 
   SmoothedStates sum = smoothed_states(points, pieces, weighed.front().q);
   // Counted from the first, so that nothing is lost in differences of large numbers.
   const std::vector<Guess> origin = sum.states;
-  std::vector<CourseSpread> squares(points.size(), CourseSpread::Zero());
+  std::vector<TrackCovariance> squares(points.size(), TrackCovariance::Zero());
   for (Guess& guess : sum.states) guess = Guess();
   for (const WeighedNoise& one : weighed) {
     const SmoothedStates states = smoothed_states(points, pieces, one.q);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const CourseState from_origin = states.states[i].state - origin[i].state;
+      const TrackState from_origin = states.states[i].state - origin[i].state;
       sum.states[i].state += one.weight * from_origin;
       sum.states[i].spread += one.weight * states.states[i].spread;
       squares[i] += one.weight * from_origin * from_origin.transpose();
@@ -510,14 +511,14 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
   SmoothedTrack track;
   track.points.assign(points.size(),
                       {sim::kNaN, sim::kNaN, sim::kNaN, sim::kNaN, TrackFlag::none, sim::kNaN});
-  Indices told;
+  Indices measured;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (tells_position(points[i])) told.push_back(i);
-  if (told.empty()) {
+    if (measures_position(points[i])) measured.push_back(i);
+  if (measured.empty()) {
     track.innovation_chi2 = sim::kNaN;
     return track;
   }
-  Sorted sorted = best_sorting(points, told, limit);
+  Sorted sorted = best_sorting(points, measured, limit);
   double q = best_noise(points, sorted.pieces);
   constexpr int kMaxRounds = 50;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -537,7 +538,7 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
   }
   q = best_noise(points, sorted.pieces);
   SmoothedStates all = states_of_all_noise(points, sorted.pieces);
-  // Nothing says how a course of two bends, nor whether one of them jumps.
+  // Nothing says how a track of two bends, nor whether one of them jumps.
   if (!noise_limits(points, sorted.pieces).any) std::fill(all.is_known.begin(), all.is_known.end(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (all.is_known[i] == 0) continue;
@@ -555,7 +556,7 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
   for (const auto& [i, chi2] : sorted.outliers) {
     SmoothedPoint& to = track.points[i];
     to.flag = TrackFlag::outlier;
-    // By the course as it is in the end, which has no part of it.
+    // By the track as it is in the end, which has no part of it.
     const double difference = points[i].value - to.position;
     const double variance = points[i].sigma * points[i].sigma + to.position_sigma * to.position_sigma;
     to.chi2 = all.is_known[i] != 0 ? difference * difference / variance : chi2;

@@ -1,4 +1,4 @@
-// The way of an excited atom from where an electron struck it to where it shines.
+// The path of an excited atom from where an electron struck it to where it shines.
 //
 // Of the lines that the emission tables hold, three come from metastable atoms: 630.0 nm from O(1D), 557.7 nm
 // from O(1S), 520.0 nm from N(2D). Baranoski et al. 2000, section 2.1, give the lifetimes (docs/physics.md

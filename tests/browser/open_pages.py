@@ -136,8 +136,8 @@ def make_pages(vegard, source, folder):
     made(vegard, folder, ["render", scenes / "map_light.toml", *wide, "-o", "wide.png"], {0})
     made(vegard, folder, ["render", scenes / "map.toml", *wide, "-o", "dark.png"], {0})
     made(vegard, folder, ["fit", example / "scene.toml", "--photo", example / "photo.jpg", "--out", "good", "--intervals"], {0})
-    judged = ["--bootstrap", "100", "--mcmc", "40", "--stability"]
-    made(vegard, folder, ["fit", scenes / "fit.toml", "--photo", "a.png", "--out", "judged", *judged], {0, 5})
+    validation = ["--bootstrap", "100", "--mcmc", "40", "--stability"]
+    made(vegard, folder, ["fit", scenes / "fit.toml", "--photo", "a.png", "--out", "validated", *validation], {0, 5})
     made(vegard, folder, ["fit", scenes / "fit.toml", "--photo", "a.png", "--out", "failed", "--max-evaluations", "3"], {4})
     two = (scenes / "fit.toml").read_text() + '\n[[fit.photo]]\nname = "one"\nfile = "a.png"\n[[fit.photo]]\nname = "two"\nfile = "a.png"\n'
     (folder / "two.toml").write_text(two)
@@ -164,7 +164,7 @@ def make_pages(vegard, source, folder):
     made(vegard, folder, ["survey", "merge", "shards", "-o", "all.sqlite"], {0})
     made(vegard, folder, ["survey", "smooth", "all.sqlite", "-o", "moving.sqlite"], {0})
     made(vegard, folder, ["survey", "report", "moving.sqlite", "--plan", "plan.json", "-o", "survey"], {0})
-    kept = {"good", "judged", "failed", "two", "sequence", "map", "border", "dark", "measured", "bare", "survey"}
+    kept = {"good", "validated", "failed", "two", "sequence", "map", "border", "dark", "measured", "bare", "survey"}
     pages = sorted(folder.glob("**/*.html"))
     lacking = kept - {page.relative_to(folder).parts[0] for page in pages}
     if lacking:

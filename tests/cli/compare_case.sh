@@ -15,7 +15,7 @@ row=$(grep -E '^right ' "$stdout" | head -1)
 grep -oE 'BIC lower by .*' "$stdout" >one
 expect_exit 0 compare held right
 diff one <(grep -oE 'BIC lower by .*' "$stdout") >&2 || fail "the order of the runs matters"
-# Held against itself: nothing to choose; and its own verdict counts.
+# Compared with itself: nothing to choose; and its own verdict counts.
 expect_exit 5 compare held held
 expect_stdout "not worth more than a bare mention"
 expect_stdout "Doubtful"

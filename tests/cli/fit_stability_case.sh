@@ -12,7 +12,7 @@ done
 grep -qF '<h2>Stability</h2>' one/report.html || fail "nothing in the report"
 diff <(grep -v '"command"' one/result.json) <(grep -v '"command"' two/result.json) >&2 ||
   fail "result.json depends on the threads"
-# It judges the answer and does not change it.
+# It assesses the answer and does not change it.
 diff <(grep -v '^#' plain/best.toml) <(grep -v '^#' one/best.toml) >&2 || fail "another answer"
 
 # Ctrl-C meanwhile: the fit's own answer is a run, and --resume goes on to the same bytes.

@@ -87,7 +87,7 @@ const DerivedNumber& distance_in(const FitResult& result) { return result.derive
 
 // A picture of the model itself: no choice moves the distance by more than its error bars, or by 1 %, to
 // which the fit's wider film has it (profile_cost_test). Two threads find what one does.
-TEST(JudgeStability, LetsTheModelsOwnPictureStand) {
+TEST(Stability, LetsTheModelsOwnPictureStand) {
   const sim::Scene truth = one_sheet();
   const std::vector<Photo> photos = {tests::linear_photo(truth)};
   FitResult alone = fit_photo(truth, photos.front(), {});
@@ -111,7 +111,7 @@ TEST(JudgeStability, LetsTheModelsOwnPictureStand) {
 
 // The sheet of the picture turns away by 12 degrees where the model's bearing is held: the left of the region
 // has it farther away than the right, which one distance cannot tell, and its error bar says so.
-TEST(JudgeStability, FindsWhatTheModelCannotHave) {
+TEST(Stability, FindsWhatTheModelCannotHave) {
   sim::Scene truth = one_sheet();
   const std::vector<Photo> photos = {tests::linear_photo(truth)};
   sim::Scene start = truth;
@@ -124,7 +124,7 @@ TEST(JudgeStability, FindsWhatTheModelCannotHave) {
   EXPECT_GT(*distance_in(result).systematic, 0.02 * distance_in(result).value);
 }
 
-TEST(JudgeStability, LeavesAnAnswerAloneThatIsNone) {
+TEST(Stability, LeavesAnAnswerAloneThatIsNone) {
   const sim::Scene scene = one_sheet();
   FitResult result;
   result.verdict = Verdict::failed;

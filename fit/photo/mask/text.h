@@ -21,7 +21,7 @@ struct TextLine {
 
 /// Bright letters only. Strokes are what an opening by a square of seven pixels takes away (of the picture
 /// binned to at most 1500 pixels, in brightness as on a display, fit/photo/mask/plane.h); a letter is strokes
-/// that hang together, five to sixty pixels high, with an edge as steep as 0.4 of their contrast from one
+/// that are connected, five to sixty pixels high, with an edge as steep as 0.4 of their contrast from one
 /// pixel to the next. A line is letters that follow each other within 1.2 letters' height, overlap in height,
 /// are alike in height (by a factor of two), colour (each channel within 0.15 of the range) and contrast (by
 /// three tenths), of which two thirds end at one baseline (within a tenth of their height, at least a pixel)

@@ -64,7 +64,7 @@ std::string head(const FitResult& result) {
   text += sim::csv_comment(
       "rate_*: volume emission rate by wavelength in angstrom, photons cm-3 s-1 per mW m-2 of");
   text += sim::csv_comment(
-      "energy_flux_mw_m2; where gains were solved for, only its course and the lines' ratios mean");
+      "energy_flux_mw_m2; where gains were solved for, only its shape and the lines' ratios mean");
   text += sim::csv_comment("anything, and the column of 557.7 nm is that of the start");
   text +=
       sim::csv_comment("lower_*, upper_*: of the 68 % interval at each altitude, given what was not free");
@@ -75,7 +75,7 @@ std::string head(const FitResult& result) {
 
 std::string trace_csv(const FitResult& result) {
   std::string text =
-      sim::csv_comment("the way of the search: accepted evaluations, and the best of every stage");
+      sim::csv_comment("the progress of the search: accepted evaluations, and the best of every stage");
   text += sim::csv_comment("evaluation: evaluations of the residuals so far");
   text += "stage,evaluation,chi2,chi2_per_dof";
   for (const FittedParameter& p : result.parameters) text += "," + sim::csv_cell(p.path);

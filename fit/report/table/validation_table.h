@@ -9,8 +9,8 @@ namespace vegard::fit {
 
 /// A row for each parameter: the 68 % interval by curvature, by profile likelihood (95 % too), by the
 /// bootstrap over bands, by the chain; where one is more than half as wide again as the curvature's, or
-/// narrower than two thirds, the factor is flagged. Below it, what is to be known of each judge. Empty where
-/// none was asked.
+/// narrower than two thirds, the factor is flagged. Below it, the notes on each method. Empty where none was
+/// asked for.
 std::string validation_table(const FitResult& result);
 
 }  // namespace vegard::fit

@@ -57,7 +57,7 @@ struct LatitudeAtTime {
   double time_s = 0.0, latitude_deg = 0.0;
 };
 
-/// A number that does not belong to its course.
+/// A number that does not belong to its track.
 struct JumpedNumber {
   std::string name, kind;  ///< "distance of the main sheet"; "outlier", "break"
   double time_s = 0.0, value = 0.0;

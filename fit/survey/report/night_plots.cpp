@@ -53,7 +53,7 @@ void set_log_ticks(Axis& axis) {
     }
 }
 
-/// Numbers that were left out of the smoothed course, or begin a new one.
+/// Numbers that were left out of the smoothed track, or begin a new one.
 Series jumps_of(const NightDigest& digest, const FollowedSeries& of) {
   Series jumped;
   jumped.label = "jumps";

@@ -178,7 +178,7 @@ std::string jump_words(const NightDigest& digest) {
   for (const JumpedNumber& one : digest.jumps) outliers += one.kind == "outlier" ? 1 : 0;
   const int breaks = static_cast<int>(digest.jumps.size()) - outliers;
   if (outliers + breaks == 0) return "No value is an outlier.";
-  return fmt::format("Numbers that jump: {} left out of their courses, {} where a course begins again.",
+  return fmt::format("Outliers: {} values left out of their tracks, {} breaks at which a track begins again.",
                      outliers, breaks);
 }
 

@@ -23,7 +23,7 @@ enum class Stream : std::uint32_t {
   ray_light = 9,      ///< the light of rays
   ray_length = 10,    ///< their extent above the peak
   patch = 11,         ///< the light of patches
-  border = 12,        ///< the course of the lower border
+  border = 12,        ///< the undulation of the lower border
   footprint = 13,     ///< a footprint of fractal noise
   ripple = 14,        ///< what a footprint's flow starts from
   spiral = 15,        ///< where a spiral stands

@@ -16,7 +16,8 @@ std::vector<double> instants_s(const Time& time);
 
 /// The brightness of all aurora at an instant, as a fraction of what its emitters say. Before the growth
 /// phase and after the recovery it is `quiet`; growth leads to `grown` at the onset, expansion to 1, recovery
-/// back, each along a smooth step. The course is ours: the source names the phases and their lengths only.
+/// back, each along a smooth step. The smooth step is ours: the source names the phases and their lengths
+/// only.
 double substorm_level(const Substorm& substorm, double instant_s);
 
 }  // namespace vegard::sim

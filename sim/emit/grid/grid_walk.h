@@ -1,4 +1,4 @@
-// The way of a ray through bricks: from one to the next, and over what is empty in strides of four.
+// The path of a ray through bricks: from one to the next, and over what is empty in strides of four.
 #pragma once
 
 #include <algorithm>

@@ -90,12 +90,12 @@ void EmissionTable::read_rates(const CsvTable& table, std::size_t column) {
       logs[(f * altitudes + a) * energies + e] =
           std::log(std::max({values[block * altitudes + a], floor, 1e-30}));
   }
-  for (std::size_t course = 0; course < factors_.size() * altitudes; ++course) {
-    const auto first = logs.begin() + static_cast<std::ptrdiff_t>(course * energies);
+  for (std::size_t row = 0; row < factors_.size() * altitudes; ++row) {
+    const auto first = logs.begin() + static_cast<std::ptrdiff_t>(row * energies);
     const std::vector<double> by_energy(first, first + static_cast<std::ptrdiff_t>(energies));
     const std::vector<double> curvature = spline_curvature(log_energies_, by_energy);
     std::copy(curvature.begin(), curvature.end(),
-              curvatures.begin() + static_cast<std::ptrdiff_t>(course * energies));
+              curvatures.begin() + static_cast<std::ptrdiff_t>(row * energies));
   }
 }
 

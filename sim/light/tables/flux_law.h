@@ -11,7 +11,7 @@
 // ln f is a natural cubic spline in ln Q through the three fluxes, whose values are natural cubic splines in
 // ln E0. Beyond 0.1 and 10 it goes on with the slope it has there and levels out, as slope * tanh(ln(Q/10)):
 // what happens there is not known, and f changes by no more than that of one further factor of e. All
-// derivatives are continuous. Only columns are known: how the height course changes with Q is left out.
+// derivatives are continuous. Only columns are known: how the height profile changes with Q is left out.
 #pragma once
 
 #include <map>

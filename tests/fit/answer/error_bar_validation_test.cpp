@@ -1,4 +1,4 @@
-// The judges of a fit's error bars, on whole fits of small pictures that the simulator renders.
+// The validation of a fit's error bars, on whole fits of small pictures that the simulator renders.
 #include "fit/answer/error_bar_validation.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kBands = 16;
 
-sim::Scene judged_scene() {
+sim::Scene validated_scene() {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].spacing_jitter = 0.0;
   scene.sheets[0].layers = 1;
@@ -48,7 +48,7 @@ Photo noisy_photo(const sim::Scene& scene) {
   return photo;
 }
 
-FitOptions all_judges(int threads) {
+FitOptions all_validations(int threads) {
   FitOptions options;
   options.threads = threads;
   options.intervals = true;
@@ -59,9 +59,9 @@ FitOptions all_judges(int threads) {
 
 double half_width(const ProfiledInterval& p) { return 0.5 * (p.upper68.value() - p.lower68.value()); }
 
-TEST(JudgesOfAFit, BootstrapAndChainAgreeWithTheCurvatureWhereNoiseIsWhite) {
-  const sim::Scene scene = judged_scene();
-  const FitResult r = fit_photo(scene, noisy_photo(scene), all_judges(2));
+TEST(ErrorBarValidation, BootstrapAndChainAgreeWithTheCurvatureWhereNoiseIsWhite) {
+  const sim::Scene scene = validated_scene();
+  const FitResult r = fit_photo(scene, noisy_photo(scene), all_validations(2));
   ASSERT_EQ(r.profile_intervals.size(), 2u) << r.verdict_line;
   ASSERT_TRUE(r.bootstrap && r.chain);
   EXPECT_EQ(r.bootstrap->bands, kBands);
@@ -79,8 +79,8 @@ TEST(JudgesOfAFit, BootstrapAndChainAgreeWithTheCurvatureWhereNoiseIsWhite) {
 }
 
 /// Where the inflation is large beside the Monte-Carlo roughness of chi2, as of most photographs.
-TEST(JudgesOfAFit, IntervalsAreTheCurvaturesWhereChi2IsSmooth) {
-  sim::Scene scene = judged_scene();
+TEST(ErrorBarValidation, IntervalsAreTheCurvaturesWhereChi2IsSmooth) {
+  sim::Scene scene = validated_scene();
   scene.sheets[0].layers = 3;
   const Photo photo = tests::linear_photo(scene);
   FitOptions options;
@@ -97,15 +97,15 @@ TEST(JudgesOfAFit, IntervalsAreTheCurvaturesWhereChi2IsSmooth) {
   }
 }
 
-TEST(JudgesOfAFit, TakePriorsForWhatTheyAre) {
-  sim::Scene scene = judged_scene();
+TEST(ErrorBarValidation, TakePriorsForWhatTheyAre) {
+  sim::Scene scene = validated_scene();
   const Photo photo = noisy_photo(scene);
   const double known_kev = 0.004;  // the photograph knows some 0.05
   sim::Prior prior;
   prior.mean = scene.sheets[0].energy_kev;
   prior.sigma = known_kev;
   scene.fit.free[1].prior = prior;
-  const FitResult r = fit_photo(scene, photo, all_judges(2));
+  const FitResult r = fit_photo(scene, photo, all_validations(2));
   ASSERT_EQ(r.profile_intervals.size(), 2u) << r.verdict_line;
   EXPECT_NEAR(r.parameters[1].sigma.value() / known_kev, 1.0, 0.05);
   EXPECT_NEAR(half_width(r.profile_intervals[1]) / known_kev, 1.0, 0.05);
@@ -114,12 +114,12 @@ TEST(JudgesOfAFit, TakePriorsForWhatTheyAre) {
   EXPECT_NEAR(r.chain->sigma[1] / known_kev, 1.0, 0.05 + 3.0 / std::sqrt(2.0 * r.chain->effective[1]));
 }
 
-TEST(JudgesOfAFit, SayTheSameWithAnyNumberOfThreadsAndAfterAnInterruption) {
-  sim::Scene scene = judged_scene();
+TEST(ErrorBarValidation, SayTheSameWithAnyNumberOfThreadsAndAfterAnInterruption) {
+  sim::Scene scene = validated_scene();
   const Photo photo = noisy_photo(scene);
-  const std::string whole = result_json(fit_photo(scene, photo, all_judges(1)));
+  const std::string whole = result_json(fit_photo(scene, photo, all_validations(1)));
   EXPECT_NE(whole.find("\"profile_intervals\""), std::string::npos);
-  EXPECT_EQ(whole, result_json(fit_photo(scene, photo, all_judges(2))));
+  EXPECT_EQ(whole, result_json(fit_photo(scene, photo, all_validations(2))));
 
   const tests::TemporaryFolder folder;
   const std::string file = folder / "run.part";
@@ -127,7 +127,7 @@ TEST(JudgesOfAFit, SayTheSameWithAnyNumberOfThreadsAndAfterAnInterruption) {
   {
     FileJournal journal(file, subject, JournalMode::fresh);
     std::atomic<bool> stop = false;
-    FitOptions options = all_judges(1);
+    FitOptions options = all_validations(1);
     options.journal = &journal;
     options.stop = &stop;
     int chain_steps = 0;
@@ -142,7 +142,7 @@ TEST(JudgesOfAFit, SayTheSameWithAnyNumberOfThreadsAndAfterAnInterruption) {
     EXPECT_FALSE(cut.chain);
   }
   FileJournal journal(file, subject, JournalMode::resume);
-  FitOptions options = all_judges(2);
+  FitOptions options = all_validations(2);
   options.journal = &journal;
   EXPECT_EQ(whole, result_json(fit_photo(scene, photo, options)));
 }

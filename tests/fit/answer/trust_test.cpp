@@ -58,7 +58,7 @@ TEST(Trust, AnotherAnswerSpeaksAgainstWhatItChanges) {
   EXPECT_EQ(r.derived[1].trust_reason, "another answer explains the data almost as well");
 }
 
-// Judged once more with a systematic error, of which the first verdict knew nothing.
+// Assessed once more with a systematic error, of which the first verdict knew nothing.
 TEST(Trust, BothErrorsCount) {
   FitResult r = fine();
   assess_quantities(r);

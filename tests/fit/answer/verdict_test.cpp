@@ -29,14 +29,14 @@ Evidence clear() {
   return e;
 }
 
-TEST(Judge, BelievesWhatNothingSpeaksAgainst) {
+TEST(Verdict, BelievesWhatNothingSpeaksAgainst) {
   FitResult r = fine();
   assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   EXPECT_TRUE(r.reasons.empty());
 }
 
-TEST(Judge, NotesAModelErrorThatIsTooLarge) {
+TEST(Verdict, NotesAModelErrorThatIsTooLarge) {
   FitResult r = fine();
   r.chi2 = 290.0;
   assess_fit(clear(), r);
@@ -45,7 +45,7 @@ TEST(Judge, NotesAModelErrorThatIsTooLarge) {
   EXPECT_NE(r.reasons[0].find("larger than what the model misses"), std::string::npos);
 }
 
-TEST(Judge, DoubtsForEachReasonByItself) {
+TEST(Verdict, DoubtsForEachReasonByItself) {
   const auto doubts = [](const Evidence& evidence, FitResult r, const std::string& word) {
     assess_fit(evidence, r);
     EXPECT_EQ(r.verdict, Verdict::doubtful) << word;
@@ -89,7 +89,7 @@ TEST(Judge, DoubtsForEachReasonByItself) {
 
 // 0.16 % of chi2 is more than the 0.04 % of a level end, but of 1000 it is 1.6: with an inflation of 3 a
 // fifth of its square.
-TEST(Judge, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
+TEST(Verdict, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
   FitResult r = fine();
   r.gradient_cosine = 0.04;
   r.error_inflation = 3.0;
@@ -100,10 +100,10 @@ TEST(Judge, TakesAnEndForLevelWhereNoiseWouldHideTheRest) {
   EXPECT_EQ(r.verdict, Verdict::doubtful);
 }
 
-// An effective sample size of 120 is too small for fifteen parameters, and enough for a distance; a course
-// is what goes wrong with patterns from band to band. With 60 nothing is good.
-TEST(Judge, LetsPatternsSpeakAgainstACourse) {
-  const auto judged = [](double independent) {
+// An effective sample size of 120 is too small for fifteen parameters, and enough for a distance; lateral
+// numbers (a wavelength) suffer from patterns from band to band. With 60 nothing is good.
+TEST(Verdict, DoubtsLateralNumbersWhereResidualsAreCorrelated) {
+  const auto assessed_with = [](double independent) {
     FitResult r = fine();
     r.parameters.resize(15, r.parameters.front());
     r.correlated_residuals = r.dof / independent;
@@ -122,7 +122,7 @@ TEST(Judge, LetsPatternsSpeakAgainstACourse) {
     EXPECT_EQ(r.verdict, Verdict::doubtful);
     return r;
   };
-  const FitResult some = judged(120.0), few = judged(60.0);
+  const FitResult some = assessed_with(120.0), few = assessed_with(60.0);
   EXPECT_EQ(some.derived[0].trust, Trust::good);
   EXPECT_EQ(some.derived[1].trust, Trust::doubtful);
   EXPECT_NE(some.derived[1].trust_reason.find("correlated"), std::string::npos);
@@ -130,7 +130,7 @@ TEST(Judge, LetsPatternsSpeakAgainstACourse) {
 }
 
 // Where no end of a sheet is in view, its length, phase and place along itself are nobody's fault.
-TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
+TEST(Verdict, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   FitResult r = fine();
   sim::Sheet sheet;
   sheet.name = "main";
@@ -163,7 +163,7 @@ TEST(Judge, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   EXPECT_EQ(r.verdict, Verdict::doubtful) << "the energy has no error bar";
 }
 
-TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
+TEST(Verdict, KeepsWhatItAskedAndWhatItFound) {
   FitResult r = fine();
   r.chi2 = 3100.0;
   r.termination = "converged";
@@ -180,10 +180,10 @@ TEST(Judge, KeepsWhatItAskedAndWhatItFound) {
                                              "error bars", "aurora or none", "one answer"}));
   EXPECT_EQ(failed, std::vector<std::string>{"chi2 per degree of freedom"});
   assess_fit(clear(), r);
-  EXPECT_EQ(r.checks.size(), names.size()) << "judged again, not twice";
+  EXPECT_EQ(r.checks.size(), names.size()) << "assessed again, not twice";
 }
 
-TEST(Judge, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
+TEST(Verdict, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
   FitResult r = fine();
   r.termination = "converged: another step would hardly change chi2 (Ceres: Function tolerance reached.)";
   assess_fit(clear(), r);
@@ -195,7 +195,7 @@ TEST(Judge, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
   }
 }
 
-TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
+TEST(Verdict, AStartThatIsTheAnswerIsNoReasonToDoubt) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
   for (FittedParameter& p : r.parameters) p.moved = false;
@@ -209,7 +209,7 @@ TEST(Judge, AStartThatIsTheAnswerIsNoReasonToDoubt) {
 }
 
 // A frame that begins where the one before it ended: some numbers move in their last digits, others not.
-TEST(Judge, AStartNextToTheAnswerIsNoReasonToDoubt) {
+TEST(Verdict, AStartNextToTheAnswerIsNoReasonToDoubt) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
   r.parameters[0].moved_sigma = 0.05;
@@ -225,7 +225,7 @@ TEST(Judge, AStartNextToTheAnswerIsNoReasonToDoubt) {
   EXPECT_EQ(r.verdict, Verdict::doubtful);
 }
 
-TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
+TEST(Verdict, AParameterWithoutInfluenceDoesNotHaveToMove) {
   FitResult r = fine();
   r.parameters.push_back(r.parameters[0]);
   r.parameters[1].moved = false;
@@ -236,7 +236,7 @@ TEST(Judge, AParameterWithoutInfluenceDoesNotHaveToMove) {
   EXPECT_NE(r.reasons[0].find("no error bar"), std::string::npos);
 }
 
-TEST(Judge, TellsATradeOffOnceThoughManyLeanOnIt) {
+TEST(Verdict, TellsATradeOffOnceThoughManyLeanOnIt) {
   FitResult r = fine();
   r.best.sheets.resize(1);
   r.parameters.push_back(r.parameters[0]);
@@ -253,7 +253,7 @@ TEST(Judge, TellsATradeOffOnceThoughManyLeanOnIt) {
   EXPECT_EQ(r.verdict_line.find("told in the report"), std::string::npos) << r.verdict_line;
 }
 
-TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
+TEST(Verdict, NotesAnUnusualSheetWithoutDoubt) {
   FitResult r = fine();
   r.best.sheets.resize(1);
   r.best.sheets[0].wavelength_km = 10.0;
@@ -264,7 +264,7 @@ TEST(Judge, NotesAnUnusualSheetWithoutDoubt) {
   EXPECT_EQ(r.verdict_line.find("nature"), std::string::npos);
 }
 
-TEST(Judge, NeverCallsAFailureASuccess) {
+TEST(Verdict, NeverCallsAFailureASuccess) {
   FitResult r = fine();
   Evidence e = clear();
   e.converged = false;
@@ -281,7 +281,7 @@ TEST(Judge, NeverCallsAFailureASuccess) {
   EXPECT_EQ(r.verdict, Verdict::interrupted);
 }
 
-TEST(Judge, SpeaksOfWhatTheSceneShinesWith) {
+TEST(Verdict, SpeaksOfWhatTheSceneShinesWith) {
   const auto words_of = [](const sim::Scene& scene) {
     FitResult r = fine();
     r.best = scene;

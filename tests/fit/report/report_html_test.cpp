@@ -160,8 +160,8 @@ TEST(ReportHtml, StandsWithoutAnAnswer) {
   EXPECT_FALSE(page.has(">inf"));
 }
 
-/// Both parameters have error bars, by all judges: the bootstrap's of the energy is three times as wide.
-FitResult judged_result() {
+/// Both parameters have error bars, by all validations: the bootstrap's of the energy is three times as wide.
+FitResult validated_result() {
   FitResult result = small_result();
   result.parameters[1].sigma = 0.02;
   result.parameters[1].interval68 = {0.31, 0.35};
@@ -192,8 +192,8 @@ FitResult judged_result() {
   return result;
 }
 
-TEST(ReportHtml, ShowsTheJudgesOfTheErrorBars) {
-  const Page page(judged_result());
+TEST(ReportHtml, ShowsTheValidationOfTheErrorBars) {
+  const Page page(validated_result());
   EXPECT_EQ(unbalanced_tag(page.html), "");
   EXPECT_TRUE(page.has("<h2>Validation of the error bars</h2>"));
   EXPECT_TRUE(page.has("3.96 to 4.71 <span class=\"flag\">\u00d7&#160;3</span>"));

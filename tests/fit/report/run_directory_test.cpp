@@ -130,7 +130,7 @@ TEST_F(RunDirectory, ReplacesWhatVegardWroteAndNothingElse) {
   }
 }
 
-// As the first version wrote it, before several photographs, judges and tied numbers.
+// As the first version wrote it, before several photographs, validation of error bars and tied numbers.
 TEST_F(RunDirectory, ReplacesARunOfAnOlderVersion) {
   fs::create_directory(folder / "run");
   tests::put(folder / "run/result.json",

@@ -51,7 +51,7 @@ sim::Scene straightened(sim::Scene scene) {
   return scene;
 }
 
-std::vector<std::vector<LateralOffset>> courses_of(const sim::Scene& truth, const sim::Scene& model) {
+std::vector<std::vector<LateralOffset>> offsets_of(const sim::Scene& truth, const sim::Scene& model) {
   const Photo photo = tests::rendered_photo(truth);
   const Observation o = observed(model, photo, 2);
   return lateral_offsets(*o.coarse, model);
@@ -73,7 +73,7 @@ void expect_on_sine(const std::vector<LateralOffset>& offsets, const sim::Sheet&
 }
 
 /// The wavelengths that are tried are an eighth of a wave in view apart, and
-/// that of a measured course is off by up to 3 %. The phase of one that is a little
+/// that of measured offsets is off by up to 3 %. The phase of one that is a little
 /// off is compared in the middle of what is seen.
 void expect_sine(const SineThroughOffsets& found, const sim::Sheet& sheet,
                  const std::vector<LateralOffset>& offsets, double middle_km) {
@@ -91,9 +91,9 @@ void expect_sine(const SineThroughOffsets& found, const sim::Sheet& sheet,
   EXPECT_NEAR(std::remainder(difference, kTwoPi), 0.0, 0.2);
 }
 
-TEST(Course, OfARenderedSheetLiesOnItsSine) {
+TEST(LateralOffsets, OfARenderedSheetLiesOnItsSine) {
   const sim::Scene truth = waved({200.0});
-  const auto found = courses_of(truth, straightened(truth));
+  const auto found = offsets_of(truth, straightened(truth));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].size(), 24u) << "every band shows the sheet";
   expect_on_sine(found[0], truth.sheets[0], 2.5);
@@ -105,12 +105,12 @@ TEST(Course, OfARenderedSheetLiesOnItsSine) {
 /// Two sheets in one band are told from each other by less, and a first look at straight ones finds the
 /// wavelengths to a step of its search, an eighth of a wave in view. The second look is from what the first
 /// has found.
-TEST(Course, IsThatOfEachOfTwoSheets) {
+TEST(LateralOffsets, IsThatOfEachOfTwoSheets) {
   const sim::Scene truth = waved({185.0, 235.0});
   sim::Scene model = straightened(truth);
   for (int look = 0; look < 2; ++look) {
     SCOPED_TRACE(look);
-    const auto found = courses_of(truth, model);
+    const auto found = offsets_of(truth, model);
     ASSERT_EQ(found.size(), 2u);
     for (std::size_t s = 0; s < 2; ++s) {
       SCOPED_TRACE(s);
@@ -126,11 +126,11 @@ TEST(Course, IsThatOfEachOfTwoSheets) {
   }
 }
 
-TEST(Course, CountsFromTheModelsOwnLineAndSine) {
+TEST(LateralOffsets, CountsFromTheModelsOwnLineAndSine) {
   const sim::Scene truth = waved({200.0});
   sim::Scene model = truth;
   model.sheets[0].center_km.north += 2.0;
-  const auto found = courses_of(truth, model);
+  const auto found = offsets_of(truth, model);
   ASSERT_EQ(found[0].size(), 24u);
   // A sine's positive values lie to the north of a line that runs east, where the field points down.
   double mean = 0.0;
@@ -141,11 +141,11 @@ TEST(Course, CountsFromTheModelsOwnLineAndSine) {
 
 // Three layers, of which the last is the whole shift ahead: their mean is the middle one's sine, of
 // (1 + 2 cos(shift / 2)) / 3 of the amplitude.
-TEST(Course, OfSeveralLayersIsTheirMean) {
+TEST(LateralOffsets, OfSeveralLayersIsTheirMean) {
   sim::Scene truth = waved({200.0});
   truth.sheets[0].layers = 3;
   truth.sheets[0].phase_shift_rad = 1.2;
-  const auto found = courses_of(truth, truth);
+  const auto found = offsets_of(truth, truth);
   ASSERT_EQ(found[0].size(), 24u);
   // The best sine of that wavelength. The photograph is the model's own, but for how coarsely the search
   // looks at it.
@@ -164,7 +164,7 @@ TEST(Course, OfSeveralLayersIsTheirMean) {
               truth.sheets[0].thickness_km * (1.0 + 2.0 * std::cos(0.6)) / 3.0, 0.2);
 }
 
-TEST(Course, HasNoPointWhereNoSheetIsInView) {
+TEST(LateralOffsets, HasNoPointWhereNoSheetIsInView) {
   sim::Scene truth = waved({200.0});
   sim::Scene model = straightened(truth);
   for (sim::Scene* scene : {&truth, &model}) {
@@ -173,14 +173,14 @@ TEST(Course, HasNoPointWhereNoSheetIsInView) {
     scene->camera.azimuth_deg = 0.0;
     scene->camera.roll_deg = 0.0;
   }
-  const auto half = courses_of(truth, model);
+  const auto half = offsets_of(truth, model);
   ASSERT_EQ(half.size(), 1u);
   EXPECT_GE(half[0].size(), 9u);
   EXPECT_LE(half[0].size(), 12u) << "the western half of the bands";
   for (const LateralOffset& p : half[0]) EXPECT_LE(p.along_km, 200.0);
 
   for (sim::Scene* scene : {&truth, &model}) scene->sheets[0].center_km.north = -200.0;  // behind the camera
-  const auto none = courses_of(truth, model);
+  const auto none = offsets_of(truth, model);
   ASSERT_EQ(none.size(), 1u);
   EXPECT_TRUE(none[0].empty());
 }

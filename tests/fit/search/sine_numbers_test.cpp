@@ -46,7 +46,7 @@ SineThroughOffsets found_sine() {
   return found;
 }
 
-// A course is that of the mean layer, which sim::sine_feet draws.
+// Lateral offsets are those of the mean layer, which sim::sine_feet draws.
 TEST(TakeSine, IsTheMeanLayersOfOneAndOfThree) {
   constexpr int kFeet = 25;
   for (const int layers : {1, 3}) {

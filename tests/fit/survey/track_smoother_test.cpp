@@ -32,15 +32,15 @@ class Normals {
   std::uint32_t track_, count_ = 0;
 };
 
-struct Course {
+struct MadeTrack {
   std::vector<TrackPoint> points;
   std::vector<double> position, velocity;
 };
 
-/// A course of the smoother's own model: q in km^2 / s^3, steps of about 3 s.
-Course made_course(std::uint32_t number, int frames, double q, double sigma, bool irregular = false) {
+/// A track of the smoother's own model: q in km^2 / s^3, steps of about 3 s.
+MadeTrack made_track(std::uint32_t number, int frames, double q, double sigma, bool irregular = false) {
   Normals normals(number);
-  Course course;
+  MadeTrack made;
   double x = 200.0, v = 0.3 * normals.next(), time_s = 1000.0;
   for (int i = 0; i < frames; ++i) {
     if (i > 0) {
@@ -53,32 +53,32 @@ Course made_course(std::uint32_t number, int frames, double q, double sigma, boo
       v += wv;
       time_s += t;
     }
-    course.points.push_back({time_s, x + sigma * normals.next(), sigma});
-    course.position.push_back(x);
-    course.velocity.push_back(v);
+    made.points.push_back({time_s, x + sigma * normals.next(), sigma});
+    made.position.push_back(x);
+    made.velocity.push_back(v);
   }
-  return course;
+  return made;
 }
 
-/// Of many courses: mean square of errors over standard deviations, at the middle and at both ends.
+/// Of many tracks: mean square of errors over standard deviations, at the middle and at both ends.
 struct Errors {
   double velocity = 0.0, position = 0.0, within_one = 0.0, innovation = 0.0;
 };
 
-Errors errors_of(int courses, bool irregular, bool gaps) {
+Errors errors_of(int tracks, bool irregular, bool gaps) {
   Errors sum;
   int count = 0;
-  for (int n = 0; n < courses; ++n) {
-    Course course = made_course(static_cast<std::uint32_t>(n), 80, 2e-3, 1.5, irregular);
+  for (int n = 0; n < tracks; ++n) {
+    MadeTrack made = made_track(static_cast<std::uint32_t>(n), 80, 2e-3, 1.5, irregular);
     if (gaps)
-      for (std::size_t i = 0; i < course.points.size(); ++i)
-        if (i % 5 == 1 || (i > 30 && i < 39)) course.points[i].value = std::nan("");
-    const SmoothedTrack track = smooth_track(course.points, kFalseAlarms);
-    sum.innovation += track.innovation_chi2 / courses;
+      for (std::size_t i = 0; i < made.points.size(); ++i)
+        if (i % 5 == 1 || (i > 30 && i < 39)) made.points[i].value = std::nan("");
+    const SmoothedTrack track = smooth_track(made.points, kFalseAlarms);
+    sum.innovation += track.innovation_chi2 / tracks;
     for (const std::size_t i : {std::size_t{0}, std::size_t{35}, std::size_t{79}}) {
       const SmoothedPoint& point = track.points[i];
-      const double dv = (point.velocity - course.velocity[i]) / point.velocity_sigma;
-      const double dx = (point.position - course.position[i]) / point.position_sigma;
+      const double dv = (point.velocity - made.velocity[i]) / point.velocity_sigma;
+      const double dx = (point.position - made.position[i]) / point.position_sigma;
       sum.velocity += dv * dv;
       sum.position += dx * dx;
       sum.within_one += std::abs(dv) < 1.0 ? 1.0 : 0.0;
@@ -91,7 +91,7 @@ Errors errors_of(int courses, bool irregular, bool gaps) {
   return sum;
 }
 
-/// 900 errors that are independent but for the three of a course: the mean of their squares scatters by 5 %,
+/// 900 errors that are independent but for the three of a track: the mean of their squares scatters by 5 %,
 /// the share within one standard deviation by 1.6 %. That q is estimated of 78 innovations each, not known,
 /// widens the errors by some per cent. So 15 % and 5 % are three standard deviations.
 void expect_nominal(const Errors& errors) {
@@ -107,11 +107,11 @@ TEST(TrackSmoother, AlsoWithIrregularTimes) { expect_nominal(errors_of(300, true
 
 TEST(TrackSmoother, AlsoWhereNumbersAreMissing) { expect_nominal(errors_of(300, false, true)); }
 
-TEST(TrackSmoother, GivesTheVelocityOfAStraightCourse) {
+TEST(TrackSmoother, GivesTheVelocityOfAStraightTrack) {
   std::vector<TrackPoint> points;
   for (int i = 0; i < 40; ++i) points.push_back({3.0 * i, 100.0 - 0.25 * 3.0 * i, 2.0});
   const SmoothedTrack track = smooth_track(points, kFalseAlarms);
-  // A line by least squares has an error of sigma / sqrt(sum of (t - mean)^2); that the course may bend adds
+  // A line by least squares has an error of sigma / sqrt(sum of (t - mean)^2); that the track may bend adds
   // to it, the more the nearer the ends.
   double sum = 0.0;
   for (const TrackPoint& point : points) sum += std::pow(point.time_s - 58.5, 2);
@@ -125,17 +125,17 @@ TEST(TrackSmoother, GivesTheVelocityOfAStraightCourse) {
 
 TEST(TrackSmoother, FindsTheProcessNoise) {
   // 2000 frames tell ln q to about 0.1: each is worth about a tenth of an independent look at it.
-  const SmoothedTrack track = smooth_track(made_course(5, 2000, 2e-3, 1.5).points, kFalseAlarms);
+  const SmoothedTrack track = smooth_track(made_track(5, 2000, 2e-3, 1.5).points, kFalseAlarms);
   EXPECT_NEAR(std::log(track.process_noise / 2e-3), 0.0, 0.35);
 }
 
 TEST(TrackSmoother, LeavesOutOneThatJumps) {
   for (std::uint32_t n = 0; n < 40; ++n) {
-    Course course = made_course(100 + n, 60, 2e-3, 1.5);
+    MadeTrack made = made_track(100 + n, 60, 2e-3, 1.5);
     const std::size_t at = n % 4 == 0 ? n / 4 % 3 : 3 + n;  // also among the first three
-    const std::vector<TrackPoint> sound = course.points;
-    course.points[at].value += n % 2 == 0 ? 25.0 : -25.0;
-    const SmoothedTrack track = smooth_track(course.points, kFalseAlarms);
+    const std::vector<TrackPoint> sound = made.points;
+    made.points[at].value += n % 2 == 0 ? 25.0 : -25.0;
+    const SmoothedTrack track = smooth_track(made.points, kFalseAlarms);
     EXPECT_EQ(track.points[at].flag, TrackFlag::outlier) << n;
     EXPECT_GT(track.points[at].chi2, jump_limit(kFalseAlarms));
     EXPECT_EQ(track.outliers, 1) << n;
@@ -152,18 +152,18 @@ TEST(TrackSmoother, LeavesOutOneThatJumps) {
 
 TEST(TrackSmoother, BeginsAnewWhereTheNumberStaysElsewhere) {
   for (std::uint32_t n = 0; n < 40; ++n) {
-    Course course = made_course(200 + n, 60, 2e-3, 1.5);
+    MadeTrack made = made_track(200 + n, 60, 2e-3, 1.5);
     const std::size_t at = 10 + n;
-    for (std::size_t i = at; i < course.points.size(); ++i) {
-      course.points[i].value += 60.0;
-      course.position[i] += 60.0;
+    for (std::size_t i = at; i < made.points.size(); ++i) {
+      made.points[i].value += 60.0;
+      made.position[i] += 60.0;
     }
-    const SmoothedTrack track = smooth_track(course.points, kFalseAlarms);
+    const SmoothedTrack track = smooth_track(made.points, kFalseAlarms);
     EXPECT_EQ(track.breaks, 1) << n;
     EXPECT_EQ(track.outliers, 0) << n;
     EXPECT_EQ(track.points[at].flag, TrackFlag::broken) << n;
-    for (std::size_t i = 0; i < course.points.size(); ++i)
-      EXPECT_LT(std::abs(track.points[i].position - course.position[i]), 5.0 * track.points[i].position_sigma)
+    for (std::size_t i = 0; i < made.points.size(); ++i)
+      EXPECT_LT(std::abs(track.points[i].position - made.position[i]), 5.0 * track.points[i].position_sigma)
           << n << " " << i;
   }
 }
@@ -172,7 +172,7 @@ TEST(TrackSmoother, FlagsNoMoreSoundFramesThanItSays) {
   // 20 000 sound frames at 1e-2: 200 by one question, at most 400 by both; five standard deviations beyond.
   int flagged = 0;
   for (std::uint32_t n = 0; n < 40; ++n) {
-    const SmoothedTrack track = smooth_track(made_course(300 + n, 500, 2e-3, 1.5, true).points, 1e-2);
+    const SmoothedTrack track = smooth_track(made_track(300 + n, 500, 2e-3, 1.5, true).points, 1e-2);
     flagged += track.outliers + track.breaks;
   }
   EXPECT_GT(flagged, 200 - 5 * std::sqrt(200.0));
@@ -187,7 +187,7 @@ TEST(TrackSmoother, TellsNothingOfNothing) {
   const SmoothedTrack one = smooth_track({{0.0, 3.0, 1.0}, {1.0, std::nan(""), 1.0}}, kFalseAlarms);
   EXPECT_EQ(one.used, 1);
   EXPECT_TRUE(std::isnan(one.points[0].velocity));
-  // Of two nothing says how the course bends; of three one innovation does.
+  // Of two nothing says how the track bends; of three one innovation does.
   const SmoothedTrack two = smooth_track({{0.0, 3.0, 1.0}, {2.0, 7.0, 1.0}}, kFalseAlarms);
   EXPECT_TRUE(std::isnan(two.points[1].velocity));
   const SmoothedTrack three =
@@ -199,9 +199,9 @@ TEST(TrackSmoother, TellsNothingOfNothing) {
 }
 
 TEST(TrackSmoother, GivesTheSameNumbersAgain) {
-  const Course course = made_course(7, 300, 2e-3, 1.5, true);
-  const SmoothedTrack a = smooth_track(course.points, kFalseAlarms),
-                      b = smooth_track(course.points, kFalseAlarms);
+  const MadeTrack made = made_track(7, 300, 2e-3, 1.5, true);
+  const SmoothedTrack a = smooth_track(made.points, kFalseAlarms),
+                      b = smooth_track(made.points, kFalseAlarms);
   for (std::size_t i = 0; i < a.points.size(); ++i) EXPECT_EQ(a.points[i].velocity, b.points[i].velocity);
   EXPECT_EQ(a.process_noise, b.process_noise);
 }

@@ -77,7 +77,7 @@ TEST(LogFlatPrior, KeepsAChainWithinTheLimits) {
   }
 }
 
-TEST(JudgedValues, AreToldInTheResultsTurn) {
+TEST(ValidatedValues, AreWrappedIntoTheResultsTurn) {
   const std::vector<FreeNumber> free = numbers(kPaths);
   const ReportedValues t = reported(free);
   LikelihoodProfile profile;
@@ -91,7 +91,7 @@ TEST(JudgedValues, AreToldInTheResultsTurn) {
   EXPECT_NEAR(p.values[0][1], t.values[1], 1e-9);
 }
 
-TEST(JudgedValues, OfABootstrapGoThroughTheTransform) {
+TEST(ValidatedValues, OfABootstrapGoThroughTheTransform) {
   const std::vector<FreeNumber> free = numbers(kPaths);
   const ReportedValues t = reported(free);
   BandBootstrap b;
@@ -104,7 +104,7 @@ TEST(JudgedValues, OfABootstrapGoThroughTheTransform) {
   EXPECT_NEAR(e.correlation[0][1], -1.0, 0.01);
 }
 
-TEST(JudgedValues, OfAChainAreThinnedForTheEyeOnly) {
+TEST(ValidatedValues, OfAChainAreThinnedForTheEyeOnly) {
   const std::vector<FreeNumber> free = numbers(kPaths);
   const ReportedValues t = reported(free);
   sim::EnsembleState state;

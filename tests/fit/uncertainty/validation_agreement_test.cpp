@@ -1,4 +1,5 @@
-// Where the model is linear and the noise is what it is said to be, all judges of the error bars must agree.
+// Where the model is linear and the noise is what it is said to be, all validations of the error bars must
+// agree.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -44,7 +45,7 @@ struct Problem {
   }
 };
 
-TEST(JudgesOfUncertainty, AgreeWhereTheModelIsLinear) {
+TEST(ValidationAgreement, AgreeWhereTheModelIsLinear) {
   const Problem p;
   const std::vector<double> data_jacobian(p.rows.jacobian.begin(), p.rows.jacobian.end() - kUnknowns);
   PriorKnowledge prior = no_prior_knowledge(kUnknowns);

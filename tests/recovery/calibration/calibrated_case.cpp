@@ -115,9 +115,9 @@ Ranks as_assumed(const sim::Scene& scene, const sim::Scene& truth, const std::ve
   const std::vector<double> answer =
       fit::descend_off_limits(cost, values, kIterations, "calibration", log, trace).values;
   const fit::Uncertainty uncertainty = fit::sampled_uncertainty(observations, free, answer, none, {}, 1.0, 1);
-  const fit::ConvergedFit judged{scene, free, observations, answer, none, 1.0, uncertainty};
+  const fit::ConvergedFit converged{scene, free, observations, answer, none, 1.0, uncertainty};
   fit::NullJournal journal;
-  const sim::EnsembleState state = fit::chain_of_fit(judged, steps, nullptr, journal, {});
+  const sim::EnsembleState state = fit::chain_of_fit(converged, steps, nullptr, journal, {});
   std::vector<double> chain = state.chain;
   for (std::size_t i = 0; i < chain.size(); ++i) chain[i] = free[i % free.size()].value(chain[i]);
   Ranks ranks = ranks_in(chain, values);

@@ -1,4 +1,4 @@
-// The physical blur for every lens, footprints and fits: against the way of beam by beam, against sums that
+// The physical blur for every lens, footprints and fits: against the blur beam by beam, against sums that
 // are known, and its derivatives against differences.
 #include "sim/render/slab_exposer.h"
 
@@ -47,10 +47,10 @@ double total(const Image& image, int channel) {
 }
 
 /// Mean column of a row's light and its RMS distance from that, in pixels.
-struct Course {
+struct RowLight {
   double middle_px = 0.0, width_px = 0.0, light = 0.0;
 };
-Course course_of(const Image& image, int row, int channel) {
+RowLight row_light(const Image& image, int row, int channel) {
   double light = 0.0, moment = 0.0, square = 0.0;
   for (int x = 0; x < image.width; ++x) {
     const double value = image.at(x, row, channel);
@@ -70,7 +70,7 @@ Image by_slabs(const Scene& scene) {
 }
 
 // Two shapes of one variance: slabs by altitude where beams have a spread for each point.
-TEST(SlabExposer, AgreesWithTheWayOfBeams) {
+TEST(SlabExposer, AgreesWithTheBeamByBeamBlur) {
   for (const EastNorth& wind : {EastNorth{0.0, 0.0}, {150.0, -80.0}}) {
     Scene scene = red_scene(BlurModel::physical);
     scene.blur.wind_m_s = wind;
@@ -79,7 +79,7 @@ TEST(SlabExposer, AgreesWithTheWayOfBeams) {
     for (int l = 0; l < 3; ++l) EXPECT_NEAR(total(slabs, l) / total(beams, l), 1.0, 4e-3) << l;
     for (int row = 20; row < 90; row += 10)
       for (int l = 0; l < 2; ++l) {
-        const Course one = course_of(beams, row, l), other = course_of(slabs, row, l);
+        const RowLight one = row_light(beams, row, l), other = row_light(slabs, row, l);
         if (one.light < 0.05 * total(beams, l) / beams.height) continue;
         EXPECT_NEAR(other.light / one.light, 1.0, 0.02) << row << " " << l;
         EXPECT_NEAR(other.middle_px, one.middle_px, 0.15) << row << " " << l;
@@ -129,9 +129,9 @@ TEST(SlabExposer, KeepsTheLightOfAFisheyeAndWidensItUpwards) {
   for (int l = 0; l < 3; ++l) EXPECT_NEAR(total(spread, l) / total(sharp, l), 1.0, 0.03) << l;
   int lit = 0, wider = 0;
   for (int row = 0; row < sharp.height; ++row) {
-    if (course_of(sharp, row, 0).light < 5.0) continue;
+    if (row_light(sharp, row, 0).light < 5.0) continue;
     ++lit;
-    wider += course_of(spread, row, 0).width_px > 1.2 * course_of(sharp, row, 0).width_px;
+    wider += row_light(spread, row, 0).width_px > 1.2 * row_light(sharp, row, 0).width_px;
   }
   EXPECT_GT(lit, 5);
   EXPECT_GT(wider, lit / 2) << "its red light is high up";

@@ -162,13 +162,13 @@ class Search {
       for (const Asterism& order : orders_of(one, kCodeTolerance)) {
         found.clear();
         bright_star_asterisms().find(order, kCodeTolerance, kSizeFactor, found);
-        for (const Asterism* sky : found) judge(camera, order, *sky, near, hits);
+        for (const Asterism* sky : found) score(camera, order, *sky, near, hits);
       }
     }
   }
 
   /// Rotation and scale by the figure, then the stars around it.
-  void judge(const SkyCamera& assumed, const Asterism& picture, const Asterism& sky, const PointCells& near,
+  void score(const SkyCamera& assumed, const Asterism& picture, const Asterism& sky, const PointCells& near,
              std::vector<Hit>& hits) {
     ++tried_;
     SkyCamera camera = assumed;

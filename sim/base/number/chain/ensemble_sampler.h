@@ -1,4 +1,4 @@
-// Markov chain Monte Carlo with an ensemble of walkers: the judge of error bars that were had more cheaply.
+// Markov chain Monte Carlo with an ensemble of walkers, which checks error bars of cheaper methods.
 //
 // Three kinds of moves, mixed at random. Stretch moves: J. Goodman and J. Weare, "Ensemble samplers with
 // affine invariance", Communications in Applied Mathematics and Computational Science 5 (2010) 65,

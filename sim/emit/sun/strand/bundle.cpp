@@ -121,7 +121,7 @@ class BundleMaker {
   Vec3<T> place(std::uint32_t i, Which which) const {
     constexpr double kRoot = 1.32471795724474602596;
     const double share = std::fmod((i + 1.0) / kRoot, 1.0);
-    // Filaments are places of another course of the same kind.
+    // Filaments are places of another sequence of the same kind.
     const double turn = std::fmod((i + 1.0) / (kRoot * kRoot) + (which == Which::filament ? 0.5 : 0.0), 1.0);
     const double low = std::sin(bundle_.lowest_latitude_deg * kRadiansPerDegree),
                  high = std::sin(bundle_.highest_latitude_deg * kRadiansPerDegree);

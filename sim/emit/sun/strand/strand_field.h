@@ -1,8 +1,8 @@
 // The light of strands as a field in space, in the Sun's frame and unit: loops, bundles, ropes.
 //
-// Cells of a lattice know the pieces of strands that reach into them, so that a place is held against those
-// only. What a place gets is what a voxel there would (strand_grid.h): a strand lights it once, from its
-// nearest point.
+// Cells of a lattice know the pieces of strands that reach into them, so that a place is compared with
+// those only. What a place gets is what a voxel there would (strand_grid.h): a strand lights it once, from
+// its nearest point.
 #pragma once
 
 #include <cstdint>

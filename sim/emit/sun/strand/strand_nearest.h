@@ -10,7 +10,7 @@
 
 namespace vegard::sim {
 
-/// What a place knows of the pieces that it has been held against.
+/// What a place knows of the pieces that it has been compared with.
 struct NearestPiece {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
   double square = kNone;  ///< of the distance; kNone if none is within reach
@@ -45,7 +45,7 @@ inline void update_nearest(const PiecesOfStrand& of, std::uint32_t index, double
 /// 1 over the square of a piece's length; 0 if it has none.
 double inverse_square(const StrandPiece& piece);
 
-/// The strand's density at a place in voxels, all of whose pieces within reach were held against it, in
+/// The strand's density at a place in voxels, all of whose pieces within reach were compared with it, in
 /// their order. Right to a millionth of the falloff.
 double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
                     const std::array<double, 3>& place);

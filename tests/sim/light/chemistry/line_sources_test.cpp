@@ -43,8 +43,8 @@ const AuroralRun& usual_run() {
 }
 
 // Borst and Zipf 1970, Phys. Rev. A 1, 834: 14.1 ion pairs of N2 for a photon of 391.4 nm, at energies of 0.1
-// keV and above; 5 % are between this and what slower electrons, and the shells' courses with energy, make of
-// it.
+// keV and above; 5 % are between this and what slower electrons, and the shells' dependence on energy, make
+// of it.
 TEST(LineSources, OneIonisationOfNitrogenInFourteenShines) {
   const AuroralRun& run = usual_run();
   const double pairs = 1e-6 * path_integral(run.column, run.rates.ion_pairs_cm3_s[0]);
