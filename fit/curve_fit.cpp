@@ -59,7 +59,7 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
     throw sim::Error(sim::ErrorKind::usage,
                      {"error bars cannot be validated with an unknown transfer curve", "", 0,
                       "--intervals, --bootstrap, --mcmc", "a decoding that is known",
-                      "fit the curve first, then give what it tells as --decoding"});
+                      "fit the curve first, then give what it finds as --decoding"});
 }
 
 /// Everything but the curve, at one curve after the other.

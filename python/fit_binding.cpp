@@ -144,7 +144,7 @@ void bind_numbers(py::module_& m) {
   py::class_<fit::DerivedNumber>(m, "DerivedNumber",
                                  "What follows from the parameters and is what people publish.")
       .def_readonly("name", &fit::DerivedNumber::name, "'distance of the main sheet' (str).")
-      .def_readonly("value", &fit::DerivedNumber::value, "NaN if it cannot be told (float).")
+      .def_readonly("value", &fit::DerivedNumber::value, "NaN if it is unconstrained (float).")
       .def_readonly("unit", &fit::DerivedNumber::unit, "(str)")
       .def_property_readonly(
           "sigma", [](const fit::DerivedNumber& d) { return or_none(d.sigma); },

@@ -134,7 +134,7 @@ void bind_maps(py::module_& m, py::class_<SceneHandle>& scene) {
       m, "Map",
       "Precipitation over the ground. Planes are float32 of shape (rows, columns), rows to the north and\n"
       "columns to the east, of feet at 110 km altitude in the site's tangent plane; views of the map's own\n"
-      "buffer. NaN where no picture tells.")
+      "buffer. NaN where no picture shows it.")
       .def_property_readonly("energy_flux_mw_m2", plane_of(0), "(rows, columns): energy flux in mW m^-2.")
       .def_property_readonly(
           "energy_kev", plane_of(1),

@@ -181,7 +181,7 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       .type_name("STARS.csv");
   command
       .option("--date", options.date,
-              "--image with --site, the time unknown: the evening whose night's possible times are told")
+              "--image with --site, the time unknown: the evening whose night's possible times are listed")
       .type_name("YYYY-MM-DD");
   command.flag("--level", options.level, "With --date: the camera was held level");
   command.option("--residuals", options.residuals, "Write the stars' residuals").type_name("OUT.csv");

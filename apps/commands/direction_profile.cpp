@@ -76,7 +76,7 @@ void add_sector_options(const Command& command, SectorOptions& options) {
   command.option("--lowest", options.lowest_deg, "Elevation to begin at (default: 0)");
   command.option("--tangent-step", options.tangent_step_km,
                  "Kilometres of tangent altitude for a row, instead of elevation (of an observer above "
-                 "the air); tells the height of the green layer at the limb");
+                 "the air); prints the height of the green layer at the limb");
   command
       .option("--tangent-range", options.tangent_range_km,
               "Tangent altitudes to begin and end at (default: 0,250)")

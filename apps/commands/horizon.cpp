@@ -192,7 +192,7 @@ void print_answer(const HorizonCamera& camera) {
   say("  camera.roll_deg       %s\n", number(found.roll_deg).c_str());
   say("  camera.azimuth_deg    %s\n", camera.azimuth_deg
                                           ? (sim::short_number(*camera.azimuth_deg) + " (given)").c_str()
-                                          : "0 (assumed: a horizon does not tell it; --azimuth)");
+                                          : "0 (assumed: a horizon does not determine it; --azimuth)");
   if (camera.hfov_rounding_deg)
     say("  the focal length is rounded: the elevation is known to within %.2f deg by that\n",
         camera.elevation_rounding_deg);
@@ -259,8 +259,9 @@ void add_horizon_command(Program& program) {
       command.flag("--fit-hfov", options->fit_hfov, "Find the field of view too, from a bent horizon");
   const Option lens =
       command
-          .option("--lens", options->lens,
-                  "A camera's file whose lens this is, wherever that points to: any lens, as stars tell it")
+          .option(
+              "--lens", options->lens,
+              "A camera's file whose lens this is, wherever that points to: any lens, as stars have given it")
           .type_name("CAMERA.toml");
   hfov.excludes(film).excludes(fit_hfov).excludes(lens);
   film.excludes(fit_hfov).excludes(lens);
@@ -276,7 +277,7 @@ void add_horizon_command(Program& program) {
       .shows_default();
   command
       .option("--azimuth", options->azimuth_deg,
-              "Azimuth of the line of sight, which a horizon does not tell")
+              "Azimuth of the line of sight, which a horizon does not determine")
       .type_name("DEG")
       .range(-720.0, 720.0);
   command.option("--point-error", options->point_error_px, "Standard deviation of a point across the horizon")

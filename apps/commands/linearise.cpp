@@ -144,7 +144,7 @@ int run_rayleigh(const LineariseRequest& options) {
   text += picture.scale_error > 0.0
               ? fmt::format("the scale is known to {:.1f} %, the same for all pixels\n",
                             100.0 * picture.scale_error)
-              : "note: how well the scale is known, no rayleigh_per_count_s_error tells\n";
+              : "note: the error of the scale is not known: no rayleigh_per_count_s_error\n";
   if (!counts.is_noise_known)
     text += "note: a pixel's error is without its photons' noise: no gain_e_per_count\n";
   if (picture.unknown > 0) text += fmt::format("{} pixels are full or blank, and are NaN\n", picture.unknown);
@@ -184,7 +184,7 @@ void add_linearise_command(Program& program) {
   command.option("--filter", options->filter, "Which of its filters the picture was taken through")
       .type_name("NAME")
       .needs(rayleigh);
-  command.option("--exposure", options->exposure_s, "Seconds, where the picture does not tell them")
+  command.option("--exposure", options->exposure_s, "Seconds, if the picture does not say them")
       .finite_range(1e-6, 1e5)
       .type_name("S")
       .needs(rayleigh);

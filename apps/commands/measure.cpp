@@ -125,7 +125,7 @@ nlohmann::json json_of(const std::string& file) {
 struct Known {
   std::string time;               ///< UTC, for --time; empty: not known
   std::optional<SitePlace> site;  ///< none: not known
-  bool has_focal = false;         ///< the file tells the field of view
+  bool has_focal = false;         ///< the file gives the field of view
 };
 
 /// "78.148,16.043,520", as --site takes it.
@@ -307,7 +307,7 @@ void Measuring::sky() {
   }
 }
 
-/// Stars first: they alone tell the azimuth.
+/// Stars first: they alone determine the azimuth.
 bool Measuring::camera_by_stars() {
   MeasureStage& stage = begin("Where the camera points: stars");
   std::vector<std::string> words = {"calibrate",           "--image",     options_.photo,      "-o",
@@ -468,7 +468,7 @@ void Measuring::camera() {
   if (!has_horizon_ || (!known_.has_focal && lens_file_.empty())) {
     stage.trust = Trust::unconstrained;
     stage.found = !has_horizon_ ? "There is no skyline that could stand for the horizon."
-                                : "A skyline is there, but the picture does not tell its field of view.";
+                                : "A skyline is there, but the picture's field of view is not known.";
     stage.lacking =
         "points on the horizon and the field of view: vegard horizon PHOTO --points X,Y X,Y --hfov DEGREES "
         "-o camera.toml, then vegard measure PHOTO --camera camera.toml";
@@ -482,7 +482,7 @@ void Measuring::camera() {
   camera_file_ = in_run("camera.toml");
   stage.trust = Trust::doubtful;
   stage.found = "From the skyline and the field of view" +
-                std::string(lens_file_.empty() ? ": " : " that the stars tell: ") +
+                std::string(lens_file_.empty() ? ": " : " found from the stars: ") +
                 line_with(stage.words, "elevation") +
                 ". The skyline may stand a degree or more above the horizon, and the azimuth is not known (0 "
                 "is assumed).";
@@ -518,10 +518,10 @@ void Measuring::border() {
     if (border_words_.size() < kToldFirst) border_words_.push_back(line);
   }
   if (!has_azimuth_ && !border_words_.empty())
-    border_words_.push_back("Azimuths count from where the camera looked, and elevations are by the skyline" +
-                            std::string(lens_file_.empty()
-                                            ? "."
-                                            : ": the stars would tell both, with the right time and place."));
+    border_words_.push_back(
+        "Azimuths count from where the camera looked, and elevations are by the skyline" +
+        std::string(lens_file_.empty() ? "."
+                                       : ": the stars would determine both, with the right time and place."));
   if (is_skyline_open_ && !border_words_.empty())
     border_words_.push_back(
         "Whether these are borders of light or of high ground is not decided: see below.");
@@ -644,7 +644,7 @@ void Measuring::map() {
                    (v.value("value", "").empty() ? "" : ", " + v.value("value", "")) + ".";
 }
 
-/// The answer: what the border tells for certain, then what the map says of it.
+/// The answer: what the border says for certain, then what the map says of it.
 int Measuring::conclude() {
   result_.answer.insert(result_.answer.end(), border_words_.begin(), border_words_.end());
   for (const nlohmann::json& v : map_.value("verdicts", nlohmann::json::array())) {

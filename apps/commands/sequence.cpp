@@ -207,7 +207,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
   if (decoding_of(options.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
     throw usage_error(
         "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
-        "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
+        "fit one frame by itself with --decoding unknown, and give all the curve that it finds");
   check_memory_of_fit(scene, options.threads, options.memory_limit);
   const auto read_frame = [&](const std::string& file) {
     fit::Photo photo = fit::read_photo(file, decoding_of(options.decoding, scene.fit.decoding, &scene),

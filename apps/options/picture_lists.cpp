@@ -174,7 +174,7 @@ std::optional<fit::PictureTimes> from_names(const std::vector<std::string>& file
   }
   if (told.empty()) return std::nullopt;
   if (told.size() < files.size())
-    throw usage_error("--times", "the name of " + without + " tells no time, others do",
+    throw usage_error("--times", "the name of " + without + " has no time, others have",
                       "a table that says when each was taken");
   return fit::PictureTimes{Kind::utc, told, "the files' names, taken for UTC"};
 }
@@ -233,7 +233,7 @@ std::vector<ListedPhoto> listed_photos(const std::vector<std::string>& words, co
     const std::vector<fit::NamedPicture> in_it = fit::pictures_in(one.file);
     if (in_it.size() > 1 && !std::isnan(one.time_s))
       throw usage_error(key,
-                        "the list tells one time for the " + std::to_string(in_it.size()) + " frames of " +
+                        "the list has one time for the " + std::to_string(in_it.size()) + " frames of " +
                             file_name_of(one.file),
                         "no time, or a line for each: FILE#0 TIME_S");
     for (const fit::NamedPicture& picture : in_it)
@@ -277,7 +277,7 @@ TimedPictures timed_pictures(const std::vector<std::string>& words, const std::s
   } else if (told.size() == listed.size()) {
     pictures.times = {Kind::clock, told, "the list " + file_name_of(words.front())};
   } else if (!told.empty()) {
-    throw usage_error("IMAGE", "the list tells the time of some pictures and not of others", "all, or none");
+    throw usage_error("IMAGE", "the list has times of some pictures and not of others", "all, or none");
   } else {
     pictures.times = from_files(listed);
   }

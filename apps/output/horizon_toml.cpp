@@ -92,7 +92,7 @@ std::string horizon_toml(const HorizonCamera& camera) {
   text += site_lines(camera);
   text += "[camera]\n" + lens_lines(camera);
   text += line("azimuth_deg", real(camera.azimuth_deg.value_or(0.0)),
-               camera.azimuth_deg ? "given" : "assumed: a horizon does not tell it");
+               camera.azimuth_deg ? "given" : "assumed: a horizon does not determine it");
   std::string elevation_from = with_error(found.elevation_deg, "from the horizon");
   if (camera.hfov_rounding_deg)
     elevation_from += fmt::format(", and within {:.2f} deg by the rounding of the focal length",

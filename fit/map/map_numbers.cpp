@@ -40,7 +40,7 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
           sim::ErrorKind::scene,
           {"a map takes " + free.label() + " as known, with an error that it has no prior for", scene.file, 0,
            "fit.free", "prior = { mean = ..., sigma = ... }, of this number alone",
-           "vegard calibrate tells the errors of a camera's numbers; or leave it out of fit.free"});
+           "vegard calibrate gives the errors of a camera's numbers; or leave it out of fit.free"});
     if (free.path.compare(0, 6, "field.") == 0 && !free.photo.empty())
       throw sim::Error(sim::ErrorKind::scene,
                        {free.label() + " is of one photograph, and a map has one field", scene.file, 0,

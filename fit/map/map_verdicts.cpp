@@ -55,8 +55,8 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
   verdicts.push_back({"lower borders are in view", share >= kBorderInView ? Trust::good : Trust::doubtful,
                       fmt::format("of {:.0f} % of the energy flux", 100.0 * share),
                       share >= kBorderInView
-                          ? "where a lower border stands tells the distance"
-                          : "light without its lower border tells a direction, and hardly a distance"});
+                          ? "the elevation of a lower border gives its distance"
+                          : "light without its lower border gives a direction, and hardly a distance"});
 
   std::vector<double> distance, distance_error, energy, energy_error, border, flux, flux_error;
   for (const Curtain& curtain : curtains)

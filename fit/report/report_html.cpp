@@ -101,7 +101,7 @@ std::string pictures_section(const ShownPhoto& shown, const ReportPictures& pict
                          "that was fitted, not one realisation. ")) +
                   std::string(has_named_axes(shown.fitted->data)
                                   ? "In the bands it has their own brightness and sky, elsewhere, and where "
-                                    "nothing tells a band\u2019s brightness, the mean of all."
+                                    "nothing determines a band\u2019s brightness, the mean of all."
                                   : "Its brightness per band is joined from band to band without seams.") +
                   brightness) +
           figure(pictures.residual, "Residual",

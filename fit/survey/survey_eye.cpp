@@ -48,7 +48,7 @@ void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
     if (eye.decoding.kind == Decoding::Kind::unknown)
       refuse_for_survey(
           scene, "fit.decoding", "a survey's camera has one transfer curve", "one that is known",
-          "fit one frame by itself with --decoding unknown, and give all the curve that it tells");
+          "fit one frame by itself with --decoding unknown, and give all the curve that it finds");
   }
   if (!eye.mask.empty())
     if (const std::string problem = sim::why_no_input(eye.mask); !problem.empty())

@@ -47,7 +47,7 @@ double time_of_name(const std::string& frame, const std::string& file, int line)
   const std::string name = fs::path(frame_reference(frame).file).filename().string();
   if (const auto seconds = time_in_name(name)) return *seconds;
   sim::ErrorDetails details;
-  details.problem = "the name of '" + name + "' tells no time";
+  details.problem = "the name of '" + name + "' has no time";
   details.file = file;
   details.line = line;
   details.expected = "a date and a time, as in 20190301_221000.png, taken for UTC";
@@ -76,7 +76,7 @@ double time_of_frame(const FrameHead& frame, bool is_only, const std::string& na
   if (is_only) return time_of_name(name, mention.file, mention.line);
   throw sim::Error(sim::ErrorKind::unreadable_input,
                    {"frame " + std::to_string(frame.number) + " of '" + fs::path(name).filename().string() +
-                        "' tells no time",
+                        "' has no time",
                     mention.file,
                     mention.line,
                     {},

@@ -128,7 +128,7 @@ Inventory take_stock(std::vector<std::string> names) {
     found.plan = {plan.name, plan.sha256};
     const auto [known, is_new] = stock.plans.emplace(found.plan, plan);
     if (!is_new && !is_same_plan(known->second, plan))
-      refuse_merge(sim::ErrorKind::unreadable_input, name, "tells another plan than others of the same hash");
+      refuse_merge(sim::ErrorKind::unreadable_input, name, "has another plan than others of the same hash");
     for (const SurveyReader::Origin& origin : survey.reader.origins()) {
       found.origins.push_back(origin.versions);
       stock.versions.push_back(origin.versions);

@@ -56,7 +56,7 @@ cp sky_20140221_193010.png b.png
 expect_exit 0 keogram a.png b.png -o number.csv
 expect_stdout "times: not known; pictures in the order given; 0 to 1"
 expect_exit 2 keogram a.png sky_*.png -o no.csv
-expect_stderr "the name of a.png tells no time"
+expect_stderr "the name of a.png has no time"
 
 # What is refused, with the name of the picture that it is about.
 expect_exit 2 keogram a.png -o no.csv

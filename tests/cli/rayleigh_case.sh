@@ -98,7 +98,7 @@ open("noise.pgm", "wb").write(b"P5 384 384 65535\n" + b"".join(random.randrange(
 EOF
 # shellcheck disable=SC2086
 expect_exit 5 photometry counts.toml noise.pgm $when -o no.toml
-expect_stderr "do not tell the factor"
+expect_stderr "do not determine the factor"
 
 # shellcheck disable=SC2086
 expect_exit 3 photometry counts.toml empty.pgm $when -o no.toml
@@ -110,7 +110,7 @@ expect_stderr "found.toml"
 expect_exit 2 photometry counts.toml stars.pgm --filter blue --camera camera.toml --exposure 200 --time 2000-01-01T12:00:00Z -o no.toml
 expect_stderr "how broad the filter 'blue' is"
 expect_exit 2 photometry counts.toml stars.pgm --filter green --camera camera.toml --exposure 200 -o no.toml
-expect_stderr "does not tell when"
+expect_stderr "has no time at which it was taken"
 # shellcheck disable=SC2086
 expect_exit 2 photometry counts.toml p.pgm $when -o no.toml
 expect_stderr "384 x 384"

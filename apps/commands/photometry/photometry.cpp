@@ -67,7 +67,7 @@ sim::Scene scene_of_camera(const PhotometryRequest& options) {
   } else if (scene.lines.count("site.latitude_deg") == 0) {
     const sim::PictureMetadata says = fit::photo_metadata(options.pictures.front());
     if (!says.latitude_deg || !says.longitude_deg)
-      throw usage_error("--site", "stars stand where the observer sees them, and nobody tells the place",
+      throw usage_error("--site", "the directions of stars depend on the site, and none is given",
                         "--site LAT,LON,HEIGHT, or [site] in the camera's file");
     scene.site.latitude_deg = *says.latitude_deg;
     scene.site.longitude_deg = *says.longitude_deg;
@@ -84,7 +84,7 @@ double julian_date_of(const std::string& picture, const std::string& time, doubl
   const std::optional<double> date = utc ? sim::julian_date(*utc) : std::nullopt;
   if (!date)
     throw usage_error("--time",
-                      utc ? "'" + *utc + "' is no time" : picture + " does not tell when it was taken",
+                      utc ? "'" + *utc + "' is no time" : picture + " has no time at which it was taken",
                       "when its exposure began, in UTC: 2015-10-07T08:23:51Z");
   return *date + 0.5 * exposure_s / kDay_s;
 }
@@ -187,8 +187,7 @@ int run_photometry(PhotometryRequest& options) {
   read_extinction(options);
   options.settings.refracting_air = !options.vacuum;
   if (!options.time.empty() && options.pictures.size() > 1)
-    throw usage_error("--time", "there are several pictures",
-                      "pictures that tell their own time, or one picture");
+    throw usage_error("--time", "there are several pictures", "pictures with their own time, or one picture");
   const std::string text = fit::rayleigh_camera_text(options.counts);
   const fit::RayleighCamera camera = fit::parse_rayleigh_camera(text, options.counts);
   const fit::RayleighFilter& filter = fit::filter_called(camera, options.filter);
@@ -226,7 +225,7 @@ int run_photometry(PhotometryRequest& options) {
   answer_factor(found, filter, names.size());
   if (found.star_error > kMaxError) {
     say_text(factor_text(found, filter, names.size()));
-    tell("vegard: the stars do not tell the factor: it is known to %.0f %%\n", 100.0 * found.star_error);
+    tell("vegard: the stars do not determine the factor: its error is %.0f %%\n", 100.0 * found.star_error);
     return doubted;
   }
   if (output) output->write(fit::with_factor(text, options.counts, filter.name, found.factor));
@@ -260,10 +259,10 @@ void add_photometry_command(Program& program) {
   command.option("--camera", options->camera, "Lens, pointing and site, as vegard calibrate writes them")
       .required()
       .type_name("CAMERA.toml");
-  command.option("--time", options->time, "When the exposure began (UTC), where the picture does not tell")
+  command.option("--time", options->time, "When the exposure began (UTC), if the picture does not say it")
       .type_name("TIME");
   add_site_option(command, options->site);
-  command.option("--exposure", options->exposure_s, "Seconds, where the pictures do not tell them")
+  command.option("--exposure", options->exposure_s, "Seconds, if the pictures do not say them")
       .finite_range(1e-6, 1e5)
       .type_name("S");
   command

@@ -66,7 +66,7 @@ int frame_at(const std::vector<FrameHead>& frames, double utc_s, const std::stri
   for (const FrameHead& frame : frames)
     if (frame.time) timed.push_back(&frame);
   if (timed.empty())
-    refuse_image(file, "no frame of it tells when it was taken", "",
+    refuse_image(file, "no frame of it says when it was taken", "",
                  "choose one by its number: " + file + "#0");
   const auto distance = [&](const FrameHead* frame) { return std::abs(frame->time->seconds - utc_s); };
   const FrameHead* nearest = *std::min_element(

@@ -93,9 +93,9 @@ std::string time_and_site_doubt(const Calibration& calibration) {
   const std::vector<LensNumber>& free = calibration.candidates[calibration.chosen].free;
   for (const LensNumber turn : {turn_about_right, turn_about_down, turn_about_forward})
     if (std::find(free.begin(), free.end(), turn) == free.end()) return {};
-  return "stars alone cannot tell a wrong time or site: an hour turns the camera by 15 deg about the "
+  return "stars alone cannot reveal a wrong time or site: an hour turns the camera by 15 deg about the "
          "celestial pole "
-         "and fits as well; a horizon, a levelled camera or another picture of it would tell";
+         "and fits as well; a horizon, a levelled camera or another picture of it would reveal it";
 }
 
 }  // namespace vegard::fit

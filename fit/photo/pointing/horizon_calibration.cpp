@@ -185,8 +185,8 @@ void check_horizon(const HorizonProblem& p) {
   const std::size_t unknowns = free_numbers(p).size();
   if (p.points.size() < unknowns)
     sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    std::to_string(p.points.size()) + " points cannot tell " +
-                        (p.free_dip ? "the dip" : "the field of view") + " beside elevation and roll",
+                    std::to_string(p.points.size()) + " points cannot determine " +
+                        (p.free_dip ? "the dip" : "the field of view") + " and elevation and roll",
                     "at least " + std::to_string(unknowns) + " points",
                     p.free_dip ? "" : "or give --hfov or --focal-35mm");
 }
@@ -262,10 +262,10 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
   const auto too_open = [](const ErrorBar& bar) { return !(bar.sigma < std::abs(bar.value) / 3.0); };
   if (!p.hfov_deg && too_open(result.hfov_deg))
     sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    "the horizon is not bent enough to tell the field of view", "--hfov or --focal-35mm",
+                    "the horizon is not bent enough to determine the field of view", "--hfov or --focal-35mm",
                     "or more points, farther apart");
   if (p.free_dip && too_open(result.dip_deg))
-    sim::refuse_key(sim::ErrorKind::usage, "--points", "the horizon is not bent enough to tell its dip",
+    sim::refuse_key(sim::ErrorKind::usage, "--points", "the horizon is not bent enough to determine its dip",
                     "more points, farther apart");
   return result;
 }

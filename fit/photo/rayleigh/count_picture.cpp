@@ -108,7 +108,7 @@ double seconds_of(const std::string& picture, const FileCounts& counts, const Ra
   if (!exposure_s) exposure_s = photo_metadata(picture).exposure_s;
   if (!exposure_s) exposure_s = filter.exposure_s;
   if (!exposure_s || !(*exposure_s > 0.0))
-    refuse_image(picture, "it does not tell how long it was exposed", "--exposure SECONDS",
+    refuse_image(picture, "it does not say how long it was exposed", "--exposure SECONDS",
                  "or exposure_s in the camera's file");
   return *exposure_s;
 }

@@ -108,7 +108,7 @@ std::string inversion_text(const ColumnInversion& inversion, const InversionFact
   if (inversion.degrees_of_freedom > 0)
     text += " (so much or more by chance: " + chance_text(inversion.p_value) + ")";
   else if (inversion.verdict != ColumnVerdict::contradiction)
-    text += ": whether the lines agree cannot be told";
+    text += ": whether the lines agree is not known";
   text += "\n";
   for (std::size_t a = 0; a < kColumnUnknowns; ++a)
     for (std::size_t b = a + 1; b < kColumnUnknowns; ++b)

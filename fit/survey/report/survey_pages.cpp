@@ -75,8 +75,8 @@ int counted_all(const VerdictCounts& counts, SurveyWork work) {
   return sum;
 }
 
-/// What the works tell, in one half sentence each: "912 tell a lower border".
-std::string told_words(const VerdictCounts& verdicts) {
+/// What the works found, in half a sentence each: "a lower border was measured in 912 of 1000".
+std::string found_words(const VerdictCounts& verdicts) {
   std::vector<std::string> words;
   for (const auto& [work, counts] : verdicts) {
     const int all = counted_all(verdicts, work), good = counted(verdicts, work, "good");
@@ -201,10 +201,10 @@ void add_hours(const std::map<int, VerdictCounts>& more, std::map<int, VerdictCo
   for (const auto& [hour, counts] : more) add_verdicts(counts, hours[hour]);
 }
 
-std::string flux_words(bool is_told, const std::string& why_none) {
-  if (is_told)
-    return "A dot, or a count, for each frame that tells both, with a verdict of good or doubtful.";
-  return "No frame tells an energy flux" + (why_none.empty() ? "." : ": " + why_none + ".");
+std::string flux_words(bool is_measured, const std::string& why_none) {
+  if (is_measured)
+    return "A dot, or a count, for each frame that has both, with a verdict of good or doubtful.";
+  return "No frame has an energy flux" + (why_none.empty() ? "." : ": " + why_none + ".");
 }
 
 }  // namespace
@@ -243,7 +243,7 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
     of_camera[d.camera] = d.verdicts;
     statuses[d.camera] = d.statuses;
     if (why_no_flux.empty()) why_no_flux = d.why_no_flux;
-    // Of several cameras the one that tells most; each has its own beside its plots.
+    // Of several cameras the one with most answers; each has its own beside its plots.
     const std::size_t points =
         points_of(d, FollowedKind::energy).size() + points_of(d, FollowedKind::border).size();
     if (points > max_points) {
@@ -256,12 +256,12 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
     links = "<a href=\"" + night_file_name(night.before) + "\">\u2190 " + night.before + "</a>" + links;
   if (!night.after.empty())
     links += "<a href=\"" + night_file_name(night.after) + "\">" + night.after + " \u2192</a>";
-  const std::string told = told_words(verdicts);
+  const std::string found = found_words(verdicts);
   std::string html = page_head(
       "The night of " + night.name, "vegard survey " + facts.name, links,
       {count_words(frames, "frame") + " of " + count_words(static_cast<int>(night.cameras.size()), "camera") +
-           ", " + clock_of(first_s) + " to " + clock_of(last_s) + " UTC" + (told.empty() ? "" : ": " + told) +
-           ".",
+           ", " + clock_of(first_s) + " to " + clock_of(last_s) + " UTC" +
+           (found.empty() ? "" : ": " + found) + ".",
        numbers.empty() ? "No value is measured." : numbers + "."});
   const ShownSpan span{first_s, std::max(last_s, first_s + 1.0)};
   for (const ShownCamera& shown : night.cameras) {
@@ -306,7 +306,7 @@ void SurveySum::add(const NightDigest& digest) {
 
 std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const FrameLink& link) {
   const int cameras = static_cast<int>(sum.statuses_of_camera.size());
-  const std::string told = told_words(sum.verdicts);
+  const std::string found = found_words(sum.verdicts);
   std::vector<double> energies;
   for (const ListedNight& night : sum.nights)
     if (std::isfinite(night.energy_kev)) energies.push_back(night.energy_kev);
@@ -314,7 +314,7 @@ std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const Fr
       count_words(sum.frames, "frame") + " of " + count_words(cameras, "camera") + " in " +
       count_words(static_cast<int>(sum.nights.size()), "night") + ", " +
       sim::utc_text(sum.first_s).substr(0, 10) + " to " + sim::utc_text(sum.last_s).substr(0, 10) +
-      (told.empty() ? "" : ": " + told) + "."};
+      (found.empty() ? "" : ": " + found) + "."};
   std::string second;
   if (!energies.empty())
     second = "The mean electron energy of a night, in the middle of its frames, goes from " +
@@ -338,7 +338,7 @@ std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const Fr
                ? ""
                : "<p class=\"soft\">" + sim::html_text(flux_words(false, sum.why_no_flux)) + "</p>\n"));
   std::string list = "<table class=\"nights\"><thead><tr><th>Night</th><th>" +
-                     sim::html_text("frames that tell something (green), energy (orange), over the night") +
+                     sim::html_text("frames with an answer (green), energy (orange), over the night") +
                      "</th><th class=\"number\">Frames</th>";
   for (const auto& [work, counts] : sum.verdicts)
     list += std::string("<th class=\"number\">") + survey_work_name(work) + "</th>";

@@ -140,15 +140,14 @@ TEST(SurveyFrames, AreRefusedWhereTheyTellNoTimeOrAreNotThere) {
   const auto error_of = [&](sim::ErrorKind kind, const std::string& frames) {
     return tests::expect_error(kind, [&] { frames_of(survey_in(folder, frames)); });
   };
-  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"in.png\"").find("tells no time"),
-            std::string::npos);
+  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"in.png\"").find("has no time"), std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"list.txt\"").find("list.txt:2"), std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none\"").find("there is no such file"),
             std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none.txt\"").find("none.txt"), std::string::npos);
   put(folder / "many_20190301_221000.pgm", "P5 1 1 255\nxP5 1 1 255\ny");
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"many_20190301_221000.pgm\"")
-                .find("frame 0 of 'many_20190301_221000.pgm' tells no time"),
+                .find("frame 0 of 'many_20190301_221000.pgm' has no time"),
             std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::scene, "\"empty\"").find("has no frame"), std::string::npos);
 }

@@ -72,7 +72,7 @@ TEST(LevelDoubt, BlamesNoTimeForATiltToThePole) {
 }
 
 TEST(TimeAndSiteDoubt, IsSaidWhereTheTurnsWereFree) {
-  EXPECT_NE(fit::time_and_site_doubt(with_wrong_time(0.0, 67.0)).find("cannot tell a wrong time"),
+  EXPECT_NE(fit::time_and_site_doubt(with_wrong_time(0.0, 67.0)).find("cannot reveal a wrong time"),
             std::string::npos);
   const fit::SkyCamera truth = known_camera(sim::LensModel::equidistant, 150.0, 30.0, 80.0, 10.0);
   fit::LensSettings held;

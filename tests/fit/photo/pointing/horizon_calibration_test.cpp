@@ -223,10 +223,10 @@ TEST(HorizonCalibration, RefusesPointsThatTellNothing) {
   // Two points from orbit: not enough for the field of view.
   bad = photographed(camera_of(-20.0, 0.0), 19.5, 2);
   bad.hfov_deg.reset();
-  says(refusal(bad), "2 points cannot tell the field of view");
+  says(refusal(bad), "2 points cannot determine the field of view");
   bad.hfov_deg = 70.0;
   bad.free_dip = true;
-  says(refusal(bad), "2 points cannot tell the dip");
+  says(refusal(bad), "2 points cannot determine the dip");
 }
 
 // Of a few hundredths of a degree of bending nothing is left above the error of a point.
