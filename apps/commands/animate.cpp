@@ -201,7 +201,7 @@ int run_animate(const AnimateRequest& request) {
       threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
                         false, options.memory_limit);
   const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
-  // Every frame reads its own; here only so that what is wrong with them is told before a folder is made.
+  // Every frame reads its own; here only so that what is wrong with them is reported before a folder is made.
   if (sim::has_emitters(scene)) sim::read_volume_files(scene);
   // A measured tone curve is read by whatever is encoded with it; here, before the work.
   sim::ToneCurve check_of_the_curve(scene);

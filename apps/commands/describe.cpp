@@ -30,7 +30,7 @@ struct DescribeRequest {
   bool overwrite = false;
 };
 
-/// Nothing for a file without frames. One that has maps of directions and no images that can be told apart
+/// Nothing for a file without frames. One that has maps of directions and no images that can be distinguished
 /// has none either.
 std::optional<fit::FrameIndex> frames_of_photo(const std::string& photo) {
   if (fit::frame_name(photo).is_chosen() || !fit::is_frame_file(photo)) return std::nullopt;

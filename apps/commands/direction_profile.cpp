@@ -17,7 +17,7 @@ namespace vegard::apps {
 namespace {
 
 constexpr double kUsualWidthDeg = 10.0;
-constexpr double kGreenKm = 97.0;  ///< about where green layers are, for the scale that is told
+constexpr double kGreenKm = 97.0;  ///< about where green layers are, for the scale that is printed
 
 fit::DirectionSectors sectors_of(const SectorOptions& options, std::optional<double> observer_km) {
   fit::DirectionSectors sectors;

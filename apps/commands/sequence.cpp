@@ -58,7 +58,7 @@ bool is_manifest(const std::string& text) {
          json.contains("version");
 }
 
-/// What makes one sequence another, its photographs apart: those are told from their rows.
+/// What makes one sequence another, its photographs apart: those are distinguished by their rows.
 std::string manifest(const SequenceRequest& options, const sim::Scene& scene) {
   nlohmann::ordered_json json;
   json["scene_sha256"] = sim::sha256(sim::write_scene(scene));

@@ -164,7 +164,7 @@ class Program {
   std::string command_line() const;
 
   /// Parses, and calls the subcommand if there is one. The exit code if this was the end: --help, --version,
-  /// or wrong words, which are told on standard error. Throws what the subcommand throws.
+  /// or wrong words, which are reported on standard error. Throws what the subcommand throws.
   std::optional<int> read();
 
   /// read() of a program that is nothing without a subcommand; gives the exit code.

@@ -66,7 +66,7 @@ std::string picture_at(const std::string& picture, const std::string& time) {
   if (picture.empty()) throw usage_error("--at", "no photograph is named", "one with many frames in it");
   if (fit::frame_name(picture).is_chosen())
     throw usage_error("--at", "'" + picture + "' names a frame already", "one of both");
-  // What cannot be read is told where it is to be read.
+  // What cannot be read is reported where it is to be read.
   if (!sim::why_no_input(picture).empty()) return picture;
   if (!fit::is_frame_file(picture)) throw usage_error("--at", picture + " is no file of frames", "no --at");
   const std::vector<fit::FrameHead> frames = fit::frame_index(picture).frames;

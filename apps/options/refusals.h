@@ -1,4 +1,4 @@
-// What is wrong with the words of a command line or with the scene that it names, told with its place.
+// What is wrong with the words of a command line or with the scene that it names, reported with its place.
 #pragma once
 
 #include <string>

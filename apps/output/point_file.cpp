@@ -20,7 +20,7 @@
 namespace vegard::apps {
 namespace {
 
-/// Linear light of which only the colour is told: the largest component is 1, what is out of gamut is 0.
+/// Linear light of which only the colour is given: the largest component is 1, what is out of gamut is 0.
 std::array<float, 3> colour_of(const float* photons_per_s, const std::vector<sim::Vector3>& rgb) {
   sim::Vector3 sum{};
   for (std::size_t l = 0; l < rgb.size(); ++l)

@@ -157,7 +157,7 @@ void put_solution(const Comparison& comparison, const Comparison::Point& point, 
       double levels = 0.0;
       int seen = 0;
       for (int b = 0; b < skies && is_solved && has_channel(r.best, c); ++b) {
-        if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // nothing was told of it
+        if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // unconstrained
         levels += solution.coefficients[linear.sky(t, c, b)];
         ++seen;
         solved(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +

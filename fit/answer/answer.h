@@ -33,7 +33,7 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
 /// Root mean square residual over all rows, bands and channels, over the peak of the data's profile above its
 /// sky. Where bands have skies of their own, what is behind may be much brighter than the light in question
 /// and differ from band to band: then over the peak of the model's light before its sky, in bands of which
-/// the gain is told; infinity if there is none.
+/// the gain is constrained; infinity if there is none.
 double rms_over_peak(const FittedPhoto& fitted);
 
 }  // namespace vegard::fit

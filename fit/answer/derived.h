@@ -38,7 +38,7 @@ std::vector<std::string> unusual_sheets(const sim::Scene& scene);
 /// border, peak altitudes and half-widths, ratios of lines along the field, shape, bearing and sine where
 /// they were free, and the geographic and
 /// geomagnetic coordinates of its feet. docs/fitting.md, "Derived numbers", has the list. A number that
-/// cannot be told is there all the same and says why.
+/// is unconstrained is there all the same and says why.
 std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                            const std::vector<double>& values, const ValueUncertainty& known);
 

@@ -1,4 +1,4 @@
-// The energy flux Q of a sheet's electrons, told by the gain that a fit has found, where the picture's own
+// The energy flux Q of a sheet's electrons, given by the gain that a fit has found, where the picture's own
 // scale is known.
 #pragma once
 
@@ -29,7 +29,7 @@ std::optional<FoundFlux> found_flux_of_footprint(const sim::Scene& known, const 
                                                  int footprint, std::string& why_none);
 
 /// "energy flux Q of the main sheet" of every sheet, and "of the arc footprint" of every footprint. One that
-/// was free, or tied, is as it was found. Of several photographs it is told by the one whose answer has the
+/// was free, or tied, is as it was found. Of several photographs it is given by the one whose answer has the
 /// smallest sigma. `known` holds the scene of each photograph of the result.
 std::vector<DerivedNumber> energy_fluxes(const std::vector<const sim::Scene*>& known,
                                          const FitResult& result);

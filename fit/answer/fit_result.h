@@ -108,7 +108,7 @@ struct DerivedNumber {
   std::optional<double> error() const;
 
   std::string name;             ///< "distance of the main sheet"
-  double value = 0.0;           ///< NaN if it cannot be told
+  double value = 0.0;           ///< NaN if it is unconstrained
   std::optional<double> sigma;  ///< statistical
   std::string unit;
   std::string why_none{};      ///< in words, if there is no value
@@ -169,7 +169,7 @@ struct FittedPhoto {
   double rms_over_peak = 0.0;  ///< rms residual over all rows, bands, channels / peak of its profile above
                                ///< the sky (rms_over_peak() in fit/answer/answer.h)
   /// Unmodelled structure as the residuals have it (found_model_error()), the simulation's own sampling among
-  /// it: a share of the light above the sky. None if that cannot be told.
+  /// it: a share of the light above the sky. None if that is not known.
   std::optional<double> model_error;
   std::string decoding;
 };

@@ -475,7 +475,7 @@ std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& 
   return traces;
 }
 
-std::string untold_border_note(const BorderTrace& trace) {
+std::string no_border_note(const BorderTrace& trace) {
   int count[5] = {};
   for (const BorderPoint& p : trace.points) ++count[static_cast<int>(p.limit)];
   const int most = static_cast<int>(std::max_element(count + 1, count + 5) - count);
@@ -601,7 +601,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
     if (is_measured(trace))
       ++border.measured;
     else
-      border.notes.push_back(untold_border_note(trace));
+      border.notes.push_back(no_border_note(trace));
   if (border.traces.empty())
     border.notes.push_back(
         fmt::format("No light with an edge stands above sky and noise over {:.0f}° of azimuth.",

@@ -33,9 +33,9 @@ struct BorderSettings {
   double min_length_deg = 8.0;
 };
 
-/// Why no border is told where there is a peak.
+/// Why no border is given where there is a peak.
 enum class BorderLimit {
-  none,  ///< it is told
+  none,  ///< it is given
   horizon,
   frame,   ///< it lies beyond the picture or the lens
   mask,    ///< it lies under the mask, or the picture is clipped there
@@ -47,12 +47,12 @@ const char* border_limit_name(BorderLimit limit);
 
 struct BorderPoint {
   double azimuth_deg = 0.0;          ///< 0 to 360
-  double elevation_deg = 0.0;        ///< of the border, apparent; NaN if it is not told
+  double elevation_deg = 0.0;        ///< of the border, apparent; NaN if it is not given
   double elevation_error_deg = 0.0;  ///< noise, a tenth of the peak in the level, scatter of the neighbours
   double peak_elevation_deg = 0.0;
   double brightness = 0.0;  ///< of the peak above the sky beneath, linear light, the file's white = 1
   double signal = 0.0;      ///< the same in standard deviations
-  double fall_deg = 0.0;    ///< from 75 to 25 % of the peak; NaN if the border is not told
+  double fall_deg = 0.0;    ///< from 75 to 25 % of the peak; NaN if the border is not given
   BorderLimit limit = BorderLimit::none;
 
   bool measured() const { return limit == BorderLimit::none; }
@@ -79,7 +79,7 @@ struct SkyCells {
 };
 
 struct Border {
-  std::vector<BorderTrace> traces;  ///< those that are told first, each kind by its light
+  std::vector<BorderTrace> traces;  ///< those that are reported first, each kind by its light
   int measured = 0;                 ///< how many of them have a border over min_length_deg
   std::vector<std::string> notes;   ///< sentences: what is to be known of the answer
   SkyCells cells;
@@ -89,7 +89,7 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
 
 /// The scene's camera and site are those of the photograph. Throws sim::Error(scene) if the picture has
 /// another size than the camera, or the observer is no lower than the light. No light or no border is an
-/// answer, not an error: `told` is 0 and the notes say why. The same input gives the same answer.
+/// answer, not an error: no point is measured and the notes say why. The same input gives the same answer.
 Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSettings& settings = {});
 
 }  // namespace vegard::fit

@@ -7,8 +7,8 @@
 
 namespace vegard::fit {
 
-/// Altitudes for which distances are told, km: lower borders of arcs lie between 95 and 110 km (Störmer 1955,
-/// "The polar aurora"; docs/forms.md).
+/// Altitudes for which distances are given, km: lower borders of arcs lie between 95 and 110 km (Störmer
+/// 1955, "The polar aurora"; docs/forms.md).
 inline constexpr std::array<double, 4> kBorderAltitudesKm = {95.0, 100.0, 105.0, 110.0};
 
 /// The elevation without the air, of what is seen at an apparent one: Saemundsson's formula

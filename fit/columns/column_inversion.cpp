@@ -11,7 +11,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kWidestFirstStep = 0.3;  // of a logarithm, where the covariance says nothing
-constexpr double kTradeOff = 0.9;         // of a correlation: two unknowns are told as trading off
+constexpr double kTradeOff = 0.9;         // of a correlation: two unknowns are reported as trading off
 constexpr int kMaxMinimisations = 400, kMaxRestarts = 3;
 constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor"};
 constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", ""};

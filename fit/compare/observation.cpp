@@ -78,7 +78,7 @@ std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, con
   return sigma;
 }
 
-/// Rows to a bin of the search: what is smoothed by many rows is told by fewer.
+/// Rows to a bin of the search: what is smoothed over many rows needs fewer.
 int search_rows(const sim::Scene& scene, double smooth_rows) {
   return has_smooth_bands(scene) ? std::max(1, static_cast<int>(smooth_rows / kSmoothingPerBin)) : 1;
 }

@@ -22,7 +22,7 @@ struct CurtainPoint {
   double distance_km = 0.0, azimuth_deg = 0.0;  ///< of the foot, from the site
   double lateral_error_km = 0.0;                ///< standard error of the foot's place, across the curtain
   double distance_error_km = 0.0;  ///< of the distance from the site, with that of the border's altitude
-  WithError flux_mw_m2;            ///< at the ridge, as wide as it is told
+  WithError flux_mw_m2;            ///< at the ridge, with the width given
   WithError energy_kev;            ///< mean over the curtain's width
   WithError width_km;              ///< standard deviation across, as the map has it: an upper limit
   WithError lower_border_km;   ///< where the light of 557.7 nm, or of the scene's brightest line, has half of

@@ -37,8 +37,8 @@ struct GeographicGrid {
 /// each way. Maps over a pole get each longitude once, and no latitude beyond it.
 GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, double step_deg);
 
-/// [latitude * longitudes + longitude]. NaN where less than half of a cell is constrained; the energy where there is
-/// no flux.
+/// [latitude * longitudes + longitude]. NaN where less than half of a cell has values; the energy where there
+/// is no flux.
 struct GeographicMap {
   std::vector<double> energy_flux_mw_m2;                     ///< mean over the cell
   std::vector<double> energy_kev;                            ///< E0: of its logarithm the mean by flux

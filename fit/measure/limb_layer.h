@@ -17,7 +17,7 @@
 
 namespace vegard::fit {
 
-/// Below that altitude the limb's own light, clouds and scattered light are not told from the layer.
+/// Below that altitude the limb's own light, clouds and scattered light are not distinguished from the layer.
 inline constexpr double kLimbAirKm = 40.0;
 
 struct LimbLayer {

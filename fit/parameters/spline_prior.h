@@ -57,7 +57,7 @@ void append_rows(const SplinePrior& prior, const sim::Scene& scene, double weigh
 /// the mean square of the bends, those of the optimum and what it leaves open. Coordinates are
 /// ln(value) of coefficients and anything of the others. Information, row-major, of the data alone and of
 /// priors other than this. `weight` is what append_rows() was told at the optimum, over the inflation by
-/// whose square `information` is divided. `determined`, if any, is told how many coordinates the data
+/// whose square `information` is divided. `determined`, if any, receives how many coordinates the data
 /// determine.
 std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std::vector<double>& information,
                                              const std::vector<double>& other_information,

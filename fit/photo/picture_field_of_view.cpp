@@ -24,7 +24,7 @@ bool is_cut(const sim::PictureMetadata& metadata) {
 }
 
 /// Whether a sensor is likely to have the shape: 3:2 or 4:3, of which all bodies of that table are. A camera
-/// that was set to 16:9 or to a square cuts its pictures, by how much is not told.
+/// that was set to 16:9 or to a square cuts its pictures, by how much is not known.
 bool has_shape_of_a_sensor(double width, double height) {
   constexpr double kTolerance = 0.02;  // rows and columns at the edges that the camera leaves out
   const double s = shape(width, height);

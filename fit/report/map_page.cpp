@@ -213,7 +213,7 @@ std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) 
     for (int row = raster.rows - 1; row >= 0; --row)
       for (int column = 0; column < raster.columns; ++column) {
         const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
-        std::array<std::uint8_t, 3> rgb = {228, 231, 235};  // nothing is told here
+        std::array<std::uint8_t, 3> rgb = {228, 231, 235};  // no answer here
         if (in_view[i] != 0) rgb = colour(i);
         panel.raster.rgb.insert(panel.raster.rgb.end(), rgb.begin(), rgb.end());
       }

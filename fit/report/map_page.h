@@ -12,7 +12,7 @@
 
 namespace vegard::fit {
 
-/// What is told of a run beside its result.
+/// What is reported of a run beside its result.
 struct MapRunFacts {
   std::string command;
   std::vector<InputFile> inputs;

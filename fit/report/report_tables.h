@@ -10,7 +10,7 @@ namespace vegard::fit {
 /// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
 std::string derived_cards(const FitResult& result);
 
-/// What has no card: details, and what cannot be told, with the reason; empty if there is nothing.
+/// What has no card: details, and what is unconstrained, with the reason; empty if there is nothing.
 std::string derived_table(const FitResult& result);
 
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.

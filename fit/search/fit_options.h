@@ -12,7 +12,7 @@ class Journal;
 struct FitOptions {
   int threads = 0;             ///< of the simulator; 0: all cores. The result does not depend on it.
   int max_evaluations = 2000;  ///< of the residuals, search and descents together
-  /// Told what is going on: stage, evaluations so far, best chi2 / dof so far (infinite while only
+  /// Called with what is going on: stage, evaluations so far, best chi2 / dof so far (infinite while only
   /// smoothed profiles have been looked at), finished share 0..1 (a guess).
   std::function<void(const std::string& stage, int evaluations, double chi2_per_dof, double share)> progress;
   const std::atomic<bool>* stop =

@@ -43,7 +43,7 @@ Json frame_json(const PlannedFrame& frame) {
   return json;
 }
 
-/// What is no plan, told at once.
+/// What is no plan, reported at once.
 [[noreturn]] void refuse_plan(const std::string& file, const std::string& problem) {
   throw sim::Error(sim::ErrorKind::unreadable_input,
                    {problem, file, 0, {}, "what vegard survey plan wrote", {}});

@@ -16,16 +16,16 @@ struct SurveyQuantity {
   int item = 0;      ///< of several of a kind, from 1: a border's trace; 0: there is one
   std::string name;  ///< "lowest elevation", "sheet.main.energy_kev"
   std::string unit;
-  std::optional<double> value;  ///< none where it cannot be told
+  std::optional<double> value;  ///< none where it is unconstrained
   std::optional<double> sigma;
   std::optional<std::string> trust;   ///< as fit/answer/trust.h names it; none where it was not assessed
-  std::optional<std::string> reason;  ///< why it is not told, or not to be trusted
+  std::optional<std::string> reason;  ///< why there is no value, or why it is not to be trusted
 };
 
 struct WorkAnswer {
   SurveyWork work = SurveyWork::border;
   /// Of a filter: what is seen, as fit/survey/filter/sky_trees.h names it. Of a fit: "good", "doubtful",
-  /// "failed". Of a border and of profiles: "good", or "none" if none is told. Of a map: "good", "doubtful".
+  /// "failed". Of a border and of profiles: "good", or "none" if there is none. Of a map: "good", "doubtful".
   /// "refused": the work could not be done, `words` says why.
   std::string verdict;
   std::optional<std::string> words;

@@ -65,7 +65,7 @@ bool may_have_frames(const std::string& file) {
 
 /// Where a frame, or a file of them, was named.
 struct Mention {
-  std::string file;  ///< to be told to the user
+  std::string file;  ///< to be named to the user
   int line = 0;      ///< of a list; 0: of none
 };
 

@@ -16,7 +16,7 @@ struct SurveyRunOptions {
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: the frame at hand is given up
   /// The eye of a camera during one of its calibrations; asked for as blocks come.
   std::function<SurveyEye(int camera, int calibration)> eye;
-  /// Told after every frame, and once before the first with what an earlier call has done.
+  /// Called after every frame, and once before the first with what an earlier call has done.
   std::function<void(int frames_done, int frames_of_shard)> progress;
 };
 

@@ -23,7 +23,7 @@ namespace vegard::fit {
 class SurrogateCost {
  public:
   static constexpr double kStep = 2.5;        ///< in standard deviations
-  static constexpr double kMixedShare = 0.5;  ///< w: a T of two coordinates is only told by one of them
+  static constexpr double kMixedShare = 0.5;  ///< w: a T of two coordinates is only determined by one of them
   /// Coordinates beyond which only monomials of a single coordinate are kept: the others' number grows with
   /// the square.
   static constexpr int kMaxForPairs = 14;

@@ -34,7 +34,7 @@ std::vector<DescribedNumber> described_numbers(const sim::Scene& scene, const st
 /// "distance and energy of the main sheet trade off: 10 km further with 0.3 keV less looks the same", of a
 /// direction in the numbers' own units; its length and sign do not matter. At most three numbers are named,
 /// those that one would notice most, and always number `always` (an index; none if negative); how many more
-/// there are is said. East and north of one centre are told as one: further or nearer as seen by the
+/// there are is said. East and north of one centre are reported as one: further or nearer as seen by the
 /// observer, or to the right or left. For a direction of one number: "the data do not constrain the energy of
 /// the main sheet".
 std::string trade_off_text(const std::vector<DescribedNumber>& numbers, const std::vector<double>& direction,

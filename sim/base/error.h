@@ -1,4 +1,4 @@
-// What goes wrong because of the user's input, told once and completely.
+// What goes wrong because of the user's input, reported once and completely.
 //
 // Programmer's mistakes are assertions; numerical trouble in a fit is a verdict in its result. Neither is an
 // Error.

@@ -19,7 +19,7 @@ class RenderMemory;
 
 struct RenderOptions {
   int threads = 0;                          ///< 0: all cores. The picture does not depend on it.
-  std::function<void(double)> progress;     ///< told the finished share, from any thread
+  std::function<void(double)> progress;     ///< called with the finished share, from any thread
   const std::atomic<bool>* stop = nullptr;  ///< ends the work early with an empty Rendering
   /// The pictures of the scene's [composite], at the camera's size; none: nothing behind or before the
   /// aurora.

@@ -1,4 +1,4 @@
-// The options by which `vegard electrons` and `vegard lines --sources` are told of electrons and of the air.
+// The options by which `vegard electrons` and `vegard lines --sources` describe the electrons and the air.
 #pragma once
 
 #include <optional>

@@ -24,7 +24,7 @@
 namespace vegard::apps {
 namespace {
 
-constexpr double kMinShare = 0.005;  // of a line, that is told and drawn
+constexpr double kMinShare = 0.005;  // of a line, that is listed and drawn
 
 double peak_km(const sim::FieldAir& column, const std::vector<double>& rate) {
   return column

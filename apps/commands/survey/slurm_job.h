@@ -24,7 +24,7 @@ std::string task_ranges(const std::vector<int>& tasks);
 std::string slurm_script(const SlurmScript& script);
 
 /// The job that a folder's shards were last handed to; empty if there is none. Where whoever handed them over
-/// was killed before Slurm told the number, the queue is asked for it. Throws Error(usage) if it cannot be.
+/// was killed before Slurm gave the number, the queue is asked for it. Throws Error(usage) if it cannot be.
 std::string job_of_folder(const std::string& folder);
 
 /// Hands the script to Slurm, and notes the job in the folder, an absolute name, before and after. The job's

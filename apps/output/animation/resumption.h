@@ -17,7 +17,7 @@ namespace vegard::apps {
 
 /// What makes one animation another: the scene with all its values (not how its file words them), the
 /// files that it names, the frames per second, the kind of file, the version of vegard. The range of
-/// frames, time.frames, what a fit is told and the number of threads do not.
+/// frames, time.frames, the options of a fit and the number of threads do not.
 std::string manifest_text(const sim::Scene& scene, double frames_per_second, const FrameNames& names,
                           const PictureOptions& picture);
 

@@ -38,7 +38,7 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
 }
 
 cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string& file) {
-  // What is wrong with an image is told through sim::Error; OpenCV would tell the terminal as well.
+  // What is wrong with an image is reported by sim::Error; OpenCV would write to the terminal as well.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   // OpenCV turns a TIFF by all eight orientations whatever the flags, and with IMREAD_COLOR fails on grey
   // floats; of the others it misses the orientation at times (fit/photo/codec/image_file.h), so that is done

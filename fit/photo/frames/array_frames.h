@@ -2,7 +2,7 @@
 // NASA's CDF as THEMIS and REGO publish an hour.
 //
 // The images are the array with the most numbers of those with two to four dimensions; in a file of the
-// imagers' own, "data/images"; or several of one shape that are told apart by a number at the end of their
+// imagers' own, "data/images"; or several of one shape that are distinguished by a number at the end of their
 // names, "frame1", "frame2". Times stand in an array with one for each frame: texts as ISO writes them, the
 // clocks of CDF, seconds since 1970, or MATLAB's days. Words are the attributes of the file, of
 // "metadata/file" and of "metadata/frame/frameN".

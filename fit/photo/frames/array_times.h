@@ -16,8 +16,8 @@ bool has_times(const sim::ArrayFile& file, std::size_t images, std::uint64_t fra
 
 /// Of each frame; empty where no array tells them. Read are texts ("2021-10-30 06:05:00.149606 UTC"), NASA's
 /// CDF_EPOCH (milliseconds since the year 0) and TT2000 (nanoseconds of terrestrial time, with the leap
-/// seconds until 2017), seconds since 1970 and MATLAB's days since the year 0; the last two are told from
-/// each other by their size, and anything else is taken for no time. Throws as ArrayFile does.
+/// seconds until 2017), seconds since 1970 and MATLAB's days since the year 0; the last two are distinguished
+/// from each other by their size, and anything else is taken for no time. Throws as ArrayFile does.
 std::vector<std::optional<ImagerTime>> array_times(sim::ArrayFile& file, std::size_t images,
                                                    std::size_t frames);
 

@@ -38,8 +38,8 @@ struct FrameHead {
 /// One frame of a file after another. All throws sim::Error(unreadable_input) with the file's name and the
 /// frame's number for a file that is cut short, damaged or no such file, whose frames are out of their order
 /// in time, or of another size than the first or than their own words say, or that has more than the limits
-/// above and sim/base/picture/pixel_limit.h allow. What is wrong with a file is told when its reader comes to
-/// it: the checksum of gzip stands at its end.
+/// above and sim/base/picture/pixel_limit.h allow. What is wrong with a file is reported when its reader
+/// comes to it: the checksum of gzip stands at its end.
 class FrameReader {
  public:
   explicit FrameReader(const std::string& file);

@@ -16,7 +16,7 @@ struct TextSettings {
 /// A line of text, with two pixels around it.
 struct TextLine {
   int x_px, y_px, width_px, height_px;
-  int letters;  ///< that were told apart
+  int letters;  ///< that were distinguished
 };
 
 /// Bright letters only. Strokes are what an opening by a square of seven pixels takes away (of the picture

@@ -14,7 +14,7 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kCorrelationStrong = 0.95;  // of a correlation that is told
+constexpr double kCorrelationStrong = 0.95;  // of a correlation that is reported
 constexpr double kDegrees = 1.0 / sim::kRadiansPerDegree;
 
 /// A scene's number as a function of a calibration's.

@@ -39,7 +39,7 @@ struct LevelEvidence {
 
 /// If the axis is more than 2.5 degrees from the zenith, by how much, and by how much the time would have to
 /// differ if that were its error: the rotation about the pole that brings the axis nearest to the zenith,
-/// at 15.041 degrees an hour, told where it leaves less than a third. Empty if the axis is at the zenith.
+/// at 15.041 degrees an hour, reported where it leaves less than a third. Empty if the axis is at the zenith.
 std::string level_doubt(const Calibration& calibration, const LevelEvidence& level);
 
 /// That stars alone cannot tell an error of the time or of the site; empty if the turns were not all free.

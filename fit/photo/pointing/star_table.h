@@ -9,8 +9,8 @@
 //                                                                  data/stars; needs time and site
 // Further columns: name, magnitude. Others are ignored.
 //
-// A file that begins as FITS does is taken for stars that Astrometry.net's solve-field has recognised in a picture, or
-// in a crop of one.
+// A file that begins as FITS does is taken for stars that Astrometry.net's solve-field has recognised in a
+// picture, or in a crop of one.
 //
 // Beside its solution it writes a file FIELD.corr: a FITS binary table with a row for every point of light
 // that it took for a star of its index. field_x and field_y say where the point was seen, in pixels, the
@@ -34,8 +34,8 @@ struct SkyOfPicture {
   std::optional<sim::Observer> observer;
 };
 
-/// Throws sim::Error(usage) about `file`, whose stars are told by name or right ascension, if the time or the
-/// site is wanting without which they stand nowhere.
+/// Throws sim::Error(usage) about `file`, whose stars are given by name or right ascension, if the time or
+/// the site is wanting without which they stand nowhere.
 void require_sky(const SkyOfPicture& sky, const std::string& file);
 
 /// `first_pixel`: where the table has the centre of the picture's first pixel; 0.5 as here, 0 or 1 elsewhere.

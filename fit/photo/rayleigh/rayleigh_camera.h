@@ -14,7 +14,7 @@ namespace vegard::fit {
 /// below the air: what the camera gets, extinction not undone.
 struct RayleighFactor {
   double value = 0.0;
-  double error = 0.0;  ///< its standard uncertainty; 0: not told
+  double error = 0.0;  ///< its standard uncertainty; 0: unknown
 };
 
 struct RayleighFilter {

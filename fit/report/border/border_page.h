@@ -11,7 +11,7 @@
 
 namespace vegard::fit {
 
-/// What is told of a traced border beside it.
+/// What is reported of a traced border beside it.
 struct BorderRunFacts {
   std::string command;
   std::vector<InputFile> inputs;
@@ -20,7 +20,7 @@ struct BorderRunFacts {
 
 /// Over azimuths that may pass through north: 350 to 10°, as the first and the last point have it.
 struct BorderSummary {
-  double from_azimuth_deg = 0.0, to_azimuth_deg = 0.0;  ///< of the points told
+  double from_azimuth_deg = 0.0, to_azimuth_deg = 0.0;  ///< of the points given
   double lowest_deg = 0.0, highest_deg = 0.0;           ///< elevations of the border
   /// The point nearest to the observer: the highest one.
   double nearest_azimuth_deg = 0.0, nearest_error_deg = 0.0;
@@ -28,11 +28,11 @@ struct BorderSummary {
   std::array<double, 4> distance_km{}, distance_error_km{};
 };
 
-/// All NaN without a point that is told.
+/// All NaN without a point that is given.
 BorderSummary border_summary(const BorderTrace& trace, const sim::Scene& scene);
 
 /// "Trace 1: azimuths 130 to 265°, elevations 9.1 to 17.2°; nearest 251 km away at azimuth 188°, if it is 105
-/// km high (219 to 267 km for 95 to 110 km)". Why not, of one that is not told.
+/// km high (219 to 267 km for 95 to 110 km)". Why not, of one that is not given.
 std::string border_sentence(const Border& border, std::size_t trace, const sim::Scene& scene);
 
 /// The photograph with the traces, elevation against azimuth, and the map for the four altitudes.

@@ -45,7 +45,7 @@ bool is_border_place_known(const sim::Scene& scene) {
   return sim::is_latitude_given(scene) && sim::is_longitude_given(scene);
 }
 
-/// Six digits after the point: 0.1 m on the ground, and less than any border is told to.
+/// Six digits after the point: 0.1 m on the ground, and less than the error of any border.
 std::string border_cell(double value) { return std::isfinite(value) ? fmt::format(",{:.6g}", value) : ","; }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace vegard::fit {
 
 /// FITS, a plane each: energy flux, E0, relative error of the flux, error of ln E0, oxygen factor, its
-/// logarithm's error, the second energy, chi2, quality. NaN where nothing is told.
+/// logarithm's error, the second energy, chi2, quality. NaN where there is no answer.
 std::string encode_column_maps(const ColumnMaps& maps, const InversionFacts& facts, const std::string& name);
 
 /// netCDF-4 by the CF conventions with variables of the same, whole or not at all.

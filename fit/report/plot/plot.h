@@ -66,7 +66,7 @@ struct Plot {
   std::vector<Panel> panels;
   int columns = 0;  ///< panels side by side; 0: all
   bool shared_axes =
-      false;  ///< all panels take the limits of all data and the first panel's labels, told once
+      false;  ///< all panels take the limits of all data and the first panel's labels, written once
   int panel_width_px = 420;  ///< of the area inside the axes
   int panel_height_px = 300;
 };

@@ -22,7 +22,7 @@ constexpr double kPlotEdge = 18;  ///< free at the outside
 constexpr double kTitleHeight = 26, kPlotNoteHeight = 20, kLegendHeight = 24;
 constexpr double kPlotLeft = 66;     ///< left of a panel: label, numbers
 constexpr double kPlotBelow = 50;    ///< below a panel: numbers, label
-constexpr double kBelowInside = 28;  ///< the same where the label is told once
+constexpr double kBelowInside = 28;  ///< the same where the label is written once
 constexpr double kPanelTitleHeight = 22;
 constexpr double kPlotGap = 22;  ///< between panels that share an axis
 constexpr double kTickLength = 4;

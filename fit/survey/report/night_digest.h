@@ -17,7 +17,7 @@ namespace vegard::fit {
 
 struct FollowedPoint {
   double time_s = 0.0, value = 0.0;
-  double sigma = 0.0;    ///< NaN where none is told
+  double sigma = 0.0;    ///< NaN where none is given
   bool is_good = false;  ///< by the work's verdict; else it is doubtful
 };
 

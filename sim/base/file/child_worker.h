@@ -1,5 +1,5 @@
 // Work in a process of its own: for libraries that trust what a file says. Debian's libhdf5 crashes on some
-// damaged files (docs/validation.md has the figures); here that ends a child, and is told like any other
+// damaged files (docs/validation.md has the figures); here that ends a child, and is reported like any other
 // damage.
 //
 // The child is a copy of this process (fork) with a limit of memory, without standard output and error. It
@@ -35,8 +35,8 @@ class ChildWorker {
   ChildWorker& operator=(const ChildWorker&) = delete;
 
   /// Throws sim::Error(unreadable_input) as the child did, or if it crashed, took too long or asked for more
-  /// memory than it may have; it is not to be asked again then. That somebody else has killed it is told as
-  /// that, and not as damage.
+  /// memory than it may have; it is not to be asked again then. That somebody else has killed it is reported
+  /// as that, and not as damage.
   std::string ask(std::string_view request);
 
  private:

@@ -5,9 +5,9 @@
 // of docs/physics.md. The paper gives neither degree nor control points. Ours are six cubics, C1 to the sine
 // and to each other. Their ends lie at even places of the stretch, on the sine swirled about its point M at
 // the fold's centre: turned by θ (1 - q²)², q from 0 at M to 1 at the ends of the stretch, and so do their
-// handles. θ is σ (3 - σ)/2 of 155 degrees at the stage σ: by 0 the fold is a ripple that can hardly be told
-// from the sine; from about a half the curve overhangs; by 1 it is an S of two round horseshoe bends, of a
-// radius of a sixth of half the stretch or more.
+// handles. θ is σ (3 - σ)/2 of 155 degrees at the stage σ: by 0 the fold is a ripple that can hardly be
+// distinguished from the sine; from about a half the curve overhangs; by 1 it is an S of two round horseshoe
+// bends, of a radius of a sixth of half the stretch or more.
 //
 // Sense: folds turn clockwise seen along the field B, which is counter-clockwise seen against it, from the
 // ground in the north. That is how a charged sheet turns: the electric field points to its excess of

@@ -36,9 +36,9 @@ using MadeTables = std::map<std::string, std::string>;
 
 std::vector<double> made_altitudes_km();  ///< 80 to 640 km
 
-/// Some hundreds of transports, a minute or two of two cores. `progress` is told how many of how many are
-/// done, from any thread. The same bytes for every number of threads. Throws Error(unreadable_input) if the
-/// air does not reach from 80 to 640 km, or the energy does not balance in it.
+/// Some hundreds of transports, a minute or two of two cores. `progress` is called with how many of how many
+/// are done, from any thread. The same bytes for every number of threads. Throws Error(unreadable_input) if
+/// the air does not reach from 80 to 640 km, or the energy does not balance in it.
 MadeTables make_tables(const TableRequest& request, int threads,
                        const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 

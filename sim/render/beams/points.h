@@ -22,7 +22,7 @@ struct PointOptions {
   /// not under an even one.)
   int every = 1;
   int threads = 0;                          ///< 0: all cores. The points do not depend on it.
-  std::function<void(double)> progress;     ///< told the finished share
+  std::function<void(double)> progress;     ///< called with the finished share
   const std::atomic<bool>* stop = nullptr;  ///< ends the work early
 };
 

@@ -67,7 +67,7 @@ std::vector<std::string> inert_keys(const Scene& scene) {
     const std::string problem = problem_of(scene, path);
     if (problem.empty()) continue;
     if (index_in(plain, path.id) >= 0 && value_text(scene, path) == value_text(plain, path)) continue;
-    // All components of a list are told at once.
+    // All components of a list are reported at once.
     found.emplace(std::pair{*line, problem}, path.text);
   }
   std::vector<std::string> told;

@@ -11,7 +11,7 @@ namespace vegard::sim {
 /// One line for each key, "scene.toml:12: sheet.main.peak_km: ...", in the order of the file; first what a
 /// later change has set, without a place. Keys that say
 /// what they would say anyway are left out, as those of a scene that vegard has written. Of tables that a
-/// scene marches along rays nothing is told.
+/// scene marches along rays nothing is reported.
 std::vector<std::string> inert_keys(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -17,7 +17,7 @@ struct PrecipitationMap {
   double west_km = 0.0, south_km = 0.0;  ///< of the outer corner of the cell in the south-west
   double cell_km = 1.0;
   std::vector<float> energy_flux_mw_m2;  ///< [row][column]; 0 where nothing falls
-  std::vector<float> energy_kev;         ///< likewise; 0 where it is not told
+  std::vector<float> energy_kev;         ///< likewise; 0 where it is not known
   std::optional<Site> site;              ///< whose tangent plane it is; none: the file does not say
 };
 

@@ -1,4 +1,4 @@
-// Errors about a scene, told with the place of what is wrong in its file.
+// Errors about a scene, reported with the place of what is wrong in its file.
 #pragma once
 
 #include "sim/base/error.h"

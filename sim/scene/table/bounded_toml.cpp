@@ -138,7 +138,7 @@ std::optional<TomlExcess> toml_excess(std::string_view text) { return TomlScan(t
 
 toml::table parse_toml(const std::string& text, const std::string& file) {
   if (const auto excess = toml_excess(text)) {
-    // What is no TOML at all, such as a picture, is told so where it begins.
+    // What is no TOML at all, such as a picture, is reported where it begins.
     try {
       static_cast<void>(toml::parse(lines_before(excess->line, text), file));
     } catch (const toml::parse_error& error) {

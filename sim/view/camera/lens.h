@@ -113,7 +113,7 @@ void project_panorama(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_p
   y_px = lens.principal_y_px + below * lens.focal_px * lens.aspect;
 }
 
-/// Where the direction (of any length but 0) is seen; false, and nothing told, if the lens has no image of
+/// Where the direction (of any length but 0) is seen; false, and nothing set, if the lens has no image of
 /// it.
 template <class T>
 bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
@@ -153,7 +153,7 @@ bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
   return true;
 }
 
-/// The direction, of length 1, in which a place of the picture looks; false, and nothing told, outside of
+/// The direction, of length 1, in which a place of the picture looks; false, and nothing set, outside of
 /// what the lens draws. The inverse of project() to 1e-12 of a radian.
 bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_camera[3]);
 

@@ -23,7 +23,7 @@ struct BrightStar {
 /// All of them, the brightest first.
 const std::vector<BrightStar>& catalogue_stars();
 
-/// The 921 of them to magnitude 4.5, which a camera is told by.
+/// The 921 of them to magnitude 4.5, which a camera is calibrated by.
 const std::vector<BrightStar>& bright_stars();
 
 /// By name or designation, capitals or not, or by "HIP 91262" or "HD 172167"; null if there is none.

@@ -44,7 +44,7 @@ struct EnsembleOptions {
   LogDensity surrogate;
   double surrogate_share = 0.9;
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(double share)> progress;  ///< told after every step of all walkers
+  std::function<void(double share)> progress;  ///< called after every step of all walkers
 };
 
 /// All that a run has come to; with the same density, start and options it goes on as if it had not paused.
