@@ -95,7 +95,7 @@ fit::Frame frame_of(const StarRequest& request) {
   if (request.photo) {
     const sim::Image& light = request.photo->linear;
     if (request.size_px && *request.size_px != std::make_pair(light.width, light.height))
-      refuse("size", "the photograph has another size", "no size beside photo");
+      refuse("size", "the photograph has another size", "no size with photo");
     return {light.width, light.height, true};
   }
   constexpr int kMaxSide = 65535;

@@ -80,7 +80,7 @@ void check_movie(const AnimateRequest& options, const sim::Scene& scene) {
   even("camera.height", scene.camera.height);
   if (options.picture.bits || options.picture.quality)
     throw usage_error(options.picture.bits ? "--bits" : "--quality", "a movie is made from 8-bit PNG",
-                      "-o frames/####.png beside it");
+                      "-o frames/####.png as well");
   // A folder that is missing is made with that of the frames.
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   std::error_code ignored;
@@ -289,7 +289,7 @@ void add_animate_command(Program& program) {
   add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
   command.flag("--list", options->list, "Only print what time.start_s each frame has");
-  command.flag("--camera-json", options->camera_json, "Write the camera's matrices beside the frames");
+  command.flag("--camera-json", options->camera_json, "Write the camera's matrices next to the frames");
   command.flag("--overwrite", options->overwrite, "Replace frames of another animation, or a movie");
   command.runs([options] { return run_animate(*options); });
 }

@@ -119,7 +119,7 @@ fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Ph
     const fit::Frame frame{photo->linear.width, photo->linear.height, true};
     if (!options.size_px.empty() &&
         (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
-      throw usage_error("--size", "the picture has another size", "no --size beside --image");
+      throw usage_error("--size", "the picture has another size", "no --size with --image");
     return frame;
   }
   if (!options.size_px.empty()) {
@@ -143,7 +143,7 @@ fit::Frame frame_of(const CalibrateOptions& options, const std::optional<fit::Ph
     throw usage_error("--image", "the picture has another size than the maps", "the maps' own picture");
   if (!options.size_px.empty() &&
       (options.size_px[0] != frame.width_px || options.size_px[1] != frame.height_px))
-    throw usage_error("--size", "the maps have another size", "no --size beside maps");
+    throw usage_error("--size", "the maps have another size", "no --size with maps");
   return frame;
 }
 
@@ -194,7 +194,7 @@ std::optional<fit::StarPoints> listed_points(const CalibrateOptions& options) {
   if (!fit::is_star_list(bytes, options.stars)) return std::nullopt;
   if (options.camera.empty())
     throw usage_error("--camera", "points of light alone are stars of a rough camera",
-                      "--camera CAMERA.toml beside the list, or --image alone");
+                      "--camera CAMERA.toml with the list, or --image alone");
   return fit::read_star_list(bytes, options.stars);
 }
 
@@ -337,7 +337,7 @@ int run_calibrate(const CalibrateOptions& options) {
     throw usage_error("--output", "residuals, plots and overlays are of a camera",
                       "-o CAMERA.toml with them");
   if (!options.offset_px.empty() && options.stars.empty())
-    throw usage_error("--offset", "no table of a crop", "STARS beside it");
+    throw usage_error("--offset", "no table of a crop", "STARS as well");
   if (!options.overlay.empty() && options.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image with it");
 

@@ -54,7 +54,7 @@ int run_describe(const DescribeRequest& options) {
   const std::optional<fit::FrameIndex> frames = frames_of_photo(options.photo);
   if (!frames && fit::has_sky_map(options.photo)) {
     if (!options.output.empty())
-      throw usage_error("--output", "a skymap is no picture to make a scene of", "no -o beside a skymap",
+      throw usage_error("--output", "a skymap is no picture to make a scene of", "no -o with a skymap",
                         "vegard calibrate --skymap makes a camera of it");
     const fit::SkyMapFile map = fit::read_sky_map(options.photo);
     answer_with(sky_map_description_json(name, map));

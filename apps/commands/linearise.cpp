@@ -110,7 +110,7 @@ int run_rayleigh(const LineariseRequest& options) {
   end_at_once_when_interrupted();
   if (!options.scene.file.empty() || !options.scene.camera_file.empty() || !options.scene.changes.empty() ||
       !options.scene.seed.empty())
-    throw usage_error("--rayleigh", "a scene and a camera that counts", "no SCENE beside --rayleigh");
+    throw usage_error("--rayleigh", "a scene and a camera that counts", "no SCENE with --rayleigh");
   const std::string ending = std::filesystem::path(options.output).extension().string();
   const bool is_fits = ending == ".fits" || ending == ".fit" || ending == ".fts";
   if (!is_fits && ending != ".exr")

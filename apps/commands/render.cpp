@@ -295,7 +295,7 @@ void add_render_command(Program& program) {
   command.flag("--grain", options->grain,
                "Render once more with other paths of the beams, and tell by how much a pixel differs");
   command.flag("--camera-json", options->camera_json,
-               "Write the camera's matrices beside the picture, OUT.camera.json");
+               "Write the camera's matrices next to the picture, OUT.camera.json");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] { return run_render(*options); });
 }

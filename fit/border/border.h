@@ -89,7 +89,7 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
 
 /// The scene's camera and site are those of the photograph. Throws sim::Error(scene) if the picture has
 /// another size than the camera, or the observer is no lower than the light. No light or no border is an
-/// answer, not an error: no point is measured and the notes say why. The same input gives the same answer.
+/// answer, not an error: `measured` is 0 and the notes say why. The same input gives the same answer.
 Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSettings& settings = {});
 
 }  // namespace vegard::fit

@@ -60,7 +60,7 @@ sim::AirConditions conditions_of(const AtmosphereRequest& request) {
                               "the Sun's radio flux at 10.7 cm, 67 to some 300");
   conditions.f107a = request.f107a ? *request.f107a : request.f107 ? *request.f107 : named_mean;
   if (!request.ap_history.empty()) {
-    if (request.ap) throw usage_error("--ap-history", "--ap stands beside it", "one of the two");
+    if (request.ap) throw usage_error("--ap-history", "--ap is given as well", "one of the two");
     if (request.ap_history.size() != kHistory)
       throw usage_error(
           "--ap-history", std::to_string(request.ap_history.size()) + " numbers",
@@ -137,7 +137,8 @@ void add_atmosphere_command(Program& program) {
       .one_an_occurrence()
       .type_name("AP,AP,AP,AP,AP,AP,AP");
   command
-      .option("--conditions", options->conditions, "All of these by a name; what stands beside it goes first")
+      .option("--conditions", options->conditions,
+              "All of these by a name; what is given as well takes precedence")
       .check(complaint_about, "NAME");
   command.flag("--list", options->list, "Say the names, and what they stand for");
   command.option("--bottom-km", options->bottom_km, "Altitude of the first row")

@@ -28,7 +28,7 @@ void refuse_elsewhere(const std::optional<double>& value, const char* option, co
                       const char* spectrum) {
   if (value && request.spectrum != spectrum)
     throw usage_error(option, "a spectrum of the kind '" + request.spectrum + "' has no such number",
-                      std::string("--spectrum ") + spectrum + " beside it");
+                      std::string("--spectrum ") + spectrum + " as well");
 }
 
 sim::IncidentSpectrum table_spectrum(const std::string& file) {
@@ -64,7 +64,7 @@ sim::IncidentSpectrum spectrum_of(const ElectronOptions& request) {
   }
   if (!request.table.empty())
     throw usage_error("--spectrum-table", "the spectrum is of the kind '" + request.spectrum + "'",
-                      "--spectrum table beside it");
+                      "--spectrum table as well");
   if (!request.energy_kev)
     throw usage_error("--energy-kev", "it is missing", "the energy of the electrons in keV, such as 5");
   sim::IncidentSpectrum spectrum;

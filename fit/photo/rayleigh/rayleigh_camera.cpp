@@ -128,7 +128,7 @@ void read_factor(CheckedTable& table, RayleighFilter& filter) {
   const std::optional<double> error = given_number(table, kFactorErrorKey, 0.0, kMaxCounts);
   if (value && !(*value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(kFactorKey));
   if (error && !value)
-    complain({"an error without its number", std::string("'") + kFactorKey + "' beside it", ""},
+    complain({"an error without its number", std::string("'") + kFactorKey + "' as well", ""},
              table.at(kFactorErrorKey));
   if (value) filter.factor = RayleighFactor{*value, error.value_or(0.0)};
 }

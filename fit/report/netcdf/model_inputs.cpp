@@ -108,7 +108,7 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
   if (flux_factor < 0.0 || !std::isfinite(flux_factor))
     sim::refuse_key(sim::ErrorKind::usage, "--flux-factor", "fluxes cannot be negative", "a number above 0");
   if (time_s && directories.size() != 1)
-    sim::refuse_key(sim::ErrorKind::usage, "--time", "several maps have a time each", "one map beside it");
+    sim::refuse_key(sim::ErrorKind::usage, "--time", "several maps have a time each", "one map with it");
   struct Dated {
     MapPlanes map;
     std::string name;

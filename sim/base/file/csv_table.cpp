@@ -110,7 +110,7 @@ const std::vector<double>& CsvTable::column(std::string_view column_name) const 
   if (found == columns.end()) {
     std::string there;
     for (const std::string& name_there : columns) there += (there.empty() ? "" : ", ") + name_there;
-    fail(name, 0, "there is no column '" + std::string(column_name) + "'", "one beside " + there);
+    fail(name, 0, "there is no column '" + std::string(column_name) + "'", "that column; it has " + there);
   }
   return numbers[static_cast<std::size_t>(found - columns.begin())];
 }

@@ -110,8 +110,7 @@ void check_prior(const Scene& scene, const FreeParameter& free, double lower_lim
   const Origin origin = origin_of(scene, free);
   if (prior.law == PriorLaw::uniform) {
     if (!free.min || !free.max)
-      complain({"prior: nothing says from where to where it is uniform", "min and max beside it", ""},
-               origin);
+      complain({"prior: nothing says from where to where it is uniform", "min and max as well", ""}, origin);
     return;
   }
   if (!std::isfinite(prior.mean)) {

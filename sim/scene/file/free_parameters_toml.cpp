@@ -43,7 +43,7 @@ Prior read_prior(const toml::node& node, const Origin& origin) {
     const toml::node* number = table->get(key.key);
     if (prior.law == PriorLaw::uniform) {
       if (number == nullptr) continue;
-      complain({"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max beside it", ""},
+      complain({"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max as well", ""},
                inside(origin, *number, key.key));
     }
     if (number == nullptr) complain({"the prior has no " + key.key, expected, ""}, origin);

@@ -63,7 +63,7 @@ TEST(CsvTable, SaysWhichRowIsOutOfOrderOrLimits) {
   EXPECT_NE(message([&] { table.require_increasing("x"); }).find("a.csv:4"), std::string::npos);
   EXPECT_NE(message([&] { table.require_within("y", 0.0, 5.0); }).find("a.csv:3: -1 in column 'y'"),
             std::string::npos);
-  EXPECT_NE(message([&] { table.column("z"); }).find("one beside x, y"), std::string::npos);
+  EXPECT_NE(message([&] { table.column("z"); }).find("it has x, y"), std::string::npos);
   EXPECT_EQ(message([&] { table.require_within("y", -1.0, 2.0); }), "");
 }
 

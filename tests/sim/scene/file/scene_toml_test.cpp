@@ -388,7 +388,7 @@ const Bad bad_scenes[] = {
      "fit.free.prior.mean", "a uniform prior has no mean"},
     {"free_prior_uniform_without_limits",
      "[fit]\nfree = [{ path = \"camera.hfov_deg\", min = 50, prior = { law = \"uniform\" } }]\n", 2,
-     "camera.hfov_deg", "min and max beside it"},
+     "camera.hfov_deg", "min and max as well"},
     {"free_prior_log_normal_about_zero",
      "[fit]\nfree = [{ path = \"camera.hfov_deg\", prior = { mean = 0, sigma = 1, law = \"log-normal\" } "
      "}]\n",
