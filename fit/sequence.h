@@ -43,7 +43,7 @@ struct FrameFit {
 FrameFit fit_frame(const sim::Scene& scene, const Photo& photo, double time_s, const SequenceRow* before,
                    const FitOptions& options);
 
-/// All free numbers, and what follows from them; and where nobody has freed it but the sensor's scale is
+/// All free numbers, and what follows from them; and where it was not free but the sensor's scale is
 /// known, the energy flux of each sheet by the gain that the fit found (fit/answer/energy_flux.h).
 SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Scene& scene,
                          const FrameFit& fit, const Photo& photo);

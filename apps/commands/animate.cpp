@@ -89,8 +89,8 @@ void check_movie(const AnimateRequest& options, const sim::Scene& scene) {
 }
 
 /// With --overwrite a slip of the pen would cost what cannot be had again.
-void spare_input(const AnimateRequest& options, const FrameNames& names, const std::string& input,
-                 const std::string& what) {
+void refuse_input_as_output(const AnimateRequest& options, const FrameNames& names, const std::string& input,
+                            const std::string& what) {
   const std::optional<int> frame = names.frame_of(std::filesystem::path(input).filename().string());
   for (const std::string& output : {options.output, frame ? names.file(*frame) : std::string()})
     if (same_file(output, input)) refuse_same_file("--output", output, what);
@@ -184,10 +184,10 @@ int run_animate(const AnimateRequest& request) {
   const FrameNames names(movie ? options.output + ".frames/########.png" : options.output);
   names.check_room_for(frames.back());
   check_picture_options(names.file(0), options.picture);
-  spare_input(options, names, options.scene.file, "the scene");
-  spare_input(options, names, options.scene.camera_file, "the camera's file");
+  refuse_input_as_output(options, names, options.scene.file, "the scene");
+  refuse_input_as_output(options, names, options.scene.camera_file, "the camera's file");
   for (const std::string& file : fit::picture_files(scene))
-    spare_input(options, names, file, "a file that the scene reads");
+    refuse_input_as_output(options, names, file, "a file that the scene reads");
   if (movie) check_movie(options, scene);
   std::string camera;
   if (options.camera_json) {

@@ -29,7 +29,7 @@ void check_grid_name(const std::string& key, const std::string& path);
 GridFile read_grid_file(const std::string& path, const std::vector<std::string>& channels,
                         std::uint64_t max_bytes = std::uint64_t{8} << 30);
 
-/// The channel to look at where one is wanted and nobody has said which: "density", or else the only one; -1
+/// The channel to look at where one is wanted and none was named: "density", or else the only one; -1
 /// if there is no telling.
 int usual_channel(const sim::SparseGrid& grid);
 

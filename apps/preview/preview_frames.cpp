@@ -40,7 +40,7 @@ const char* const kPattern = "frame_####.png";
 const char* const kMark = "preview";
 
 /// A folder that an input lies in would be lost with it.
-void spare_inputs_in_folder(const sim::Scene& scene, const PreviewOptions& options) {
+void refuse_inputs_in_folder(const sim::Scene& scene, const PreviewOptions& options) {
   for (const std::string& input : fit::picture_files(scene))
     if (is_inside(input, options.output))
       refuse_same_file("--output", options.output, "a folder of its input");
@@ -98,7 +98,7 @@ int run_preview_frames(const sim::Scene& scene, const PreviewOptions& options) {
   names.check_room_for(options.frames - 1);
   std::optional<sim::WholeDirectory> folder;
   if (!options.output.empty()) {
-    spare_inputs_in_folder(scene, options);
+    refuse_inputs_in_folder(scene, options);
     folder.emplace(options.output, options.overwrite, preview_kind());
   }
   const std::atomic<bool>& stop = watch_for_interrupt();

@@ -23,7 +23,7 @@ std::optional<double> relative_sigma_of_gain(const FittedPhoto& photo) {
   return std::sqrt(variance) / sum;
 }
 
-/// Of the scale; none if nobody has said what it is.
+/// Of the scale; none if it is not given.
 std::optional<double> relative_sigma_of_scale(const sim::Scene& known) {
   if (known.sensor.calibration_error > 0.0) return known.sensor.calibration_error;
   if (known.sensor.exposure != sim::ExposureRule::camera) return {};

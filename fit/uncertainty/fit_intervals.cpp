@@ -81,8 +81,8 @@ class Minimiser {
     const ProfileCost cost(fit_.free, terms_, log_,
                            {moved, held, without_number(fit_.prior, static_cast<int>(j)), fit_.inflation,
                             phase_anchors(there, others, start)});
-    std::vector<TraceRow> untold;
-    const Descent least = descend(cost, start, kIntervalIterations, {}, log_, untold);
+    std::vector<TraceRow> unused;
+    const Descent least = descend(cost, start, kIntervalIterations, {}, log_, unused);
     if (!(least.chi2 >= 0.0)) return std::numeric_limits<double>::infinity();  // nothing could be evaluated
     for (std::size_t k = 0; k < moved.size(); ++k) point[moved[k]] = others[k].coordinate(least.values[k]);
     return least.chi2 / unit + of_own_prior;

@@ -50,8 +50,8 @@ std::uint64_t left_in_groups(const std::string& mount, std::string group, const 
 }  // namespace
 
 std::uint64_t available_memory(const std::string& root) {
-  constexpr std::uint64_t kUntold = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t left = kUntold;
+  constexpr std::uint64_t kUnknown = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t left = kUnknown;
   if (const auto kilobytes = number_behind(root + "/proc/meminfo", "MemAvailable:")) left = *kilobytes * 1024;
   std::ifstream groups(root + "/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
@@ -73,7 +73,7 @@ std::uint64_t available_memory(const std::string& root) {
     const std::uint64_t used = number_behind("/proc/self/status", "VmSize:").value_or(0) * 1024;
     left = std::min<std::uint64_t>(left, limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used));
   }
-  return left == kUntold ? 0 : left;
+  return left == kUnknown ? 0 : left;
 }
 
 std::string memory_text(double bytes) {

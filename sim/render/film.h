@@ -26,7 +26,7 @@ FilmGeometry film_for(const Scene& scene, double x_px, double y_px, double width
 /// paper's, by the picture's height (blur.widths). 0 under the physical blur.
 double blur_sigma_px(const Scene& scene, int line);
 
-/// Its derivative by the camera's number that its scale hangs on (scale_number).
+/// Its derivative by the camera's number that its scale depends on (scale_number).
 double blur_sigma_growth_px(const Scene& scene, int line);
 
 /// Where a line's kernel ends, in pixels: -1 for the untruncated one. The paper's supports, "21 by 21" and "5

@@ -19,7 +19,7 @@ struct Reduction {
 /// Deflection points of all beams of a picture, on average and counting those out of view: 2 / d_t a beam.
 double expected_deflection_points(const Scene& scene);
 
-/// The same view of the same light. What a sheet's beams carry does not hang on their number: fewer only
+/// The same view of the same light. What a sheet's beams carry does not depend on their number: fewer only
 /// show more grain.
 Scene reduced_scene(const Scene& scene, const Reduction& reduction);
 

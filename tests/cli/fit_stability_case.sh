@@ -2,7 +2,7 @@
 source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/small.toml" -o photo.png
 expect_exit 0 fit "$SCENES/fit.toml" --photo photo.png --out plain
-! grep -qF '"stability"' plain/result.json || fail "nobody has asked for it"
+! grep -qF '"stability"' plain/result.json || fail "it was not asked for"
 expect_exit 0 fit "$SCENES/fit.toml" --photo photo.png --out one --threads 1 --stability
 expect_stdout "by the fit's choices"
 expect_exit 0 fit "$SCENES/fit.toml" --photo photo.png --out two --threads 2 --stability

@@ -1,7 +1,7 @@
 # A map of precipitation: its files, the same bytes for any number of threads and after an interruption, and its refusals.
 source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
-# Nobody has calibrated the sensor: the flux is relative, and the exit code says that something is to be taken with care.
+# The sensor is not calibrated: the flux is relative, and the exit code says that something is to be taken with care.
 expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 16 --threads 2
 for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
 expect_stdout "distance of the curtains: good"

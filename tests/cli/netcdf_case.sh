@@ -40,7 +40,7 @@ units "A sequence, by" seq/sequence.nc time
 expect_exit 0 to-netcdf seq -o seq.nc
 expect_same seq.nc seq/sequence.nc
 
-# A map, whose flux nobody has calibrated, and one that somebody has.
+# A map whose flux is not calibrated, and one whose flux is.
 expect_exit 0 render "$SCENES/map_light.toml" -o band.png
 map=(map "$SCENES/map.toml" --photo band.png --replicates 2 --sparsity 16)
 expect_exit 5 "${map[@]}" --out relative --netcdf

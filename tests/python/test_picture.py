@@ -1,4 +1,4 @@
-"""Rendering: the command's own numbers, in buffers that nobody has copied."""
+"""Rendering: the command's own numbers, in buffers that are not copied."""
 
 import gc
 import subprocess
@@ -114,7 +114,7 @@ def test_sheets_by_themselves_add_up(scene):
     assert aurora.shape == (120, 160, 3)
 
 
-def test_progress_is_told_on_the_callers_thread(scene):
+def test_progress_is_reported_on_the_callers_thread(scene):
     scene["sheet.main.beams"] = 6000
     heard = []
     scene.render(progress=lambda news: heard.append((news.share, news.stage, threading.get_ident())), threads=1)

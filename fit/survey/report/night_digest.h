@@ -76,7 +76,7 @@ struct NightDigest {
   std::string why_no_flux;  ///< what the fits say, where none tells a flux
   std::vector<LatitudeAtTime> latitudes;
   Failures failures;
-  std::vector<JumpedNumber> jumps;  ///< none where nobody has smoothed the survey
+  std::vector<JumpedNumber> jumps;  ///< none where the survey was not smoothed
   bool is_smoothed = false;
 };
 

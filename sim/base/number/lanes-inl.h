@@ -63,7 +63,7 @@ HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double round_to_nearest(double a) { return std::nearbyint(a); }
 HWY_INLINE double value_of(double a) { return a; }
 
-/// The keys of all rounds, which hang on the seed alone.
+/// The keys of all rounds, which depend on the seed alone.
 using PhiloxKeys = std::uint32_t[philox::kRounds][2];
 HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
   auto key = random_key(seed);

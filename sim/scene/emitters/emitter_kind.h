@@ -52,7 +52,7 @@ struct EmitterKind {
   /// called for scenes without such elements.
   void (*check)(const Scene&) = nullptr;
 
-  /// Why the light does not depend on a number, or nobody has its derivative; none if neither is so. It is
+  /// Why the light does not depend on a number, or why it has no derivative; none if neither is so. It is
   /// asked for every number, of other tables too.
   std::optional<Complaint> (*why_inert)(const Scene&, const ParameterPath&) = nullptr;
 

@@ -22,7 +22,8 @@ Scene unsaid(const Scene& scene) {
   return parse_scene(text, "");
 }
 
-/// The line of the file that sets the number or its list; 0 if a change of the scene has; none if nobody has.
+/// The line of the file that sets the number or its list; 0 if a change of the scene has; none if it was not
+/// set.
 std::optional<int> line_that_sets(const Scene& scene, const ParameterPath& path) {
   for (std::string key = path.text; !key.empty();) {
     const auto found = scene.lines.find(key);

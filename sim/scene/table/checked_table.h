@@ -1,5 +1,5 @@
 // A table of a TOML file whose keys are asked for one after the other: values of a kind and within limits,
-// with one message that names file, line and key for what is not; what nobody has asked for is unknown.
+// with one message that names file, line and key for what is not; what was not asked for is unknown.
 //
 // For the files that read TOML only (bounded_toml.h).
 #pragma once

@@ -144,7 +144,7 @@ void enu_of_direction(const Direction& direction, double enu[3]);
 /// axis, of panoramas the mean along a level line.
 double pixels_per_degree(const Camera& camera);
 
-/// The camera's number that pixels_per_degree() hangs on has this share in it: d ln pixels_per_degree / d
+/// The camera's number that pixels_per_degree() depends on has this share in it: d ln pixels_per_degree / d
 /// number.
 double pixels_per_degree_growth(const Camera& camera);
 

@@ -76,7 +76,7 @@ struct FallTaps {
   }
 };
 
-/// The cells that each of a film's columns or rows hangs on, on a level.
+/// The cells that each of a film's columns or rows depends on, on a level.
 std::vector<CubicTaps> level_taps(const LevelAxis& axis, double start_px, double cell_px, int cells) {
   if (axis.smooth) return cubic_taps(cells, cell_px, start_px, axis.start_px, axis.cell_px);
   std::vector<CubicTaps> all(cells);

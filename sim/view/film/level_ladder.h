@@ -33,7 +33,7 @@ struct BlurLevel {
 /// The levels for a picture of this size up to the first that is at least `widest_px` wide.
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px);
 
-/// The four cells of a cubic B-spline that a place's value hangs on, and how much.
+/// The four cells of a cubic B-spline that a place's value depends on, and how much.
 struct CubicTaps {
   int first = 0;
   float weight[4] = {};

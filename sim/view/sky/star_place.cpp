@@ -56,7 +56,7 @@ Vec3<double> precessed(const Vec3<double>& v, double julian_date) {
   return turned(turned(turned(v, 2, -zeta), 1, theta), 2, -z);
 }
 
-/// What the sky of an instant hangs on, in radians (Meeus, chapters 22 and 25).
+/// What the sky of an instant depends on, in radians (Meeus, chapters 22 and 25).
 struct SkyOfInstant {
   double obliquity, nutation_in_longitude, nutation_in_obliquity, sun_longitude;
 };

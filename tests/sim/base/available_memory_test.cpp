@@ -59,7 +59,7 @@ TEST(AvailableMemory, OfTheFirstVersionToo) {
   EXPECT_EQ(machine.left(), 600 * kMega);
 }
 
-TEST(AvailableMemory, IsUntoldWhereNothingTells) {
+TEST(AvailableMemory, IsUnknownWhereNothingGivesIt) {
   const tests::TemporaryFolder folder;
   EXPECT_EQ(available_memory(folder / "nowhere"), 0u);
 }

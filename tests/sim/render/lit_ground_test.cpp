@@ -76,8 +76,8 @@ TEST(LitGround, HasTheMoonsShare) {
   EXPECT_GT(of_both.night_sky_lx, 0.0);
 }
 
-// The aurora's lux do not hang on how it is looked at: twice the light is twice the lux, and a turned camera
-// the same.
+// The aurora's lux do not depend on how it is looked at: twice the light is twice the lux, and a turned
+// camera the same.
 TEST(LitGround, DependsOnTheSkyAlone) {
   Scene scene = tests::small_scene();
   const double lux = light_on_ground(scene).aurora_lx;

@@ -84,7 +84,7 @@ TEST(OctaveNoise, AddsWavesOfHalfTheLengthAndHalfTheHeight) {
       before = now;
     }
   }
-  // Along a line the noise's mean square hangs on where it cuts the lattice, by tens of per cent.
+  // Along a line the noise's mean square depends on where it cuts the lattice, by tens of per cent.
   EXPECT_NEAR(std::sqrt(square[1] / square[0]), 0.5, 0.15);
   EXPECT_NEAR(std::sqrt(square[2] / square[0]), 0.25, 0.08);
   // The second octave is 0 at its nodes, twice as dense.

@@ -14,7 +14,7 @@ namespace {
 
 using namespace march_case;
 
-/// An arc whose flux and place hang on x: tangents are with respect to it.
+/// An arc whose flux and place depend on x: tangents are with respect to it.
 template <class T>
 PlaneFootprint<T> arc_at(const T& north_km, const T& flux, const T& ln_energy) {
   PlaneFootprint<T> map;

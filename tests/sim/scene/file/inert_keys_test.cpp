@@ -21,7 +21,7 @@ TEST(IdleKeys, TellWhatAFileSetsForNothing) {
 
 TEST(IdleKeys, TellWhatAnEnergyDoesBesideAFormsCurve) {
   Scene scene = parse_scene("[[sheet]]\nform = \"drapery\"\nprofile = \"form\"\n", "x.toml");
-  EXPECT_TRUE(inert_keys(scene).empty()) << "nobody has given the energy";
+  EXPECT_TRUE(inert_keys(scene).empty()) << "the energy is not given";
   set_from_text(scene, "sheet.main.energy_kev", "10");
   const std::vector<std::string> told = inert_keys(scene);
   ASSERT_EQ(told.size(), 1u);
