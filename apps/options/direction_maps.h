@@ -29,7 +29,7 @@ void add_map_options(const Command& command, MapOptions& options);
 struct KnownDirections {
   sim::DirectionMap map;
   std::string words;                      ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
-  std::optional<fit::SkyMapPlace> place;  ///< where the camera stands, if a skymap tells
+  std::optional<fit::SkyMapPlace> place;  ///< where the camera stands, if a skymap gives it
 };
 
 /// Of --skymap-flip. Throws Error(usage).

@@ -23,7 +23,7 @@ double memory_limit_bytes(const std::string& words);
 int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
                       const std::string& memory_words);
 
-/// fit::require_memory_of_fit() within that limit. Tells on standard error, before it begins, of a fit that
+/// fit::require_memory_of_fit() within that limit. Reports on standard error, before it begins, a fit that
 /// will take more than 2 GB.
 void check_memory_of_fit(const sim::Scene& scene, int threads, const std::string& memory_words);
 

@@ -15,7 +15,7 @@ namespace vegard::apps {
 struct ListedPhoto {
   std::string file;
   double time_s = NAN;                  ///< NaN if the list does not say
-  std::optional<fit::ImagerTime> time;  ///< of a frame that tells one
+  std::optional<fit::ImagerTime> time;  ///< of a frame that has one
 };
 
 /// From images in their order, or from one list (.txt) as below; of a file with many frames all of them, from
@@ -31,7 +31,7 @@ struct SequencePhoto {
 
 /// From images in their order, or from one list (.txt) with a line "FILE" or "FILE TIME_S" for each, empty
 /// lines and those that begin with # left out, files relative to the list. Where no time is given: as the
-/// scene's frames_per_second has it, from its start_s on; of frames whose files all tell when they were
+/// scene's frames_per_second has it, from its start_s on; of frames whose files all say when they were
 /// taken, so many seconds after the first of them. Throws Error(usage, unreadable_input).
 std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words, const sim::Scene& scene);
 
@@ -45,11 +45,11 @@ struct TimedPictures {
 ///      of them in seconds; a first line "file,time" and lines that begin with # are passed over; FILE
 ///      without its folder);
 ///   2. the list;
-///   3. the files' own words (sim/base/picture/picture_metadata.h), if all of them tell a time in UTC and no
+///   3. the files' own words (sim/base/picture/picture_metadata.h), if all of them have a time in UTC and no
 ///   two the
 ///      same;
 ///   4. the files' names (sim/base/utc_time.h), if all have one;
-///   5. the clock of the camera, whose zone is not known, if all tell it and no two the same: seconds since
+///   5. the clock of the camera, whose zone is not known, if all have it and no two the same: seconds since
 ///      the first of them;
 ///   6. numbers in the order given.
 /// Throws Error(usage, unreadable_input).

@@ -204,7 +204,7 @@ struct FitResult {
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
-  std::vector<std::string> undetermined;         ///< a sentence for each change that the data cannot tell
+  std::vector<std::string> undetermined;  ///< a sentence for each change that the data cannot determine
 
   // The validation of the error bars, where it was requested.
   std::vector<ProfiledInterval> profile_intervals;

@@ -46,7 +46,8 @@ struct ColumnSolution {
 struct ColumnInversion {
   std::vector<double> lines_nm;
   ColumnData data;
-  std::vector<ColumnSolution> solutions;  ///< the best first; others that chi2 cannot tell from it at 95 %
+  std::vector<ColumnSolution>
+      solutions;  ///< the best first; others that chi2 cannot distinguish from it at 95 %
   int degrees_of_freedom = 0;
   double p_value = 1.0;  ///< of so large a chi2 by chance; 1 without degrees of freedom
   ColumnVerdict verdict = ColumnVerdict::well_constrained;

@@ -22,9 +22,9 @@ namespace vegard::fit {
 /// (ray_log_covariance) where the sheet is in view (sheet_in_view), parabola and photon noise included.
 ///
 /// The rays' contrast and width are solved for at every evaluation, one of each over the picture, as gains
-/// are. So the statistic tells of distance and bearing only by how the scale changes across the picture, and
-/// what it is there for is the rays themselves (rays()). The scene's own ray_contrast and ray_width_km are
-/// not looked at.
+/// are. So the statistic depends on distance and bearing only by how the scale changes across the picture,
+/// and what it is there for is the rays themselves (rays()). The scene's own ray_contrast and ray_width_km
+/// are not looked at.
 ///
 /// Noise: f is taken as Gaussian. Autocovariances are products of quadratic forms with f, whose covariance is
 /// 2 tr(B_k S B_l S); for S, the photograph's own autocovariance, pooled over bands, stands. Residuals are

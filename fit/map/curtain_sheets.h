@@ -2,7 +2,7 @@
 //
 // A ridge has a point every few kilometres; a fit wants as few as its shape needs. Points are added where the
 // curve through those that are there is farthest from the ridge, or its light from the ridge's, until both
-// are close. What a map tells of a curtain is its light per kilometre, flux times width: the width is an
+// are close. What a map constrains of a curtain is its light per kilometre, flux times width: the width is an
 // upper limit. So the sheet has that light, and the width is free.
 //
 // Free are: each point's distance across the ridge (a number "NAME_across_km_I", to the left of the curve's

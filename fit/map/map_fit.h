@@ -97,7 +97,7 @@ struct CellError {
 };
 
 /// From the replicates' spread about the best map. To that of the energy comes how far it is from that of a
-/// wider neighbourhood: across a curtain one picture hardly tells it.
+/// wider neighbourhood: across a curtain one picture hardly constrains it.
 std::vector<CellError> cell_errors(const MapResult& result);
 
 /// Maps the scene's photographs: `photos` are those of scene.fit.photos in their order, or the only one.

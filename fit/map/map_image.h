@@ -8,7 +8,7 @@ namespace vegard::fit {
 
 /// Channels "Q", the energy flux in mW m^-2; "E0" in keV; "Q_error", the relative standard error of the flux;
 /// "lnE0_error", the standard error of ln(E0); "sensitivity", the signal to noise ratio of 1 mW m^-2. NaN
-/// where no picture tells, and the energy and the errors where there is no flux. The first row is the
+/// where no picture constrains it, and the energy and the errors where there is no flux. The first row is the
 /// northernmost, that of the raster the southernmost.
 struct MapImage {
   MapRaster raster;

@@ -1,8 +1,9 @@
 // Numbers beside a map that are known only so well: where the camera points, the air, the field.
 //
 // A map makes up for what is wrong with them (a camera that is said to look half a degree too high has its
-// aurora farther away), so the photographs do not tell them. What is known of them beforehand, the priors of
-// fit.free, goes into the error bars: each perturbed solution has values of its own, drawn from them.
+// aurora farther away), so the photographs do not constrain them. What is known of them beforehand, the
+// priors of fit.free, goes into the error bars: each perturbed solution has values of its own, drawn from
+// them.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 namespace vegard::fit {
 
 /// On linear axes in the site's tangent plane, of feet at `height_km`: columns to the east, rows to the
-/// north, [row * columns + column]. NaN where no picture tells.
+/// north, [row * columns + column]. NaN where no picture constrains it.
 struct MapPlanes {
   int columns = 0, rows = 0;
   double west_km = 0.0, south_km = 0.0;  ///< of the middle of the first cell

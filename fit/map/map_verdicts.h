@@ -18,7 +18,7 @@ struct QuantityVerdict {
 };
 
 /// The picture, the distance, the energy and the energy flux of the curtains, and how much of the light has
-/// its lower border in view. A map that explains the picture but tells no distance says so.
+/// its lower border in view. A map that explains the picture but constrains no distance says so.
 std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains);
 
 /// The worst of those that are not good, in one line.

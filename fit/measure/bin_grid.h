@@ -37,7 +37,7 @@ struct BinGrid {
   std::vector<std::size_t> first_run;  ///< [bin], and the end of the last one's
   std::vector<int> band;               ///< [bin]: whose gain it has, the band that its centre lies in
   std::vector<double> row;             ///< [bin]: mean row of its pixels, counted from the region's top
-  int pooled = 0;            ///< positions to either side whose pixels tell a bin's noise along with its own
+  int pooled = 0;            ///< positions to either side whose pixels give a bin's noise along with its own
   double position_px = 1.0;  ///< from position to position; 0: neighbours are not to be smoothed together
   int narrowest_px = 1;      ///< width of the narrowest bin
   BinAxis along, across;     ///< what positions are, and what groups are

@@ -41,7 +41,7 @@ std::vector<std::optional<LimbLayer>> green_limb_layers(const DirectionProfile& 
 std::string limb_layer_words(double azimuth_deg, const std::optional<LimbLayer>& layer);
 
 /// As profile_csv(); one line per sector and step that has a pixel in any channel. With tangent steps
-/// comments tell the layers.
+/// comments give the layers.
 std::string direction_profile_csv(const Photo& photo, const DirectionProfile& directions);
 
 }  // namespace vegard::fit

@@ -10,7 +10,7 @@
 namespace vegard::fit {
 
 /// Of a picture's name (fit/photo/frames/frame_name.h). Where the file is an imager's by its name, what that
-/// says is taken for what the file leaves out, and where both tell a time that cannot be one it is said.
+/// says is taken for what the file leaves out, and where both have a time that cannot be one it is said.
 /// Throws sim::Error as read_picture_bytes() does.
 sim::PictureMetadata photo_metadata(const std::string& name);
 

@@ -20,7 +20,7 @@ struct SkyMapFile {
   /// Of the arrays that it was read from: "skymap/full_azimuth, skymap/full_elevation"; empty of FITS and
   /// EXR.
   std::string arrays;
-  std::optional<SkyMapPlace> place;  ///< if the file tells the site's
+  std::optional<SkyMapPlace> place;  ///< if the file gives the site's
 };
 
 /// What is to be turned round of what is stored, to be as the pictures.

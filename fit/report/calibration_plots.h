@@ -9,7 +9,7 @@
 
 namespace vegard::fit {
 
-/// Residuals as arrows over the frame, made longer by a factor that the title tells, and along and across the
+/// Residuals as arrows over the frame, made longer by a factor that the title gives, and along and across the
 /// radius against the distance from the lens's centre.
 Plot residual_plot(const Calibration& calibration);
 

@@ -23,8 +23,8 @@ bool is_interrupted_map(const std::string& directory);
 ///
 /// precipitation.fits: 32-bit floats on linear axes EAST and NORTH, km in the site's tangent plane, of feet
 /// at 110 km altitude, in five planes: energy flux in mW m^-2, E0 in keV, relative standard error of the
-/// flux, standard error of ln(E0), sensitivity. NaN where no picture tells: where light at the lower border
-/// would be out of view, and the energy where there is no flux.
+/// flux, standard error of ln(E0), sensitivity. NaN where no picture constrains it: where light at the lower
+/// border would be out of view, and the energy where there is no flux.
 void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
                    const std::vector<Curtain>& curtains, const MapRunFacts& facts);
 

@@ -1,6 +1,6 @@
 // Lateral offsets of a sheet, one per band: they give a first estimate of its sine without a starting value.
 //
-// Every band of a photograph sees its own stretch of a sheet, and to first order its profile tells how far to
+// Every band of a photograph sees its own stretch of a sheet, and to first order its profile shows how far to
 // the side of the model's that stretch stands. These places, one a band, are all that the search for a
 // wavelength has to look at: a sine through a few dozen points is a small linear problem for each wavelength.
 #pragma once

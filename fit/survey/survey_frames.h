@@ -31,10 +31,10 @@ struct ListedFrames {
 /// in ISO 8601 (UTC or with a zone), names relative to the list; empty lines and those that begin with # are
 /// left out. A file with many frames gives each of them, "night.pgm.gz#7", unless a list gives a time with
 /// it; of a damaged one those before the damage, and one more that stands for what is behind it. Times that
-/// are not given are those that the frames of such files tell, else those of the names
+/// are not given are those that the frames of such files have, else those of the names
 /// (fit/photo/frames/imager_name.h, sim/base/utc_time.h), taken for UTC. What is skipped is marked by the
 /// first of the survey's skips that has it. Throws sim::Error(unreadable_input) for a folder, list or file
-/// that is not there, a line that cannot be understood, a frame that tells no time; and (scene) for a camera
+/// that is not there, a line that cannot be understood, a frame that has no time; and (scene) for a camera
 /// without a frame.
 ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera);
 

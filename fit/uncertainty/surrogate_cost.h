@@ -15,11 +15,11 @@ namespace vegard::fit {
 ///
 /// Taylor's series with a weight w. K = J L is exact. H and T come from central differences of exact
 /// Jacobians kStep standard deviations from the answer along each column of L, two of them for each
-/// coordinate: the differences of first order are H, those of second order the T that they tell. They carry
-/// the roughness of the model's quadrature: nearer steps make T useless (at half a standard deviation a sixth
-/// of the moves by it are accepted; with no T at all three quarters; so, five sixths). The sum of squares is
-/// a quadratic form in the monomials of y, of which the matrix (the Gram matrix of the columns above) is
-/// worked out once, so that its cost does not depend on how many residuals there are.
+/// coordinate: the differences of first order are H, those of second order the T that they determine. They
+/// carry the roughness of the model's quadrature: nearer steps make T useless (at half a standard deviation a
+/// sixth of the moves by it are accepted; with no T at all three quarters; so, five sixths). The sum of
+/// squares is a quadratic form in the monomials of y, of which the matrix (the Gram matrix of the columns
+/// above) is worked out once, so that its cost does not depend on how many residuals there are.
 class SurrogateCost {
  public:
   static constexpr double kStep = 2.5;        ///< in standard deviations

@@ -7,7 +7,7 @@
 namespace vegard::sim {
 
 /// Bytes that the process may still take before the machine, one of its control groups (version 1 or 2, those
-/// above it too) or its own limits (ulimit -v) have no more; 0 if none of them tells. `root` stands before
+/// above it too) or its own limits (ulimit -v) have no more; 0 if none of them gives it. `root` stands before
 /// the names of the system's files, for tests.
 std::uint64_t available_memory(const std::string& root = "");
 

@@ -21,8 +21,8 @@ class SpreadRuns {
   SpreadRuns(const BlurKernel& across, int film_columns) : across_(across), columns_(film_columns) {}
 
   /// The sum of `light`, a film row of [column][stride], blurred, over the run with these weights of its
-  /// cells; null if all of them are 0. Stays until the next call. `place`: any number that tells the runs of
-  /// a row apart.
+  /// cells; null if all of them are 0. Stays until the next call. `place`: any number that distinguishes the
+  /// runs of a row apart.
   const float* sum(std::size_t place, const CellWeights::Run& run, const float* weights, const float* light,
                    std::size_t stride) {
     if (place >= kept_.size()) kept_.resize(place + 1);

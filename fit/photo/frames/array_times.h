@@ -10,11 +10,11 @@
 
 namespace vegard::fit {
 
-/// Whether an array that is not the images may tell the times of so many frames: it has as many texts or
+/// Whether an array that is not the images may hold the times of so many frames: it has as many texts or
 /// numbers, and its name or its kind says that they are times.
 bool has_times(const sim::ArrayFile& file, std::size_t images, std::uint64_t frames);
 
-/// Of each frame; empty where no array tells them. Read are texts ("2021-10-30 06:05:00.149606 UTC"), NASA's
+/// Of each frame; empty where no array has them. Read are texts ("2021-10-30 06:05:00.149606 UTC"), NASA's
 /// CDF_EPOCH (milliseconds since the year 0) and TT2000 (nanoseconds of terrestrial time, with the leap
 /// seconds until 2017), seconds since 1970 and MATLAB's days since the year 0; the last two are distinguished
 /// from each other by their size, and anything else is taken for no time. Throws as ArrayFile does.

@@ -34,10 +34,10 @@ std::string stem_of_picture(const std::string& name);
 
 /// Which of the frames begins nearest to that time, of two as near the earlier one. It is none if it is
 /// further away than frames usually are from each other (the median), of a single one than its exposure, or 1
-/// s. Throws sim::Error(unreadable_input) if there is none, or if no frame tells a time.
+/// s. Throws sim::Error(unreadable_input) if there is none, or if no frame has a time.
 int frame_at(const std::vector<FrameHead>& frames, double utc_s, const std::string& file);
 
-/// "20 frames, 2014-03-10T06:03:00.031212Z to 2014-03-10T06:03:57.034815Z", as far as they tell times.
+/// "20 frames, 2014-03-10T06:03:00.031212Z to 2014-03-10T06:03:57.034815Z", as far as they have times.
 std::string frames_text(const std::vector<FrameHead>& frames);
 
 /// "#0 to #19", how so many frames are called.

@@ -19,7 +19,7 @@ struct StoredFrame {
   long long width_px = 0, height_px = 0;
   int channels = 1;
   ImagerWords words;
-  std::optional<ImagerTime> time;  ///< where no word tells it
+  std::optional<ImagerTime> time;  ///< where no word gives it
 };
 
 class FrameStore {

@@ -32,13 +32,13 @@ struct ImagerTime {
   std::string source;    ///< the word that says it
 };
 
-/// Nothing where no word tells it, or one that no calendar has. `kind`: what the words are, for its source.
+/// Nothing where no word gives it, or one that no calendar has. `kind`: what the words are, for its source.
 std::optional<ImagerTime> imager_time(const ImagerWords& words, const std::string& kind = kPgmComment);
 
-/// What was asked of the camera, in seconds; nothing where no word tells it.
+/// What was asked of the camera, in seconds; nothing where no word gives it.
 std::optional<double> imager_exposure_s(const ImagerWords& words);
 
-/// Why the size that "Exposure options" tell cannot be that of the picture: they give the sensor's pixels
+/// Why the size that "Exposure options" give cannot be that of the picture: they give the sensor's pixels
 /// that were read, or what binning has made of them, or a whole multiple of the latter where the file was
 /// made smaller. Empty if it can.
 std::string contradicted_size(const ImagerWords& words, int width_px, int height_px);

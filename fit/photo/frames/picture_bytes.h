@@ -19,7 +19,7 @@ struct PictureBytes {
   /// As results tell it: that of the file, with the frame's number where there are several.
   std::string name;
   /// Of a file of one picture that gzip has packed, or a FrameStore made of it: that of the file as it stands
-  /// there. Else empty: that of the bytes is what tells the picture from others.
+  /// there. Else empty: that of the bytes is what distinguishes the picture from others.
   std::string file_sha256;
   std::optional<FrameHead> frame;  ///< of a file of frames
   ImagerWords words;               ///< of that frame
@@ -50,7 +50,7 @@ class PictureSeries {
 
 struct NamedPicture {
   std::string name;
-  std::optional<ImagerTime> time;  ///< of a frame, if it tells one
+  std::optional<ImagerTime> time;  ///< of a frame, if it has one
 };
 
 /// All pictures in a file: itself, or its frames where there are several, or the one that is chosen, by its

@@ -70,7 +70,7 @@ struct Calibration {
   Eigen::MatrixXd correlation;           ///< of the free estimates, in their order
   double line_of_sight_sigma_deg = 0.0;  ///< of the axis's direction, the larger of two; 0 if it was held
   double twist_sigma_deg = 0.0;          ///< about the axis
-  std::vector<std::string> warnings;     ///< numbers that the stars hardly tell apart, and the like
+  std::vector<std::string> warnings;     ///< numbers that the stars hardly distinguish, and the like
 
   int used() const;
 };

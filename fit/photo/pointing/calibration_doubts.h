@@ -2,7 +2,7 @@
 //
 // An error of the time turns the computed sky about the celestial pole, one of the longitude too, one of the
 // latitude about the east; and a camera turned as much sees the wrong sky as well as the right one the right
-// sky: residuals do not tell. What tells is that a camera was level, or pointed to the zenith.
+// sky: residuals do not show it. What shows it is that a camera was level, or pointed to the zenith.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ struct LevelEvidence {
 /// at 15.041 degrees an hour, reported where it leaves less than a third. Empty if the axis is at the zenith.
 std::string level_doubt(const Calibration& calibration, const LevelEvidence& level);
 
-/// That stars alone cannot tell an error of the time or of the site; empty if the turns were not all free.
+/// That stars alone cannot reveal an error of the time or of the site; empty if the turns were not all free.
 std::string time_and_site_doubt(const Calibration& calibration);
 
 }  // namespace vegard::fit

@@ -11,7 +11,7 @@
 // picture).
 //
 // Two points give elevation and roll: of the two cones' crossings through them, the one with the sky on the
-// side that is asked for. With three or more a bent horizon tells more: the dip, or the focal length.
+// side that is asked for. With three or more a bent horizon gives more: the dip, or the focal length.
 #pragma once
 
 #include <optional>
@@ -54,10 +54,10 @@ double horizon_dip_deg(double observer_km, double layer_km = 0.0);
 /// The height of the layer whose limb an observer sees at this dip.
 double layer_of_dip_km(double dip_deg, double observer_km);
 
-/// Throws sim::Error(usage), with "--points" or "--sky" as its key, for points that tell nothing: fewer than
-/// two that differ, outside of the picture, fewer than what is to be found, a horizon that bends the other
-/// way, a field of view or dip that they leave open (an error bar above a third of the value), none that is a
-/// horizon at all.
+/// Throws sim::Error(usage), with "--points" or "--sky" as its key, for points that determine nothing: fewer
+/// than two that differ, outside of the picture, fewer than what is to be found, a horizon that bends the
+/// other way, a field of view or dip that they leave open (an error bar above a third of the value), none
+/// that is a horizon at all.
 HorizonCalibration calibrate_horizon(const HorizonProblem& problem);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The light of a star: what a circle about it has more than the sky there, which the ring around tells: a
+// The light of a star: what a circle about it has more than the sky there, which the ring around gives: a
 // level, a slope and a curvature (a plane would leave a thousandth of the airglow, as much as a star of
 // magnitude 4 has of its own).
 #pragma once

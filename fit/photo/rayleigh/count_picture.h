@@ -22,7 +22,7 @@ struct CountPicture {
 /// of which the filter names; the flat field is divided by its mean over the middle eleven by eleven pixels.
 /// The noise is that of the photons (counts over the gain), the reading and the rounding. Throws
 /// sim::Error(unreadable_input) for a picture that cannot be read, whose numbers are no counts (JPEG, HEIC),
-/// of an exposure that nobody tells, or whose dark picture or flat field has another size; (usage) for
+/// of an exposure that is not given, or whose dark picture or flat field has another size; (usage) for
 /// colours of which none is named.
 CountPicture count_picture(const std::string& picture, const RayleighFilter& filter,
                            std::optional<double> exposure_s = {});

@@ -27,7 +27,7 @@ struct RayleighFilter {
   double flat_error = 0.0;  ///< relative, of a pixel against the middle
   std::optional<double> gain_e_per_count;
   double read_noise_counts = 0.0;
-  std::optional<double> exposure_s;  ///< where neither the picture nor the command line tells it
+  std::optional<double> exposure_s;  ///< where neither the picture nor the command line gives it
   std::string channel;               ///< of a picture of colours: "red", "green", "blue"
   std::optional<RayleighFactor> factor;
 };

@@ -1,4 +1,4 @@
-// A frame in numbers that cost little: what tells an arc from clouds, the Moon, twilight and lamps.
+// A frame in numbers that cost little: what distinguishes an arc from clouds, the Moon, twilight and lamps.
 //
 // The picture is averaged over some 64 x 64 cells, and each is asked where it looks, so that the numbers mean
 // the same for any lens. On a flat Earth an arc that runs along magnetic east and west lies on a line of

@@ -73,7 +73,7 @@ struct NightDigest {
   std::map<int, VerdictCounts> verdicts_of_hour;  ///< by the hour of the day (UTC)
   std::vector<FollowedSeries> series;             ///< by kind, then by name
   std::vector<EnergyAndFlux> energies;
-  std::string why_no_flux;  ///< what the fits say, where none tells a flux
+  std::string why_no_flux;  ///< what the fits say, where none has a flux
   std::vector<LatitudeAtTime> latitudes;
   Failures failures;
   std::vector<JumpedNumber> jumps;  ///< none where the survey was not smoothed

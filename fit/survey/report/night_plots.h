@@ -73,7 +73,7 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
 
 /// A night minute by minute since its beginning, for a small picture of it.
 struct NightInSmall {
-  std::vector<int> frames, told;   ///< frames that there are; that tell a border, or else a curtain
+  std::vector<int> frames, told;   ///< frames that there are; with a border, or else a curtain
   std::vector<double> energy_kev;  ///< median; NaN where there is none
 };
 NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, double begin_s);
@@ -86,7 +86,7 @@ struct StripScales {
   void add(const NightInSmall& night);
 };
 
-/// The small picture (SVG, without text): the share of frames that tell something, and the energy over it.
+/// The small picture (SVG, without text): the share of frames with an answer, and the energy over it.
 std::string night_strip(const NightInSmall& night, const StripScales& scales);
 
 }  // namespace vegard::fit

@@ -13,7 +13,7 @@
 namespace vegard::sim {
 
 /// A whole number; 0 for a mean of 0. `mean` at least 0 and finite. Takes the words (i, j, k), and where they
-/// do not suffice (i, j, k + 4), (i, j, k + 8) and so on: k below 4 tells four numbers of one (i, j) apart.
+/// do not suffice (i, j, k + 4), (i, j, k + 8) and so on: k below 4 distinguishes four numbers of one (i, j).
 double poisson(double mean, std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j,
                std::uint32_t k);
 

@@ -12,10 +12,10 @@ namespace vegard::sim {
 /// (FITS standard 4.0, 4.4.1.1 forbids it), and CFITSIO then reads nothing.
 std::string with_cards_in_order(std::string_view bytes);
 
-/// What is wrong with the sizes that headers tell, as "NAXIS1 is no whole number"; empty if nothing is. In any
-/// header, cards of a size (BITPIX, NAXIS, NAXISn, PCOUNT, GCOUNT, TFIELDS) hold whole numbers; an extension's
-/// has XTENSION, BITPIX and NAXIS first (FITS standard 4.0, 4.4.1.2), and ends. CFITSIO 4.2 otherwise takes
-/// for the size of a table what stood in memory.
+/// What is wrong with the sizes that headers give, as "NAXIS1 is no whole number"; empty if nothing is. In
+/// any header, cards of a size (BITPIX, NAXIS, NAXISn, PCOUNT, GCOUNT, TFIELDS) hold whole numbers; an
+/// extension's has XTENSION, BITPIX and NAXIS first (FITS standard 4.0, 4.4.1.2), and ends. CFITSIO 4.2
+/// otherwise takes for the size of a table what stood in memory.
 std::string fault_of_sizes(std::string_view bytes);
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
 // How densely sheets are looked at, by the pixels of a film where the camera sees them nearest: the nodes
-// that tell the expected picture, which is the mean over all draws of beams, and the beams that a picture of
+// that give the expected picture, which is the mean over all draws of beams, and the beams that a picture of
 // one draw takes to be free of grain.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace vegard::sim {
 
-/// Whether a scene's picture has a mean that nodes can tell. Folds, curls and undulating borders stand where
+/// Whether a scene's picture has a mean that nodes can give. Folds, curls and undulating borders stand where
 /// a seed has put them: of them there are realisations alone.
 bool has_expected_picture(const Scene& scene);
 

@@ -15,7 +15,7 @@ PictureSize size_within(const Camera& camera, const PictureSize& most);
 
 /// The camera with another number of pixels: what it saw at (x, y) stands at (x w' / w, y h' / h). Where the
 /// two ratios differ, so do a pixel's width and height. The lens's numbers stay in the pixels of before, as
-/// Camera::pixel_width_px and pixel_height_px tell.
+/// Camera::pixel_width_px and pixel_height_px give.
 Camera scaled_camera(const Camera& camera, const PictureSize& size);
 
 /// The same camera with its lens's numbers in its own picture's pixels, as a scene's file has them.

@@ -1,7 +1,7 @@
 // Rayleighs of lines from three channels: the way back from colour, and what it does to the noise.
 //
 // Source: linear least squares, weighted by the channels' inverse covariance (Aitken 1936,
-// doi:10.1017/S0370164600014346). Three channels can tell three lines apart; for three it is the exact
+// doi:10.1017/S0370164600014346). Three channels can separate three lines; for three it is the exact
 // inverse, whatever the weights. Nothing keeps an estimate from being negative: clipping would bias means.
 #pragma once
 
@@ -20,7 +20,7 @@ class LineEstimator {
  public:
   /// `rgb_per_rayleigh`: linear, signed RGB of each of one to three lines (line_colours() / 1000). Throws
   /// Error(scene) with key "emission.lines" for more lines, and for lines whose colours the sensor cannot
-  /// tell apart: with colours scaled to length 1, one line less than 1e-3 of what the others leave of it.
+  /// distinguish: with colours scaled to length 1, one line less than 1e-3 of what the others leave of it.
   explicit LineEstimator(std::vector<Vector3> rgb_per_rayleigh);
 
   /// For light of which the channels' covariance is known; it must have an inverse.

@@ -1,4 +1,4 @@
-// How finely three broad channels can tell wavelengths apart: the narrowest window that a sum of them can
+// How finely three broad channels can distinguish wavelengths: the narrowest window that a sum of them can
 // make around a wavelength.
 //
 // Sources: Backus and Gilbert 1970, doi:10.1098/rsta.1970.0005: the weights that minimise the spread 12

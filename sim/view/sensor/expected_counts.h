@@ -34,7 +34,7 @@ struct LineCounts {
 struct ExpectedCounts {
   std::vector<LineCounts> lines;  ///< in the scene's order
   double white_e = 0.0;           ///< electrons of linear raw value 1
-  double saturation_e = 0.0;      ///< electrons beyond which a pixel tells nothing more
+  double saturation_e = 0.0;      ///< electrons beyond which a pixel is saturated
   double dn_per_electron = 0.0;
   double black_dn = 0.0;
   double dark_e = 0.0;  ///< mean dark electrons of the exposure
