@@ -197,7 +197,7 @@ class CurtainFit {
     const bool kept = gain > 0.0;
     record(change, curve, model, kept, gain);
     if (!kept) return false;
-    // What the answer tells as its start is where the map's curves began.
+    // What the answer reports as its start is where the map's curves began.
     model.chi2_initial = best_.chi2_initial;
     best_ = std::move(model);
     return true;

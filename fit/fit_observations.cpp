@@ -229,7 +229,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
           {"the transfer curve of " + photo->file_name +
                " is unknown, and that of one photograph alone can be found",
            scene.file, 0, "fit.decoding", "a decoding that is known",
-           "fit one of them by itself with --decoding unknown, and give all the curve that it tells"});
+           "fit one of them by itself with --decoding unknown, and give all the curve that it finds"});
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
     observations.push_back(

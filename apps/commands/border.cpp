@@ -65,8 +65,7 @@ int run_border(const BorderRequest& options, const std::string& command) {
 void add_border_command(Program& program) {
   const auto options = std::make_shared<BorderRequest>();
   const Command command = program.add(
-      "border",
-      "Trace the lower border of the light, and tell how far away it stands if it is so and so high");
+      "border", "Trace the lower border of the light, and compute its distance for an assumed height");
   add_scene_options(command, options->scene);
   command.option("--photo", options->photo.file, "A photograph of any format that is read")
       .type_name("IMAGE");

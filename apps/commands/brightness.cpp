@@ -70,7 +70,7 @@ int run_brightness(const BrightnessRequest& options) {
 void add_brightness_command(Program& program) {
   const auto options = std::make_shared<BrightnessRequest>();
   const Command command = program.add(
-      "brightness", "Tell how bright a scene is: IBC, rayleighs, watts, luminance, what the eye sees");
+      "brightness", "Compute how bright a scene is: IBC, rayleighs, watts, luminance, what the eye sees");
   add_scene_options(command, options->scene);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);

@@ -51,7 +51,7 @@ constexpr int kLensesShown = 8;
 
 std::string plain_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
-/// The file that tells directions in the place of stars; empty if none does.
+/// The file that gives directions in the place of stars; empty if none does.
 const std::string& directions_file(const CalibrateOptions& options) {
   return !options.wcs.empty() ? options.wcs : !options.acc.empty() ? options.acc : options.maps.first();
 }

@@ -134,7 +134,7 @@ int run_compare(const std::vector<std::string>& directories) {
 void add_compare_command(Program& program) {
   const auto directories = std::make_shared<std::vector<std::string>>();
   const Command command =
-      program.add("compare", "Tell which of several fits a photograph speaks for: AIC, BIC, in words");
+      program.add("compare", "Compare several fits of a photograph by AIC and BIC, in numbers and words");
   command.option("RUN", *directories, "Directories that vegard fit wrote, of one photograph")
       .required()
       .type_name("RUN");

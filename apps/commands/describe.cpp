@@ -89,8 +89,7 @@ int run_describe(const DescribeRequest& options) {
 void add_describe_command(Program& program) {
   const auto options = std::make_shared<DescribeRequest>();
   const Command command = program.add(
-      "describe",
-      "Tell what a picture says of itself (place, time, lens, exposure), and write a scene of it");
+      "describe", "Print a picture's metadata (place, time, lens, exposure), and write a scene of it");
   command
       .option("PHOTO", options->photo,
               "The picture, a file of frames, or a skymap; or netCDF, a solution or list of stars of "

@@ -80,7 +80,7 @@ std::vector<NamedInput> files_read(const FitRequest& options, const sim::Scene& 
   return inputs;
 }
 
-/// What the fit tells while it works: a bar on a terminal, elsewhere one line a stage.
+/// What the fit reports while it works: a bar on a terminal, elsewhere one line a stage.
 class Account {
  public:
   void tell(const std::string& stage, int evaluations, double chi2_per_dof, double share) {

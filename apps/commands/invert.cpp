@@ -71,7 +71,7 @@ fit::ColumnFreedom freedom_of(const InvertRequest& request) {
   return free;
 }
 
-/// The model of the lines, once they are known to tell what is asked of them.
+/// The model of the lines, once they are known to determine what is asked of them.
 class Inversion {
  public:
   Inversion(const InvertRequest& request, const std::vector<double>& lines_nm)
@@ -133,7 +133,7 @@ class Inversion {
       for (std::size_t other = 0; other < l && is_new; ++other)
         if (model_.is_multiple(l, other)) {
           is_new = false;
-          same = fmt::format("; {:.1f} and {:.1f} nm have one upper state, and tell the same",
+          same = fmt::format("; {:.1f} and {:.1f} nm have one upper state, and a fixed ratio",
                              model_.lines_nm()[other], model_.lines_nm()[l]);
         }
       different += is_new ? 1 : 0;
@@ -144,9 +144,9 @@ class Inversion {
     if (different >= unknowns) return;
     std::string hint = "--free flux --energy-kev E0 needs one line only";
     if (free_[fit::kLnOxygen])
-      hint = "844.6 or 777.4 nm beside 427.8 and 630.0 nm tell atomic oxygen; --free energy,flux holds it";
+      hint = "844.6 or 777.4 nm with 427.8 and 630.0 nm determine atomic oxygen; --free energy,flux holds it";
     else if (unknowns == 2)
-      hint = "a line whose ratio to this one depends on the energy, such as 630.0 beside 427.8 nm; " + hint;
+      hint = "a line whose ratio to this one depends on the energy, such as 630.0 with 427.8 nm; " + hint;
     throw usage_error(key,
                       fmt::format("{} {} not enough for {} unknowns{}", different,
                                   different == 1 ? "line is" : "lines are", unknowns, same),

@@ -57,7 +57,7 @@ void make_folder(const std::filesystem::path& folder, std::vector<std::filesyste
   std::error_code error;
   if (folder.empty() || std::filesystem::exists(folder, error)) return;
   make_folder(folder.parent_path(), made);
-  if (std::filesystem::create_directory(folder, error)) made.push_back(folder);  // else writing tells
+  if (std::filesystem::create_directory(folder, error)) made.push_back(folder);  // else writing fails
 }
 
 /// All of them or none: no file gets its name before every one is written.

@@ -51,7 +51,7 @@ struct MapRequest {
   bool overwrite = false, resume = false, no_metadata = false, netcdf = false;
 };
 
-/// What the map tells while it works: a bar on a terminal, elsewhere one line a stage.
+/// What the map reports while it works: a bar on a terminal, elsewhere one line a stage.
 class MapAccount {
  public:
   void tell(const std::string& stage, double chi2_per_value, double share) {

@@ -293,7 +293,7 @@ void add_render_command(Program& program) {
       "--auto-exposure", options->auto_exposure,
       "Choose the sensor's gain (with a camera's exposure its ISO) so that next to nothing is white");
   command.flag("--grain", options->grain,
-               "Render once more with other paths of the beams, and tell by how much a pixel differs");
+               "Render once more with other paths of the beams, and report by how much a pixel differs");
   command.flag("--camera-json", options->camera_json,
                "Write the camera's matrices next to the picture, OUT.camera.json");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");

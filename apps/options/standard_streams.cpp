@@ -139,7 +139,7 @@ void show_output() {
 
 void finish_output() {
   errno = 0;
-  // Some file systems tell of a full disk only when a file is closed.
+  // Some file systems report a full disk only when a file is closed.
   if (std::fclose(stdout) != 0) keep_failure();
   if (first_failure == 0) return;
   sim::refuse_file(sim::ErrorKind::unwritable_output, "the standard output",

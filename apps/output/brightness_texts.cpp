@@ -27,7 +27,7 @@ std::string plain(double value) {
   return value < 9.995 ? fmt::format("{:.2f}", value) : fmt::format("{:.{}f}", value, value < 99.95 ? 1 : 0);
 }
 
-/// In R and kR: nobody speaks of milli- and megarayleighs.
+/// In R and kR: milli- and megarayleighs are not in use.
 std::string rayleighs(double value) {
   return value < 999.5 ? plain(value) + "  R" : plain(1e-3 * value) + " kR";
 }

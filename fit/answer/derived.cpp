@@ -57,7 +57,7 @@ sim::LineLight light_of(double wavelength_nm, const sim::Scene& scene, int sheet
 
 void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   const sim::Sheet& sheet = best.sheets[s];
-  // A form has an energy for its steps and its power, but its light does not tell it.
+  // A form has an energy for its steps and its power, but its light does not determine it.
   if (!sim::mean_energy_kev(sheet) || sheet.profile == sim::ProfileKind::form) {
     groups.push_back(none({"mean electron energy" + of, "keV",
                            "the height profile is not that of known electrons", Quantity::energy}));
@@ -72,7 +72,7 @@ void add_energies(const sim::Scene& best, int s, const std::string& of, std::vec
   }));
 }
 
-/// Altitudes of the line that tells the border, the peaks of all lines.
+/// Altitudes of the line that shows the border, the peaks of all lines.
 void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
   const double border = sim::border_line_nm(best, s);
   std::vector<double> lines;

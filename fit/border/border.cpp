@@ -114,7 +114,7 @@ std::vector<double> without_border_sky(const SkyCells& cells) {
       normal.noalias() += weight * v * v.transpose();
       right += weight * cells.light[i] * v;
     }
-    // Narrow pictures do not tell the harmonics apart: a trifle holds them.
+    // Narrow pictures do not distinguish the harmonics: a small ridge term holds them.
     normal.diagonal().array() += 1e-6 * area;
     best = normal.ldlt().solve(right);
   }

@@ -16,7 +16,7 @@
 namespace vegard::fit {
 
 /// Light in the bins of the profile, indexed as in Profile; slopes [value index * free + parameter], empty if
-/// nobody asked for them.
+/// not asked for.
 struct SolvedLight {
   std::vector<double> aurora;  ///< gain times the model's aurora
   std::vector<double> behind;  ///< the solved sky and the night sky's known lights

@@ -33,8 +33,8 @@ constexpr int kTextureNarrowest = 16;
 constexpr double kBrightRows = 0.7;    ///< of the band's peak
 constexpr double kDimColumn = 0.1;     ///< of the stretch's mean: too dark for a logarithm
 constexpr double kTextureClear = 5.0;  ///< standard deviations
-/// Of the largest. Differences of lags that are nearly alike tell of the covariance's finest form, which the
-/// model does not have right: with 1e-4, widths come out low by more than their error bars.
+/// Of the largest. Differences of lags that are nearly alike depend on the covariance's finest form, which
+/// the model does not have right: with 1e-4, widths come out low by more than their error bars.
 constexpr double kMinEigenvalue = 1e-2;
 constexpr double kTextureStep = 1e-5, kWideStep = 1e-4;                    ///< of differences, once and twice
 constexpr double kLnContrast[2] = {-4.6, 1.1}, kLnWidth[2] = {-3.9, 4.6};  ///< 0.01 to 3, 0.02 to 100 km

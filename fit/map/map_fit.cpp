@@ -32,9 +32,9 @@ constexpr int kBlock_cells = 3, kBlockOneIn = 10;
 constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
 constexpr double kUsualTrials = 5.0;
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
-// From the strongest on, until what is left out has been told worse for so many in a row. No weaker ones: of
-// real photographs left-out blocks of the coarse film ask for ever weaker ones, which make up for the film's
-// coarseness, explain the fine film no better, and leave error bars up to twice as wide.
+// From the strongest on, until what is left out has been predicted worse for so many in a row. No weaker
+// ones: of real photographs left-out blocks of the coarse film ask for ever weaker ones, which make up for
+// the film's coarseness, explain the fine film no better, and leave error bars up to twice as wide.
 constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
 constexpr double kEnergyReach_km = 4.0, kWideReach_km = 10.0;
@@ -154,7 +154,7 @@ std::size_t all_values(const std::vector<MapPicture>& pictures) {
 }
 
 /// Flux and energy of cells. The energy is that of a cell's neighbourhood, by its flux: across a curtain,
-/// where the front may trade energy for distance with the back, one picture does not tell it finer.
+/// where the front may trade energy for distance with the back, one picture does not resolve it finer.
 class CellReader {
  public:
   CellReader(const sim::GroundGrid& grid, const std::vector<double>& energies_kev,

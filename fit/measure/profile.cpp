@@ -23,7 +23,7 @@ struct Scatter {
   }
 };
 
-/// What one bin tells in one channel.
+/// What one bin measures in one channel.
 struct BinSum {
   int count = 0;
   double mean = sim::kNaN;
@@ -98,7 +98,7 @@ void fill(const Photo& photo, int group, int channel, Profile& profile) {
       neighbours.add(bins[k].neighbours);
       values.add(bins[k].values);
     }
-    // A single pixel tells nothing of noise, but its neighbours do.
+    // A single pixel shows nothing of noise, but its neighbours do.
     const Scatter& noise = neighbours.freedom > 0.0 ? neighbours : values;
     if (!(noise.freedom > 0.0)) continue;
     const double step = code_step(photo, bins[p].mean);

@@ -34,7 +34,7 @@ struct Profile {
 /// 1/sqrt(12) of a step in linear light. It takes the noise of neighbours as independent: where a camera or
 /// JPEG has smoothed it, it is too small. Of pictures with white noise, rows read from 16-bit TIFF scatter by
 /// 0.97 to 1.02 of it, those of the same pictures as JPEG by 1.5 to 2.1. Clipped pixels are left out, so that
-/// a mean of which they were a part is too low: its count tells. The error is NaN
+/// a mean of which they were a part is too low: its count shows it. The error is NaN
 /// where none of those rows has two pixels. Throws sim::Error(scene) with key
 /// "fit.bands" unless 1 <= bands <= the region's width.
 Profile extract_profile(const Photo& photo, const Region& region, int bands);

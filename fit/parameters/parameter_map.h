@@ -26,7 +26,7 @@ class ParameterMap {
   ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const PhotoFrame& frame);
 
   /// Writes all values, in the order of `free`, into a scene, and what follows from them. What would follow
-  /// beyond the limits of its parameter is held at the limit, so that nobody is asked to simulate nonsense;
+  /// beyond the limits of its parameter is held at the limit, so that no nonsense is simulated;
   /// false is returned then.
   bool put(const std::vector<double>& values, sim::Scene& scene) const;
 

@@ -56,7 +56,7 @@ void append_rows(const SplinePrior& prior, const sim::Scene& scene, double weigh
 /// optimum `at` under `prior`: expectation-maximisation (Dempster, Laird and Rubin 1977), in which 1 / s^2 is
 /// the mean square of the bends, those of the optimum and what it leaves open. Coordinates are
 /// ln(value) of coefficients and anything of the others. Information, row-major, of the data alone and of
-/// priors other than this. `weight` is what append_rows() was told at the optimum, over the inflation by
+/// priors other than this. `weight` is what append_rows() was given at the optimum, over the inflation by
 /// whose square `information` is divided. `determined`, if any, receives how many coordinates the data
 /// determine.
 std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std::vector<double>& information,

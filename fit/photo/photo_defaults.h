@@ -21,7 +21,7 @@ struct PhotoDefaults {
 /// that have been set since. A field of view is taken by a pinhole only; one axis of a picture's size is not
 /// taken without the other, nor a latitude without its longitude; a size that the scene has anyway is none to
 /// take. A value outside of a key's limits is left, with a note. Nothing else is touched: not the magnetic
-/// field, which a note tells of where it is still the default's at a place that is not.
+/// field, which a note mentions where it is still the default's at a place that is not.
 PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMetadata& metadata,
                                   const std::set<std::string>& also_given = {});
 

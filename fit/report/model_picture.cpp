@@ -28,8 +28,8 @@ int dense(int beams) {
 }
 
 /// Gain and sky of the bins that a pixel is in, where bins are no columns of rows; elsewhere the mean gain
-/// and the scene's sky. A gain that the data do not tell may be a hundred times the others': the mean in its
-/// place.
+/// and the scene's sky. A gain that the data do not determine may be a hundred times the others': the mean in
+/// its place.
 void add_gain_and_sky_by_bins(const FittedPhoto& fitted, sim::Image& rgb) {
   const BinGrid& grid = *fitted.data.grid;
   const bool grey = is_grey(fitted.best);

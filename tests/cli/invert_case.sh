@@ -72,7 +72,7 @@ refuses 2 "the error of 427.8 nm is not known" --line 427.8=3 --line 630.0=5±1
 refuses 2 "not understood" --line 427.8:3 --line 630.0=5±1
 refuses 2 "427.8 nm is given twice" --line 427.8=3±1 --line 427.8=5±1
 refuses 2 "1 line is not enough for 2 unknowns" --line 427.8=2300±50
-expect_stderr "630.0 beside 427.8"
+expect_stderr "630.0 with 427.8"
 refuses 2 "one upper state" --line 427.8=2300±50 --line 391.4=7500±50
 refuses 2 "one amount of atomic oxygen" "${oxygen[@]}" --tables glow --free energy,flux,oxygen
 refuses 2 "2 lines are not enough for 3 unknowns" --line 427.8=2300±50 --line 630.0=330±5 --tables own --free energy,flux,oxygen

@@ -32,7 +32,7 @@ struct RunRequest {
   bool again = false;
 };
 
-/// What a shard tells while it works: a line a minute, on standard error as all that depends on the clock,
+/// What a shard reports while it works: a line a minute, on standard error as all that depends on the clock,
 /// and one at the end.
 class ShardAccount {
  public:

@@ -59,7 +59,7 @@ cv::Mat picture(const std::string& file) {
   return read;
 }
 
-/// True if the file decodes to so many frames of that size and rate: OpenCV's writer does not tell of a full
+/// True if the file decodes to so many frames of that size and rate: OpenCV's writer does not report a full
 /// disk.
 bool is_whole(const std::string& file, std::size_t frames, cv::Size size, double frames_per_second) {
   cv::VideoCapture movie;

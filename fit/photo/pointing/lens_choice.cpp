@@ -25,7 +25,8 @@ double criterion(double sum_of_squares, int residuals, int numbers) {
          numbers * std::log(residuals);
 }
 
-/// Whether the stars tell the numbers apart: by the singular values of the Jacobian with columns of length 1.
+/// Whether the stars distinguish the numbers: by the singular values of the Jacobian with columns of
+/// length 1.
 bool determined(const SkyCamera& camera, const std::vector<LensNumber>& free,
                 const std::vector<StarSighting>& stars, const StarSet& used) {
   Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
@@ -250,7 +251,7 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& 
 
 double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber>& free,
                            const std::vector<StarSighting>& stars, const StarSet& used) {
-  constexpr double kHeldAlone = 1e-6;  // of 1 - leverage: nothing else tells what this star tells
+  constexpr double kHeldAlone = 1e-6;  // of 1 - leverage: nothing else determines what this star determines
   Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
   // An orthonormal basis of its columns has the same hat matrix, to all digits.
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) jacobian.col(j).normalize();

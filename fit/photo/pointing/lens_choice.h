@@ -16,7 +16,7 @@
 // Mistaken stars: first every lens is fitted with Cauchy's loss, which a mistaken star can hardly pull. What
 // lies farther off than 5 robust standard deviations (of one coordinate; the median distance over 1.1774,
 // corrected for the numbers fitted) is left out; then the lens is chosen with plain least squares on the
-// others, and all stars, those left out too, are judged again under it until the set stays. Of fewer than
+// others, and all stars, those left out too, are tested again under it until the set stays. Of fewer than
 // twenty stars the scatter is known too little for that: none is left out for less than a pixel, and not more
 // than a fifth of them, the farthest.
 #pragma once

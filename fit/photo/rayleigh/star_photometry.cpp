@@ -103,7 +103,7 @@ void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture)
   }
 }
 
-/// Whether stars can tell the extinction: they stand 0.7 airmasses apart at the ends and are not few.
+/// Whether stars can determine the extinction: they are 0.7 airmasses apart at the ends and are not few.
 bool tell_extinction(const std::vector<FactorDatum>& data) {
   constexpr std::size_t kMinStars = 10;
   constexpr double kMinSpan = 0.7;

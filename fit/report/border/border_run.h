@@ -9,7 +9,7 @@
 namespace vegard::fit {
 
 /// A row for each point; distances and places for each of kBorderAltitudesKm. Empty cells where nothing is
-/// told: of places, too, where the scene does not say where the site is.
+/// known: of places, too, where the scene does not say where the site is.
 std::string border_csv(const Border& border, const sim::Scene& scene);
 
 std::string border_json(const Border& border, const sim::Scene& scene, const BorderRunFacts& facts);

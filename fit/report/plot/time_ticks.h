@@ -11,7 +11,7 @@ struct TimeTicks {
   std::vector<std::string> labels;  ///< "05:30", "05:30:15", "10-07"
 };
 
-/// At most about `most` round moments between two, in seconds since 1970 UTC; begin < end. Days are told by
+/// At most about `most` round moments between two, in seconds since 1970 UTC; begin < end. Days are marked by
 /// month and day, what is shorter by the clock.
 TimeTicks utc_ticks(double begin_s, double end_s, int most);
 

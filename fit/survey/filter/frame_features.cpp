@@ -221,7 +221,7 @@ double count_points(const Photo& photo, const FilterCells& cells) {
     const std::size_t i = static_cast<std::size_t>(y) * w + x, down = static_cast<std::size_t>(kOff) * w;
     return root[i] - 0.25f * (root[i - kOff] + root[i + kOff] + root[i - down] + root[i + down]);
   };
-  // Every eleventh pixel tells the noise.
+  // Every eleventh pixel measures the noise.
   std::vector<double> heights;
   const int area = (w - 2 * kOff) * (h - 2 * kOff);
   for (int n = 0; n < area; n += 11)

@@ -47,7 +47,7 @@ struct FootBand {
   std::vector<double> sigma_km;  ///< across the line; empty where it is not known
 };
 
-/// The coordinates at which a band is told.
+/// The coordinates at which a band is reported.
 std::vector<double> band_places_km(const Sheet& sheet);
 
 /// How far the line of `moved` lies to the left of that of `best` at those places of best's line.

@@ -59,7 +59,7 @@ class FootprintField : public LightField {
     rays_.place_of(centre, middle.x, middle.square);
     const double altitude = altitude_km(middle, f_.sphere_km), half = std::sqrt(half2);
     if (altitude + half < rays_.bottom_km() || altitude - half > rays_.top_km()) return true;
-    if (half > 500.0) return false;  // feet run too crookedly to be judged by their corners
+    if (half > 500.0) return false;  // feet run too crookedly to be bounded by their corners
     for (int c = 0; c < 8; ++c) {
       const double at[3] = {c & 1 ? box.high[0] : box.low[0], c & 2 ? box.high[1] : box.low[1],
                             c & 4 ? box.high[2] : box.low[2]};

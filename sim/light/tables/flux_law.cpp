@@ -32,7 +32,7 @@ std::size_t row_at(const CsvTable& table, const std::map<double, std::size_t>& r
     table.refuse(table.rows() - 1,
                  "no row of " + short_real_text(energy) + " keV" +
                      (table.has("Q_erg") ? " at Q_erg " + short_real_text(flux) : ""),
-                 "one", "it tells how light grows with the energy flux");
+                 "one", "it gives how light grows with the energy flux");
   return found->second;
 }
 

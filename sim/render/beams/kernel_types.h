@@ -21,7 +21,7 @@ inline constexpr int kGroup = 16;  ///< beams that fall side by side
 /// add up to 2e9 (2^31): IBC 4, the brightest aurora, is 1e6 along the field.
 inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
 
-/// A number with its derivatives by the local inputs that it hangs on, for sixteen beams.
+/// A number with its derivatives by the local inputs that it depends on, for sixteen beams.
 struct GroupNumber {
   double value[kGroup];
   double tangent[place_inputs][kGroup];

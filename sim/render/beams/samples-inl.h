@@ -282,7 +282,7 @@ class SampleMaker {
   }
 
   /// Between the centres of two wide cells a place moves along the ramp about their border alone. A ramp is
-  /// smooth, or the few beams on it would tell their own number in every derivative by a place.
+  /// smooth, or the few beams on it would show their own number in every derivative by a place.
   HWY_INLINE P on_ramp(const P& column) const {
     const L steep(static_cast<float>(scene_.film.cell_width_px / scene_.film.ramp_px));
     const L whole = round_to_nearest(value_of(column) - L(0.5f));

@@ -127,7 +127,7 @@ Scale scale_of(const Scene& scene, const Sheet& sheet, const Sights& sights) {
   return scale;
 }
 
-/// The distance at which beams along a sheet still tell its course.
+/// The distance at which beams along a sheet still resolve its course.
 double structure_km(const Sheet& sheet) {
   if (is_curve(sheet) || sheet.thickness_km == 0.0) return kFurthestBeamsKm;
   return std::min(kFurthestBeamsKm, sheet.wavelength_km / 16.0);

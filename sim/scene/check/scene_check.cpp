@@ -347,7 +347,7 @@ void check_splines(const Scene& scene) {
                     short_real_text(sheet.spline_top_km) + " km",
                 "spline_bottom_km at least 10 km below spline_top_km", ""},
                origin("spline_top_km"));
-    // Above its beams a profile has no light, and coefficients there would be told by nothing.
+    // Above its beams a profile has no light, and coefficients there would be constrained by nothing.
     if (sheet.spline_top_km > sheet.top_km)
       complain({"the profile reaches up to " + short_real_text(sheet.spline_top_km) +
                     " km, above its beams, which start at " + short_real_text(sheet.top_km),

@@ -339,7 +339,7 @@ struct Sensor {
   double gamma = 2.2;
   std::string tone_file;              ///< CSV of linear and encoded values, beside the scene's file
   std::string colour_table = "none";  ///< of display files: a false colour for grey, by name or file
-  double calibration_error = 0.0;     ///< relative, of the absolute scale; 0: nobody has calibrated
+  double calibration_error = 0.0;     ///< relative, of the absolute scale; 0: not calibrated
 };
 
 /// Light behind the aurora, in linear sensor values per channel: level + gradient p + curvature (p^2 - 1/12),

@@ -61,7 +61,7 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
                         const std::vector<FoundStar>& points, const PointCells& cells,
                         const std::vector<StarMatch>& seed, double reach_px, double trials);
 
-/// Whether nobody need doubt it: less than one wrong recognition in 10^8 searches, and a quarter of the stars
+/// Whether it is beyond doubt: less than one wrong recognition in 10^8 searches, and a quarter of the stars
 /// that should be seen.
 bool is_certain(const GrownCamera& grown);
 
