@@ -43,7 +43,7 @@ std::string body_text(const sim::KnownBody& known) {
 
 void add_bodies_command(Program& program) {
   const Command command =
-      program.add("bodies", "List the bodies that a scene may stand on: size, field, air, lines, sources");
+      program.add("bodies", "List the bodies that a scene may be on: size, field, air, lines, sources");
   command.runs([] {
     std::string text;
     for (const sim::KnownBody& known : sim::known_bodies()) text += body_text(known);

@@ -125,7 +125,7 @@ int run_rayleigh(const LineariseRequest& options) {
     details.file = options.rayleigh;
     details.line = filter.line;
     details.key = "filter.rayleigh_per_count_s";
-    details.problem = "it is not known what a count of '" + filter.name + "' stands for";
+    details.problem = "it is not known what a count of '" + filter.name + "' means";
     details.expected = "rayleigh_per_count_s";
     details.hint = "vegard photometry finds it by stars";
     throw sim::Error(sim::ErrorKind::scene, details);

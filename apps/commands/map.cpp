@@ -204,9 +204,8 @@ void add_map_command(Program& program) {
               "How far the ground reaches that is mapped (0: as far as the picture shows a lower border)")
       .range(0.0, 2000.0);
   command
-      .option(
-          "--altitude-scale", options->altitude_scale,
-          "Let all light stand at so many times the altitudes of the tables' atmosphere, to see what changes")
+      .option("--altitude-scale", options->altitude_scale,
+              "Multiply all altitudes of the tables' atmosphere by this, to see what changes")
       .range(0.9, 1.2)
       .shows_default();
   command.flag("--netcdf", options->netcdf, "Write the map as netCDF too: RUN/precipitation.nc");

@@ -376,9 +376,8 @@ void Measuring::doubt_skyline() {
   const Ended ended = run_words(with_common({"mask", options_.photo, "-o", sky_mask_, "--text"}));
   take(stage, ended);
   wrote(stage, "sky.png");
-  stage.found =
-      fmt::format("The skyline stands {:.0f} to {:.0f}° above the horizon over {:.0f}° of azimuth, ",
-                  doubt->from_deg, doubt->to_deg, doubt->azimuths_deg);
+  stage.found = fmt::format("The skyline is {:.0f} to {:.0f}° above the horizon over {:.0f}° of azimuth, ",
+                            doubt->from_deg, doubt->to_deg, doubt->azimuths_deg);
   if (doubt->has_stars()) {
     stage.trust = Trust::good;
     stage.found += fmt::format(
@@ -467,7 +466,7 @@ void Measuring::camera() {
   MeasureStage& stage = begin("Where the camera points: the horizon");
   if (!has_horizon_ || (!known_.has_focal && lens_file_.empty())) {
     stage.trust = Trust::unconstrained;
-    stage.found = !has_horizon_ ? "There is no skyline that could stand for the horizon."
+    stage.found = !has_horizon_ ? "There is no skyline that could serve as the horizon."
                                 : "A skyline is there, but the picture's field of view is not known.";
     stage.lacking =
         "points on the horizon and the field of view: vegard horizon PHOTO --points X,Y X,Y --hfov DEGREES "
@@ -484,7 +483,7 @@ void Measuring::camera() {
   stage.found = "From the skyline and the field of view" +
                 std::string(lens_file_.empty() ? ": " : " found from the stars: ") +
                 line_with(stage.words, "elevation") +
-                ". The skyline may stand a degree or more above the horizon, and the azimuth is not known (0 "
+                ". The skyline may be a degree or more above the horizon, and the azimuth is not known (0 "
                 "is assumed).";
   stage.lacking = "stars in the picture, with time and place";
 }
@@ -683,7 +682,7 @@ int run_measure(MeasureRequest options, const std::string& command) {
 void add_measure_command(Program& program) {
   const auto options = std::make_shared<MeasureRequest>();
   const Command command = program.add(
-      "measure", "From a photograph to an answer: where its aurora stands, how high, and of which energy");
+      "measure", "From a photograph to an answer: where its aurora is, how high, and of which energy");
   command.option("PHOTO", options->photo, "A photograph of any format that is read").required();
   add_at_option(command, options->at);
   command

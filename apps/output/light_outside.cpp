@@ -18,8 +18,8 @@ namespace vegard::apps {
 namespace {
 
 std::string direction_words(const std::string& what, double azimuth_deg, double elevation_deg) {
-  return fmt::format("the middle of {} stands at azimuth {:.0f}\u00b0, elevation {:.0f}\u00b0", what,
-                     azimuth_deg, elevation_deg);
+  return fmt::format("the middle of {} is at azimuth {:.0f}\u00b0, elevation {:.0f}\u00b0", what, azimuth_deg,
+                     elevation_deg);
 }
 
 /// Of a point of the tangent plane, at the foot's altitude, as the observer sees it.

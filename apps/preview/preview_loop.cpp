@@ -88,7 +88,7 @@ class PreviewLoop {
     std::vector<std::string> lines = {
         controls_.words(),
         fmt::format("azimuth {:.1f}, elevation {:.1f} deg, time {:.2f} s{}", camera.azimuth_deg,
-                    camera.elevation_deg, controls_.scene().time.start_s, time_runs_ ? "" : " (stands)"),
+                    camera.elevation_deg, controls_.scene().time.start_s, time_runs_ ? "" : " (stopped)"),
         fmt::format("{} x {}, {:.0f} ms, {:.0f} fps", picture_.width, picture_.height, ms,
                     1000.0 / std::max(ms, 1.0))};
     if (!message_.empty()) lines.push_back(message_);

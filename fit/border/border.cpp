@@ -604,7 +604,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
       border.notes.push_back(no_border_note(trace));
   if (border.traces.empty())
     border.notes.push_back(
-        fmt::format("No light with an edge stands above sky and noise over {:.0f}° of azimuth.",
+        fmt::format("No light with an edge is brighter than sky and noise over {:.0f}° of azimuth.",
                     settings.min_length_deg));
   border.notes.push_back(fmt::format(
       "Searched were elevations of {:.0f} to {:.0f}°: higher up an arc is seen from below, and has no "

@@ -602,7 +602,7 @@ MapResult Mapping::run() {
   constexpr double kMinGain = 0.05;  // of chi2 per value, that light explains
   if (!stopped() && (start[0] == 0.0f || dark - chi2 < kMinGain * static_cast<double>(all_values(coarse))))
     throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"no light stands above the noise and the sky", photos_.front().file_name, 0, "",
+                     {"no light is above the noise and the sky", photos_.front().file_name, 0, "",
                       "a photograph with aurora",
                       "check the mask and fit.roi_px; a smooth sky explains all of the picture"});
 

@@ -319,7 +319,7 @@ std::string prior_words(const MapResult& result) {
       result.grid.cells(), result.energies_kev.size(), sim::short_number(result.energies_kev.front(), 3),
       sim::short_number(result.energies_kev.back(), 3), result.values, result.replicates.size());
   if (result.altitude_scale != 1.0)
-    html += "<p>All light stands at " + sim::short_number(result.altitude_scale, 4) +
+    html += "<p>All light is at " + sim::short_number(result.altitude_scale, 4) +
             " times the altitudes of the tables, as asked (--altitude-scale).</p>\n";
   if (!result.numbers.empty() && !result.replicates.empty()) {
     html += "<p>In the error bars is also what is not known of ";
@@ -372,7 +372,7 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
   if (!curtains.empty())
     html +=
         "<section><h2>Along the curtains</h2>\n<p>The brightest first; bands are one standard error. All of "
-        "them stand in curtains.csv.</p>\n<div class=\"plots\">" +
+        "them are in curtains.csv.</p>\n<div class=\"plots\">" +
         along_curtains(curtains) + "</div></section>\n";
   html += "<section><h2>How it was made</h2>\n" + prior_words(result);
   for (const auto& [name, how] : facts.decodings)

@@ -252,7 +252,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                            "doubtful or unconstrained.",
                 cards);
   const std::string map = foot_map_svg(result);
-  if (!map.empty()) html += section("Where it stands", "", "<div class=\"plots\">\n" + map + "</div>\n");
+  if (!map.empty()) html += section("Where it is", "", "<div class=\"plots\">\n" + map + "</div>\n");
   if (const std::string steps = curve_steps_table(result); !steps.empty())
     html +=
         section("Selection of curtains",

@@ -30,7 +30,7 @@ void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
   const auto wants = [&](SurveyWork one) { return std::count(work.begin(), work.end(), one) > 0; };
   if (wants(SurveyWork::filter) && !(sim::is_latitude_given(scene) && sim::is_longitude_given(scene)))
     refuse_for_survey(scene, "site.latitude_deg, site.longitude_deg",
-                      "the filter asks where the Sun and the Moon stand, and the site is not given",
+                      "the filter asks where the Sun and the Moon are, and the site is not given",
                       "[site] with latitude_deg and longitude_deg",
                       "or a survey whose work is not \"filter\"");
   if (wants(SurveyWork::profile) && eye.decoding.kind == Decoding::Kind::unknown)

@@ -47,7 +47,7 @@ void read_head(SurveyTable& table, Survey& survey, std::string& scene) {
     const std::optional<SurveyWork> work = survey_work_of(word);
     if (!work) complain({"'" + word + "' is no work", works, ""}, table.at("work"));
     if (std::find(survey.work.begin(), survey.work.end(), *work) != survey.work.end())
-      complain({"'" + word + "' stands there twice", works, ""}, table.at("work"));
+      complain({"'" + word + "' is listed twice", works, ""}, table.at("work"));
     survey.work.push_back(*work);
   }
   if (survey.work.empty()) complain({"it is not said what to do with a frame", works, ""}, table.at("work"));

@@ -43,7 +43,7 @@ expect_exit 2 map "$SCENES/map.toml" --photo photo.png
 expect_stderr "--out"
 expect_exit 0 render "$SCENES/map.toml" -o dark.png
 expect_exit 3 map "$SCENES/map.toml" --photo dark.png --out none
-expect_stderr "no light stands above the noise"
+expect_stderr "no light is above the noise"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.elevation_deg=-70
 expect_stderr "looks at the sky"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.width=97 --no-metadata

@@ -67,5 +67,5 @@ printf 'iVBORw0KGgoAAAANSUhEUgAAAAgAAAAICAAAAADhZOFXAAAADElEQVR42mNgoA4AAABIAAEQ
   base64 -d >scene/black.png
 expect_exit 0 render scene/dark.toml -o dark.png
 expect_stderr "warning: no light reaches the picture"
-expect_stderr "the middle of footprint 'black' stands at azimuth 0"
+expect_stderr "the middle of footprint 'black' is at azimuth 0"
 expect_only add.exr dark.png large.exr literal.png plain.exr scene some.png standing.png with.exr

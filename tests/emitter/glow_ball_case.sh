@@ -51,7 +51,7 @@ expect_same ball.png again.png
 expect_exit 0 render ball.toml -o dim.png --set glow_ball.lamp.rayleigh.5577=1000
 [[ $(peak) -gt 970 && $(peak) -le 1000 ]] || fail "a peak of $(peak) R"
 expect_exit 0 render ball.toml -o away.png --set camera.azimuth_deg=180
-expect_stderr "the middle of glowing ball 'lamp' stands at azimuth 2°, elevation 22°"
+expect_stderr "the middle of glowing ball 'lamp' is at azimuth 2°, elevation 22°"
 
 # A grid of its light, which is as bright again; by name, and not too coarse for it.
 expect_exit 0 volume ball.toml -o ball.vdb --voxel-km 1 --of lamp

@@ -59,7 +59,7 @@ OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& sce
   }
   if (!julian_date || !sim::is_latitude_given(scene) || !sim::is_longitude_given(scene))
     throw with_place(sim::Error(sim::ErrorKind::scene,
-                                {"stars stand over a place at a time", scene.file, 0, "site.time_utc",
+                                {"where stars are depends on place and time", scene.file, 0, "site.time_utc",
                                  "time_utc, latitude_deg and longitude_deg in [site]", ""}),
                      scene);
   const sim::Observer observer{scene.site.latitude_deg, scene.site.longitude_deg, scene.site.altitude_m,

@@ -244,7 +244,7 @@ int run_photometry(PhotometryRequest& options) {
 void add_photometry_command(Program& program) {
   const auto options = std::make_shared<PhotometryRequest>();
   const Command command = program.add(
-      "photometry", "Find by stars how many rayleighs a count of a camera stands for, with errors");
+      "photometry", "Find by stars how many rayleighs a count of a camera corresponds to, with errors");
   command
       .option("COUNTS", options->counts,
               "The camera's dark level, flat field and filters (docs/rayleighs.md)")
@@ -268,7 +268,8 @@ void add_photometry_command(Program& program) {
   command
       .option("--extinction", options->extinction,
               "Of the air: found with the factor (stars), that of the standard air (air), or magnitudes per "
-              "airmass (default: stars where they stand at enough different elevations, else air)")
+              "airmass "
+              "(default: stars where they are at enough different elevations, else air)")
       .type_name("stars|air|MAG");
   command.option("--catalogue-magnitude", options->settings.faintest, "Faintest star that is measured")
       .finite_range(-2.0, 6.0)
@@ -281,7 +282,7 @@ void add_photometry_command(Program& program) {
               "Radius of the circle about a star, in pixels")
       .finite_range(1.0, 50.0)
       .shows_default();
-  command.flag("--no-refraction", options->vacuum, "Stars as they would stand without air");
+  command.flag("--no-refraction", options->vacuum, "Stars where they would be without refraction by air");
   command.option("-o,--output", options->output, "COUNTS.toml with the factor in it, in the same folder")
       .type_name("OUT.toml");
   command.option("--stars-out", options->stars_out, "A table of the stars").type_name("STARS.csv");

@@ -177,7 +177,7 @@ void check_horizon(const HorizonProblem& p) {
                     "points far apart from each other");
   if (!p.sky && std::abs(a.x_px - b.x_px) < std::max(1.0, p.point_error_px))
     sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    "the horizon stands upright in the picture: on which side is the sky?", "--sky X,Y");
+                    "the horizon is vertical in the picture: on which side is the sky?", "--sky X,Y");
   if (!p.hfov_deg && p.dip_deg <= 0.0)
     sim::refuse_key(sim::ErrorKind::usage, "--hfov",
                     "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",

@@ -38,10 +38,10 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
           .cwiseSqrt();
   if (spread[1] < 1.0)
     sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " stand in one point of the picture", called + " all over it", "");
+                     "all " + called + " are at one point of the picture", called + " all over it", "");
   if (spread[0] < kStarsNarrowest * spread[1])
     sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " stand on one line of the picture", called + " on both sides of it",
+                     "all " + called + " are on one line of the picture", called + " on both sides of it",
                      "");
   const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
   const Eigen::VectorXd width =
@@ -50,11 +50,11 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
            .cwiseMax(0.0))
           .cwiseSqrt();
   if (width[2] < 1e-5)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " stand in one point of the sky", "different " + called, "");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name, "all " + called + " are at one point of the sky",
+                     "different " + called, "");
   if (width[1] < kStarsNarrowest * width[2])
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " stand on one line of the sky", called + " on both sides of it", "");
+    sim::refuse_file(sim::ErrorKind::unreadable_input, name, "all " + called + " are on one line of the sky",
+                     called + " on both sides of it", "");
 }
 
 void check_star_places(const std::vector<StarSighting>& stars, const Frame& frame, const std::string& name) {

@@ -78,7 +78,7 @@ class Reader {
     if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) return;
     if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return require_sky(sky_, name_);
     if (has("star")) return require_sky(sky_, name_);
-    fail("no columns that say where the stars stand",
+    fail("no columns that say where the stars are",
          "azimuth_deg and elevation_deg or zenith_deg; ra_deg or ra_hours, and dec_deg; or star");
   }
 
@@ -160,7 +160,7 @@ void require_sky(const SkyOfPicture& sky, const std::string& file) {
   sim::ErrorDetails details;
   details.file = file;
   details.key = sky.julian_date ? "--site" : "--time";
-  details.problem = "stars by name or by right ascension stand somewhere at a time, at a site";
+  details.problem = "directions of stars by name or by right ascension depend on time and site";
   details.expected = "--time and --site";
   throw sim::Error(sim::ErrorKind::usage, details);
 }

@@ -241,7 +241,7 @@ void add_border_grid(const sim::Scene& scene, double reach_km, Panel& panel) {
 
 Panel border_map_panel(const Border& border, const sim::Scene& scene) {
   Panel panel;
-  panel.title = "where the border stands, if it is so high";
+  panel.title = "where the border is, for an assumed altitude";
   panel.x.label = "east (km)";
   panel.y.label = "north (km)";
   double reach = 50.0;
@@ -379,7 +379,8 @@ std::string border_page(const Border& border, const Photo& photo, const sim::Sce
   for (const std::string& note : border.notes) html += "<p>" + sim::html_text(note) + "</p>\n";
   html +=
       "<p>The border is where the light has fallen to half of its peak, above the sky beneath. Its elevation "
-      "is measured; its altitude is not, so that distances stand for four of them.</p>\n</section>\n";
+      "is "
+      "measured; its altitude is not, so that distances are given for four of them.</p>\n</section>\n";
   const double shape = static_cast<double>(photo.linear.height) / std::max(1, photo.linear.width);
   html += "<section><h2>Pictures</h2>\n<div class=\"plots\">" +
           one_border_panel(border_photo_panel(border, photo, scene), kBorderPanel_px,

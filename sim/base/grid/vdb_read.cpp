@@ -272,9 +272,9 @@ VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<st
     if (grids.empty()) {
       out.grid = place;
     } else if (!same_place(out.grid, place)) {
-      throw unreadable(path,
-                       "the grids '" + out.grid.channels[0].name + "' and '" + name + "' stand differently",
-                       "grids with one transform");
+      throw unreadable(
+          path, "the grids '" + out.grid.channels[0].name + "' and '" + name + "' have different transforms",
+          "grids with one transform");
     }
     const auto unit = grid->getMetadata<openvdb::StringMetadata>("unit");
     out.grid.channels.push_back({name, unit ? unit->value() : ""});

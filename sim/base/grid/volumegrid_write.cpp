@@ -89,8 +89,7 @@ void write_volumegrid(const std::string& path, const SparseGrid& grid, int chann
   for (int a = 0; a < 3; ++a)
     for (int c = 0; c < 3; ++c)
       if (grid.axes[a][c] != (a == c ? 1.0 : 0.0))
-        refuse("the grid is turned, and a volumegrid stands upright", "voxels along x, y and z",
-               "-o OUT.vdb");
+        refuse("the grid is turned, and a volumegrid is not", "voxels along x, y and z", "-o OUT.vdb");
   const VoxelBox box = box_of(grid, channel, options.size);
   if (box.low[0] >= box.high[0]) refuse("nothing in the grid is above or below 0", "a density", "");
   double count = 1.0;

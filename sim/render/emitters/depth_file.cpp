@@ -66,7 +66,7 @@ DepthImage read_depth(const Scene& scene) {
     refuse_depth(path, "the depths have " + size(values.width, values.height),
                  size(scene.camera.width, scene.camera.height) + ", as the camera has");
   if (!std::all_of(values.data.begin(), values.data.end(), [](float value) { return value >= 0.0f; }))
-    refuse_depth(path, "a depth is negative or no number", "0 or above; infinity where nothing stands");
+    refuse_depth(path, "a depth is negative or no number", "0 or above; infinity where there is nothing");
   return depth_image(scene.march, values);
 }
 

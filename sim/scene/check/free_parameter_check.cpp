@@ -95,7 +95,7 @@ void check_name(const Scene& scene, const FreeParameter& free, std::size_t numbe
   if (std::find(reserved.begin(), reserved.end(), free.name) != reserved.end())
     complain({"the name '" + free.name + "' is a word of expressions", "a name of its own", ""}, origin);
   if (!can_be_a_name(free.name))
-    complain({"the name '" + free.name + "' cannot stand in an expression",
+    complain({"the name '" + free.name + "' cannot be used in an expression",
               "a letter, then letters, digits and '_'", ""},
              origin);
   if (numbers > 1)

@@ -129,7 +129,7 @@ void check_courses(const Scene& scene) {
       if (std::hypot(sheet.east_km[i + 1] - sheet.east_km[i], sheet.north_km[i + 1] - sheet.north_km[i]) <
           kMinBetweenPoints_km)
         refuse({"points " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                    " of the curve stand at one place",
+                    " of the curve are at one place",
                 "neighbours at least " + short_real_text(kMinBetweenPoints_km) + " km apart",
                 "leave one of them out"},
                "east_km");
@@ -284,13 +284,13 @@ void check_time_and_place(const Scene& scene) {
   };
   needs("field.model", scene.field.model == FieldModel::igrf, "the reference field (\"igrf\") goes");
   needs("stars.source", scene.stars.shown && scene.stars.source == StarSource::catalogue,
-        "the catalogue's stars stand in the sky");
-  needs("stars.planets", scene.stars.planets, "planets stand in the sky");
-  needs("stars.milky_way", scene.stars.milky_way, "the Milky Way stands in the sky");
-  needs("moon.shown", scene.moon.shown, "the Moon stands in the sky");
-  needs("moon.skylight", scene.moon.skylight, "the Moon stands in the sky");
+        "the catalogue's stars are placed in the sky");
+  needs("stars.planets", scene.stars.planets, "planets are placed in the sky");
+  needs("stars.milky_way", scene.stars.milky_way, "the Milky Way is placed in the sky");
+  needs("moon.shown", scene.moon.shown, "the Moon is placed in the sky");
+  needs("moon.skylight", scene.moon.skylight, "the Moon is placed in the sky");
   needs("twilight.sun", scene.twilight.shown && scene.twilight.sun == TwilightSun::of_time,
-        "the sun stands below the horizon");
+        "the sun is placed below the horizon");
 }
 
 /// What such a file has to hold is checked where it is used.
@@ -301,7 +301,7 @@ void check_profile_files(const Scene& scene) {
     const bool is_named = !sheet.profile_file.empty();
     complain({is_named ? "'" + sheet.profile_file + "' is no CSV file by its name"
                        : "the profile is to come from a file, but profile_file names none",
-              "profile_file = \"a name that ends in .csv\"", "the file stands beside the scene's"},
+              "profile_file = \"a name that ends in .csv\"", "the file is in the scene's folder"},
              {scene.file, 0, path + (is_named ? "profile_file" : "profile")});
   }
 }
@@ -374,7 +374,7 @@ void check_region(const Scene& scene) {
   const Origin origin{scene.file, 0, "fit.roi_px"};
   if (width == 0 || height == 0) {
     complain({"the region of interest is empty", "x, y, width and height, with width and height above 0",
-              "all four zero stands for the whole image"},
+              "all four zero means the whole image"},
              origin);
   }
   if (scene.fit.bands > width) {

@@ -225,7 +225,7 @@ class SceneReader {
         complain({found_text(*number) + " is none", expected, ""}, at);
     }
     if (!reads_files_)
-      complain({"the scene has no file, beside which '" + name + "' could stand",
+      complain({"the scene has no file, in whose folder '" + name + "' could be",
                 "east_km and north_km of the curve's points", ""},
                where);
     const std::string place = table_place(scene_, name);

@@ -25,9 +25,9 @@ toml::table parse_value(const std::string& text, bool may_be_word, const std::st
     try {
       return toml::parse("value = " + quoted_text(text));
     } catch (const toml::parse_error&) {
-      complain(
-          {"the text cannot stand in a scene file", "UTF-8", "rename the file, if it is the name of one"},
-          origin);
+      complain({"the text cannot be written in a scene file", "UTF-8",
+                "rename the file, if it is the name of one"},
+               origin);
     }
   }
   try {

@@ -61,7 +61,7 @@ std::optional<Complaint> inclination_complaint(double inclination_deg) {
   if (std::abs(inclination_deg) >= 20.0) return std::nullopt;
   return Complaint{"the field is nearly horizontal (" + short_real_text(inclination_deg) + " deg)",
                    "an inclination of at least 20 above or below the horizon",
-                   "aurorae stand where the field is steep: 75 to 85 under the northern auroral oval"};
+                   "aurorae are where the field is steep: 75 to 85 under the northern auroral oval"};
 }
 
 std::optional<Complaint> none_or_some_complaint(double value) {
@@ -108,7 +108,7 @@ std::optional<Complaint> lines_complaint(const Scene& scene, const std::vector<d
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice == sorted.end()) return std::nullopt;
-  return Complaint{"the line " + real_text(*twice) + " stands twice", "each line once", ""};
+  return Complaint{"the line " + real_text(*twice) + " is listed twice", "each line once", ""};
 }
 
 std::optional<Complaint> blur_complaint(const Scene& scene, const std::vector<double>& width_deg) {

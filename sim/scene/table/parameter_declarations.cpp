@@ -19,8 +19,8 @@ std::optional<Complaint> element_name_complaint(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
   if (!is_plain)
-    return Complaint{"the name '" + name + "' cannot stand in a path such as sheet.main.energy_kev", expected,
-                     ""};
+    return Complaint{"the name '" + name + "' cannot be used in a path such as sheet.main.energy_kev",
+                     expected, ""};
   for (const RepeatedTable& repeated : repeated_tables())
     if (find_declaration(repeated.table, name) != nullptr)
       return Complaint{"the name '" + name + "' is also a key of [[" + repeated.table + "]]",

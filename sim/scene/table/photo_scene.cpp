@@ -113,7 +113,7 @@ void refuse_sky_elsewhere(const Scene& scene, const PhotoEntry& entry, const Sce
     }
     const std::string what = kind.repeated.empty() ? "[" + kind.table + "]" : "[[" + kind.table + "]]";
     complain({"taken from another site, where the scene's " + what +
-                  " would stand elsewhere: only aurora and volumes on the ground are carried over",
+                  " would be elsewhere: only aurora and volumes on the ground are carried over",
               "photographs of it from one site", "leave the site out of the photograph's set"},
              origin);
   }

@@ -43,11 +43,10 @@ Twilight twilight_at(const Scene& scene) {
   twilight.sun_elevation_deg = at.elevation_deg;
   twilight.shown = at.elevation_deg >= kLowestSun_deg;
   if (at.elevation_deg > kHighestSun_deg)
-    refuse_scene_key(scene.file, "twilight.sun",
-                     "the sun stands at an elevation of " + std::to_string(std::lround(at.elevation_deg)) +
-                         " degrees then",
-                     "at most -5, up to where the twilight sky was measured",
-                     "set site.time_utc to a darker time");
+    refuse_scene_key(
+        scene.file, "twilight.sun",
+        "the sun is at an elevation of " + std::to_string(std::lround(at.elevation_deg)) + " degrees then",
+        "at most -5, up to where the twilight sky was measured", "set site.time_utc to a darker time");
   return twilight;
 }
 

@@ -126,7 +126,7 @@ TEST(MapFit, RefusesAPictureWithoutLight) {
   const Photo noise = tests::photo_of(dark, 0.0015, 6);
   const std::string text =
       tests::expect_error(sim::ErrorKind::unreadable_input, [&] { map_photos(dark, {noise}, quick()); });
-  EXPECT_NE(text.find("no light stands above the noise"), std::string::npos) << text;
+  EXPECT_NE(text.find("no light is above the noise"), std::string::npos) << text;
 }
 
 TEST(MapFit, RefusesACameraThatLooksDown) {

@@ -216,7 +216,7 @@ TEST(HorizonCalibration, RefusesPointsThatTellNothing) {
   says(refusal(bad), "outside of the picture");
   bad = good;
   bad.points = {{1500.0, 100.0}, {1500.0, 1900.0}};
-  says(refusal(bad), "stands upright");
+  says(refusal(bad), "is vertical");
   bad = good;
   bad.hfov_deg.reset();
   says(refusal(bad), "straight horizon says nothing");

@@ -48,7 +48,7 @@ void expect_back(const sim::Camera& truth, const fit::LensSettings& settings) {
   EXPECT_EQ(found.maps->without_image, 0);
   EXPECT_LT(found.maps->largest_px, 1e-3);
   EXPECT_EQ(found.used(), static_cast<int>(found.stars.size()));
-  for (const std::string& warning : found.warnings) EXPECT_EQ(warning.find("stand for"), std::string::npos);
+  for (const std::string& warning : found.warnings) EXPECT_EQ(warning.find("reproduce"), std::string::npos);
   EXPECT_EQ(found.camera.model, truth.model);
   EXPECT_EQ(found.camera.mirrored, truth.mirrored);
   const sim::Camera camera = fit::scene_camera_of(found);
@@ -106,7 +106,7 @@ TEST(MapCalibration, RefusesMapsThatTellNoCamera) {
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x)
       if (x < 60 || x > 64) map.elevation_deg[map.index(x, y)] = std::numeric_limits<float>::quiet_NaN();
-  expect_words(sim::ErrorKind::unreadable_input, {"az.fits", "all points of the maps stand on one line"},
+  expect_words(sim::ErrorKind::unreadable_input, {"az.fits", "all points of the maps are on one line"},
                [&] { fit::calibrate_maps(only(LensModel::equidistant), map, "az.fits"); });
 }
 
@@ -119,7 +119,7 @@ TEST(MapCalibration, SaysWhenNoCameraStandsForTheMaps) {
   const fit::Calibration found = fit::calibrate_maps(only(LensModel::equidistant), map, "maps");
   EXPECT_GT(found.maps->largest_px, 1.0);
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings.back().find("does not stand for the maps"), std::string::npos);
+  EXPECT_NE(found.warnings.back().find("does not reproduce the maps"), std::string::npos);
 }
 
 }  // namespace

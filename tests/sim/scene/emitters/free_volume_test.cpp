@@ -147,7 +147,7 @@ set.camera.azimuth_deg = 10
 )";
   EXPECT_EQ(parse_scene(text, "volumes.toml").fit.photos.size(), 2u);
   const ErrorDetails details = error_of(text + "set.site.latitude_deg = 68\n");
-  EXPECT_NE(details.problem.find("[sun] would stand elsewhere"), std::string::npos) << details.problem;
+  EXPECT_NE(details.problem.find("[sun] would be elsewhere"), std::string::npos) << details.problem;
   EXPECT_EQ(details.line, 10);
 }
 
