@@ -26,7 +26,7 @@ struct CurveStep {
   int curves = 0;     ///< of this model
   double chi2 = 0.0;  ///< where it has settled
   int values = 0, unknowns = 0;
-  double bic_lower_by = 0.0;  ///< than the model before it: above 0 it speaks for the change
+  double bic_lower_by = 0.0;  ///< than the model before it: above 0 it favours the change
   bool kept = true;           ///< whether the change has stayed
 };
 

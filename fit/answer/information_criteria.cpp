@@ -62,7 +62,7 @@ std::string compared_in_words(const FittedModel& one, const FittedModel& two) {
                        evidence_words(bic));
   const double aicc = (first ? b.aicc - a.aicc : a.aicc - b.aicc);  // above 0: for the better one too
   if (bic > kMention && std::isfinite(aicc) && aicc < -kMention)
-    text += fmt::format("; AICc, which asks less of a parameter, speaks for {}, lower by {}", worse.name,
+    text += fmt::format("; AICc, whose penalty on parameters is smaller, prefers {}, lower by {}", worse.name,
                         amount(-aicc));
   return text;
 }

@@ -39,7 +39,7 @@ std::vector<double> lengths_along(const Ridge& ridge) {
 
 double light_per_km(const RidgePoint& p) { return p.flux_mw_m2 * p.width_km; }
 
-/// Means over the stretch of a ridge that a chosen point speaks for: half the way to its neighbours.
+/// Means over the stretch of a ridge that a chosen point represents: half the way to its neighbours.
 RidgePoint mean_about(const Ridge& ridge, const std::vector<double>& at, std::size_t before, std::size_t here,
                       std::size_t after) {
   const double low = 0.5 * (at[before] + at[here]), high = 0.5 * (at[here] + at[after]);

@@ -96,8 +96,7 @@ class RunDataset {
     if (!names.empty()) {
       dataset_.dimension("check", names.size());
       dataset_.text("check", "questions behind the verdict", {"check"}, names);
-      dataset_.flags("check_passed", "whether the answer speaks for the fit", {"no", "yes"}, {"check"},
-                     passed);
+      dataset_.flags("check_passed", "whether the answer supports the fit", {"no", "yes"}, {"check"}, passed);
       dataset_.text("check_words", "the answer", {"check"}, words);
     }
     const struct {

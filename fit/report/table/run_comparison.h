@@ -1,4 +1,4 @@
-// The same photograph fitted by different scenes: which of them it speaks for.
+// The same photograph fitted by different scenes: which of them it favours.
 #pragma once
 
 #include <string>

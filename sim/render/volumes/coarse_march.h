@@ -13,7 +13,7 @@ namespace vegard::sim {
 using EndsOfRays = std::function<std::vector<float>(const FilmGeometry& film)>;
 
 /// The light of a film by that of one with cells `shrink` times as wide and high
-/// (sim/view/film/depth_upsampling.h). Cells that no coarse ray speaks for, at the edges of what stands in
+/// (sim/view/film/depth_upsampling.h). Cells that no coarse ray represents, at the edges of what stands in
 /// the scene and of the lens's picture, are marched by themselves.
 VolumeLight march_coarsely(const FilmGeometry& film, int shrink, const EndsOfRays& ends,
                            const MarchCells& march, int threads);

@@ -74,8 +74,8 @@ TEST(InformationCriteria, SpeakInWords) {
   // A gain of 20 for 5 parameters: AICc 10 less, BIC 14.5 more.
   EXPECT_EQ(
       compared_in_words(one, {"two sheets", 480.0, 1000, 15, 1.0}),
-      "one sheet explains it better than two sheets: BIC lower by 15 (very strong evidence); AICc, which "
-      "asks less of a parameter, speaks for two sheets, lower by 9.7");
+      "one sheet explains it better than two sheets: BIC lower by 15 (very strong evidence); AICc, whose "
+      "penalty on parameters is smaller, prefers two sheets, lower by 9.7");
   EXPECT_EQ(
       compared_in_words(one, {"two sheets", 466.0, 1000, 15, 1.0}),
       "one sheet and two sheets explain it equally well: BIC differs by 0.54 (not worth more than a bare "
