@@ -2,10 +2,10 @@
 //
 // After P. J. Cargill (1994, ApJ 422, 381) and Cargill, Mariska and Antiochos (1995, ApJ 439, 1034), with the
 // constants of Cargill (2014, ApJ 784, 49): Spitzer's conductivity kappa0 T^(5/2), kappa0 = 1e-6, and
-// radiation chi n² T^(-1/2), chi = 6e-20, in erg, cm, s and K. chi is ESTIMATED: the losses that EBTEL takes
-// (Klimchuk, Patsourakos and Cargill 2008, ApJ 682, 1351) are 3.2, 2.0 and 2.9 times as large at 1, 3 and 10
-// MK, with which radiation cools as much sooner. Of a strand of the half length L with n0
-// electrons per cm^3, heated to T0,
+// radiation chi n² T^(-1/2), chi = 6e-20, in erg, cm, s and K (both as in synthesizAR's copy of equation A2).
+// chi is uncertain by a factor of 2 to 3: the losses that EBTEL takes (Klimchuk, Patsourakos and Cargill
+// 2008, ApJ 682, 1351) are 3.2, 2.0 and 2.9 times as large at 1, 3 and 10 MK, with which radiation cools as
+// much sooner. Of a strand of the half length L with n0 electrons per cm^3, heated to T0,
 //   tau_c = 3 k n0 L² / (kappa0 T0^(5/2)),   tau_r = 3 k T0^(3/2) / (chi n0).
 // Conduction takes the heat down to the chromosphere, which boils up into the strand at the pressure that was
 // (S. K. Antiochos and P. A. Sturrock 1978, ApJ 220, 1137):
