@@ -359,12 +359,12 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
                               : "With care") +
           "</div><div class=\"line\">" + sim::html_text(verdict_line(verdicts)) +
           "</div></div></div>\n<main>\n";
-  html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) + "</section>\n";
   html +=
       "<section><h2>Where electrons fall</h2>\n<p>Energy flux and energy on the ground's cells, at the feet "
       "of the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
       "class=\"plots\">" +
       maps(result, curtains) + "</div></section>\n";
+  html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) + "</section>\n";
   for (const MappedPhoto& photo : result.photos)
     html += "<section><h2>The picture" + (photo.name.empty() ? "" : " " + sim::html_text(photo.name)) +
             "</h2>\n<p>chi2 " + sim::short_number(photo.chi2, 4) + " over " + std::to_string(photo.values) +

@@ -1,5 +1,7 @@
 #include "fit/report/report_html.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "fit/answer/light_source_names.h"
@@ -35,22 +37,29 @@ std::string verdict_word(Verdict verdict) {
   return {};
 }
 
-/// What the verdict has asked; in words what was found where that is not among the reasons already.
+/// What the verdict has asked, folded up; in words what was found where that is not among the reasons
+/// already.
 std::string checks_list(const FitResult& result) {
   if (result.checks.empty()) return {};
-  std::string html = "<ul class=\"checks\">\n";
+  const auto passed = std::count_if(result.checks.begin(), result.checks.end(),
+                                    [](const Check& check) { return check.passed; });
+  std::string html =
+      fmt::format("<details><summary>{} of {} checks passed</summary>\n<ul class=\"checks\">\n", passed,
+                  result.checks.size());
   for (const Check& check : result.checks)
     html += std::string("<li class=\"") + (check.passed ? "passed" : "missed") + "\"><b>" +
             (check.passed ? "\u2713 " : "\u2717 ") + sim::html_text(check.name) + "</b> " +
             sim::html_text(check.passed ? check.words : "not passed") + "</li>\n";
-  return html + "</ul>";
+  return html + "</ul></details>";
 }
 
-/// The verdict on top; reasons that its line does not tell already stand below it.
+/// The verdict on top: the answer in a sentence and why to believe it in another; reasons that its line does
+/// not have come below it.
 std::string verdict_band(const FitResult& result) {
   std::string html = std::string("<div class=\"verdict ") + verdict_name(result.verdict) +
                      "\"><div>\n<div class=\"word\">" + verdict_word(result.verdict) +
-                     "</div>\n<div><div class=\"line\">" + sim::html_text(result.verdict_line) + "</div>";
+                     "</div>\n<div><div class=\"answer\">" + answer_sentence(result) +
+                     "</div><div class=\"line\">" + sim::html_text(result.verdict_line) + "</div>";
   std::string reasons;
   for (const std::string& reason : result.reasons)
     if (result.verdict_line.find(reason) == std::string::npos)

@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
+#include "fit/answer/light_source_names.h"
 #include "fit/version.h"
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
@@ -90,6 +94,25 @@ std::string derived_cards(const FitResult& result) {
              sim::html_text(d.trust_reason) + "</div></div>\n";
   }
   return cards.empty() ? cards : "<div class=\"cards\">\n" + cards + "</div>\n";
+}
+
+std::string answer_sentence(const FitResult& result) {
+  constexpr int kMaxNumbers = 4;
+  for (const Trust trust : {Trust::good, Trust::doubtful}) {
+    std::vector<std::string> numbers;
+    for (const DerivedNumber& d : result.derived)
+      if (!d.is_detail && d.why_none.empty() && d.trust == trust && numbers.size() < kMaxNumbers)
+        numbers.push_back("the " + sim::html_text(d.name) + " is <b>" +
+                          with_unit(sim::number_with_error(d.value, d.error()), d.unit) + "</b>");
+    if (numbers.empty()) continue;
+    std::string sentence = trust == Trust::good ? "By this fit " : "By this fit, with doubt, ";
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      sentence += (i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ") + numbers[i];
+    return sentence + ".";
+  }
+  return result.derived.empty()
+             ? std::string()
+             : "This fit determines no number of the " + light_noun(result.best) + " well enough to be used.";
 }
 
 std::string derived_table(const FitResult& result) {

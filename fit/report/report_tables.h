@@ -10,6 +10,10 @@ namespace vegard::fit {
 /// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
 std::string derived_cards(const FitResult& result);
 
+/// The numbers that a reader wants first, in a sentence: up to four of those that are good, else of those
+/// that are doubtful. A photograph that determines none has a sentence that says so.
+std::string answer_sentence(const FitResult& result);
+
 /// What has no card: details, and what is unconstrained, with the reason; empty if there is nothing.
 std::string derived_table(const FitResult& result);
 
