@@ -268,8 +268,7 @@ void add_photometry_command(Program& program) {
   command
       .option("--extinction", options->extinction,
               "Of the air: found with the factor (stars), that of the standard air (air), or magnitudes per "
-              "airmass "
-              "(default: stars where they are at enough different elevations, else air)")
+              "airmass (default: stars where they are at enough different elevations, else air)")
       .type_name("stars|air|MAG");
   command.option("--catalogue-magnitude", options->settings.faintest, "Faintest star that is measured")
       .finite_range(-2.0, 6.0)

@@ -68,8 +68,7 @@ Calibration calibrate_maps(const LensSettings& settings, const sim::DirectionMap
   if (calibration.maps->largest_px > kStandsFor_px || calibration.maps->without_image > 0)
     calibration.warnings.push_back(
         "the camera does not reproduce the maps everywhere: do both belong to one camera, in degrees from "
-        "north "
-        "to the east and above the horizon, or is its lens another?");
+        "north to the east and above the horizon, or is its lens another?");
   return calibration;
 }
 

@@ -379,8 +379,7 @@ std::string border_page(const Border& border, const Photo& photo, const sim::Sce
   for (const std::string& note : border.notes) html += "<p>" + sim::html_text(note) + "</p>\n";
   html +=
       "<p>The border is where the light has fallen to half of its peak, above the sky beneath. Its elevation "
-      "is "
-      "measured; its altitude is not, so that distances are given for four of them.</p>\n</section>\n";
+      "is measured; its altitude is not, so that distances are given for four of them.</p>\n</section>\n";
   const double shape = static_cast<double>(photo.linear.height) / std::max(1, photo.linear.width);
   html += "<section><h2>Pictures</h2>\n<div class=\"plots\">" +
           one_border_panel(border_photo_panel(border, photo, scene), kBorderPanel_px,

@@ -33,13 +33,11 @@ struct Band {
 
 constexpr const char* kEquilibrium =
     "where the ion is most abundant in CHIANTI's ionisation equilibrium (chianti.ioneq of the database: Fe "
-    "IX "
-    "5.88, X 6.02, XII 6.18, XIV 6.29, XV 6.35), to 0.05";
+    "IX 5.88, X 6.02, XII 6.18, XIV 6.29, XV 6.35), to 0.05";
 constexpr const char* kTransitionRegion =
     "8 10^4 K, the upper end of the 6 to 8 10^4 K that the Extreme ultraviolet Imaging Telescope's team "
-    "gives "
-    "for its band (SOHO, 13 May 2004); ESTIMATED to 0.2, since He+ is most abundant at 4.69 in CHIANTI's "
-    "equilibrium, in which helium is not";
+    "gives for its band (SOHO, 13 May 2004); ESTIMATED to 0.2, since He+ is most abundant at 4.69 in "
+    "CHIANTI's equilibrium, in which helium is not";
 constexpr const char* kAiaBand =
     "as table 1 of the Atmospheric Imaging Assembly has its band (Lemen et al. 2012, Sol. Phys. 275, 17), to "
     "0.1; CHIANTI's equilibrium has Fe XIV 6.29, XVI 6.44, XVIII 6.85, XXI 7.06";
