@@ -18,7 +18,7 @@ h1 { margin: 2px 0 0; font-size: 30px; font-weight: 600; letter-spacing: -0.01em
 .verdict { color: #fff; }
 .verdict > div { max-width: 1180px; margin: 0 auto; padding: 18px 28px; display: flex; gap: 20px; align-items: baseline; }
 .verdict .word { font-size: 24px; font-weight: 700; white-space: nowrap; }
-.verdict .answer { font-size: 19px; } .verdict .line { font-size: 15px; margin-top: 6px; }
+.verdict .answer { font-size: 19px; } .verdict .unit { color: inherit; } .verdict .line { font-size: 15px; margin-top: 6px; }
 .verdict summary { cursor: pointer; font-size: 14px; margin-top: 10px; }
 .verdict ul { margin: 6px 0 0; padding-left: 20px; font-size: 15px; }
 .verdict .checks { list-style: none; padding: 0; margin-top: 12px; font-size: 13px; columns: 2 340px; column-gap: 28px; opacity: 0.92; }

@@ -97,17 +97,29 @@ std::string derived_cards(const FitResult& result) {
 }
 
 std::string answer_sentence(const FitResult& result) {
-  constexpr int kMaxNumbers = 4;
+  constexpr std::size_t kMaxNumbers = 3;
   for (const Trust trust : {Trust::good, Trust::doubtful}) {
-    std::vector<std::string> numbers;
+    std::vector<const DerivedNumber*> numbers;
     for (const DerivedNumber& d : result.derived)
       if (!d.is_detail && d.why_none.empty() && d.trust == trust && numbers.size() < kMaxNumbers)
-        numbers.push_back("the " + sim::html_text(d.name) + " is <b>" +
-                          with_unit(sim::number_with_error(d.value, d.error()), d.unit) + "</b>");
+        numbers.push_back(&d);
     if (numbers.empty()) continue;
-    std::string sentence = trust == Trust::good ? "By this fit " : "By this fit, with doubt, ";
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      sentence += (i == 0 ? "" : i + 1 == numbers.size() ? " and " : ", ") + numbers[i];
+    // "of the main sheet" once, where all are its.
+    const std::string& first = numbers.front()->name;
+    std::string whose = first.substr(std::min(first.size(), first.rfind(" of ")));
+    for (const DerivedNumber* d : numbers)
+      if (d->name.size() < whose.size() || d->name.substr(d->name.size() - whose.size()) != whose)
+        whose.clear();
+    std::string sentence = trust == Trust::good ? "By this fit" : "By this fit, with doubt";
+    if (!whose.empty()) sentence += ", for" + sim::html_text(whose.substr(3)) + ",";
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const DerivedNumber& d = *numbers[i];
+      sentence += (i == 0                    ? " the "
+                   : i + 1 == numbers.size() ? " and the "
+                                             : ", the ") +
+                  sim::html_text(d.name.substr(0, d.name.size() - whose.size())) + " is <b>" +
+                  with_unit(sim::number_with_error(d.value, d.error()), d.unit) + "</b>";
+    }
     return sentence + ".";
   }
   return result.derived.empty()

@@ -10,7 +10,7 @@ namespace vegard::fit {
 /// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
 std::string derived_cards(const FitResult& result);
 
-/// The numbers that a reader wants first, in a sentence: up to four of those that are good, else of those
+/// The numbers that a reader wants first, in a sentence: up to three of those that are good, else of those
 /// that are doubtful. A photograph that determines none has a sentence that says so.
 std::string answer_sentence(const FitResult& result);
 
