@@ -155,7 +155,8 @@ TEST(ParameterTable, EveryValueIsReachedByItsPathSetAndReadBack) {
         text = old == "true" ? "false" : "true";
         break;
       case ParameterKind::text:
-        text = path.row->key == "name"           ? "\"other\""
+        text = path.text == "body.name"          ? "\"own\""
+               : path.row->key == "name"         ? "\"other\""
                : path.row->key == "response"     ? "\"nikon_d700\""
                : path.row->key == "time_utc"     ? "\"2019-09-01T05:00:00Z\""
                : path.text == "fit.decoding"     ? "\"gamma:2.2\""
@@ -374,7 +375,8 @@ TEST(Validate, RefusesScenesMadeByHand) {
   scene.footprints.resize(1);
   scene.footprints[0].profile = ProfileKind::file;  // a sheet may have it
   EXPECT_EQ(validate_error(scene).problem, "\"file\" is not one of the choices");
-  EXPECT_EQ(validate_error(scene).expected, "\"maxwellian\" or \"mono\" or \"gaussian\" or \"form\"");
+  EXPECT_EQ(validate_error(scene).expected,
+            "\"maxwellian\" or \"mono\" or \"gaussian\" or \"form\" or \"layer\"");
 
   scene = Scene();
   scene.fit.roi_px = {10, 10, 0, 20};
