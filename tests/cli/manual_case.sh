@@ -38,7 +38,9 @@ complete_in_bash() {  # WORDS...: the last is the one that is typed
     COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _vegard; printf "%s\n" "${COMPREPLY[@]}"' bash vegard "$@"
 }
 completes() {  # WANTED WORDS...
-  complete_in_bash "${@:2}" | grep -qxF -- "$1" || fail "bash does not complete ${*:2} to $1: $(complete_in_bash "${@:2}" | tr '\n' ' ')"
+  local found  # whole, before grep ends: a pipe that is closed early is an error too
+  found=$(complete_in_bash "${@:2}")
+  grep -qxF -- "$1" <<<"$found" || fail "bash does not complete ${*:2} to $1: ${found//$'\n'/ }"
 }
 completes render ren
 completes run survey r
