@@ -87,6 +87,7 @@ refused params --markdown
 refused params "$small"
 refused lines
 refused lines --csv
+refused bodies
 mkdir night
 cp "$SCENES/map_light.toml" night/scene.toml && cp band.png night/20190301_221000.png
 printf '[survey]\nname = "night"\nwork = ["border"]\nscene = "scene.toml"\n[[camera]]\nname = "a"\nframes = ["."]\n' >night/survey.toml
