@@ -241,7 +241,8 @@ std::string brightness_json(const sim::BrightnessReport& report) {
     json["ground"] = {{"illuminance_lx", report.ground->lux()},
                       {"aurora_lx", report.ground->aurora_lx},
                       {"night_sky_lx", report.ground->night_sky_lx},
-                      {"stars_lx", report.ground->stars_lx}};
+                      {"stars_lx", report.ground->stars_lx},
+                      {"full_moons", report.ground->lux() / sim::kFullMoon_lx}};
   json["sensor"] = sensor_json(report);
   using Handler = ordered_json::error_handler_t;
   std::string text = json.dump(2, ' ', false, Handler::replace);

@@ -89,6 +89,7 @@ CALLS = {
         "invert --line 427.8=2300±50 --line 557.7=12400±300 --line 630.0=330±15 -o out.json", result=True, free=r".*"
     ),
     "params": Call("params small.toml", result=True, free=r".*"),
+    "bodies": Call("bodies", result=True, free=r"from: .*|400 km high"),
     "lines": Call("lines", result=True, free=r"lives .*|light: .*|doi:.*"),
     "manual": Call("manual render", result=True, free=r".*"),
 }
@@ -192,11 +193,11 @@ def check_numbers(name, text, answer, free):
     """Each number of the text is in the object, rounded as the text has it; of per cent, kR, MW and the like the number without is enough."""
     known = list(numbers_in(answer))
     for line in text.splitlines():
-        for word, unit in re.findall(r"(?<![\w.])([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\w.]*\w)( %| [kM][RW]\b| mcd\b)?", re.sub(free, "", re.sub(NO_NUMBERS, "", line))):
+        for word, unit in re.findall(r"(?<![\w.])([-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?![\w.]*\w)( %| [kM][RW]\b| mcd\b| [mµ]lx\b)?", re.sub(free, "", re.sub(NO_NUMBERS, "", line))):
             value = float(word)
             mantissa, _, exponent = word.partition("e")
             half = 0.5000001 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
-            scales = (1.0, 100.0 if unit == " %" else {"k": 1e-3, "M": 1e-6, "m": 1e3}.get(unit[1:2], 1.0))
+            scales = (1.0, 100.0 if unit == " %" else {"k": 1e-3, "M": 1e-6, "m": 1e3, "µ": 1e6}.get(unit[1:2], 1.0))
             if not any(abs(scale * k - value) <= half for k in known for scale in scales):
                 fail(f"{name} --json has no {word} of: {line}")
 
