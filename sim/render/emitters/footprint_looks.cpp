@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "sim/base/number/constants.h"
@@ -40,28 +41,25 @@ double mean_level(const Scene& scene, const Footprint& f, const std::vector<doub
   return sum / static_cast<double>(instants.size());
 }
 
-/// Instants of an interval of age, evenly in the logarithm of the age, before those of the exposure in turn:
-/// at least `wanted`, as many for each of the exposure's; but at most `max`, before as many of the
-/// exposure's, evenly through it, where it has more.
+/// Instants of an interval of age: the exposure's less ages that are even in their logarithm, in groups of
+/// neighbours, of which each is its mean. At least `wanted` groups, as many as there are instants or a
+/// multiple of it, so that no group holds what lies far apart; but at most `max`.
 std::vector<double> past(const std::vector<double>& instants, const AgeIntervals& ages, int age,
                          double wanted, int max) {
-  std::vector<double> all;
   const int ends = static_cast<int>(instants.size());
   int count = max;
   if (ends <= max) {
-    const int most_each = max / ends;
-    count =
-        ends * static_cast<int>(std::clamp(std::ceil(wanted / ends), 1.0, static_cast<double>(most_each)));
+    const double most_each = max / ends;  // whole
+    count = ends * static_cast<int>(std::clamp(std::ceil(wanted / ends), 1.0, most_each));
   }
-  const auto end_s = [&](int k) {
-    if (count >= ends) return instants[k % ends];
-    const double place = (k + 0.5) * ends / count - 0.5;  // between two of the exposure's
-    const int before = static_cast<int>(place);
-    return instants[before] +
-           (place - before) * (instants[std::min(before + 1, ends - 1)] - instants[before]);
-  };
-  for (int k = 0; k < count; ++k) all.push_back(end_s(k) - ages.age_s(age, (k + 0.5) / count));
-  return all;
+  std::vector<double> fine;
+  for (const double instant : instants)
+    for (int k = 0; k < count; ++k) fine.push_back(instant - ages.age_s(age, (k + 0.5) / count));
+  std::sort(fine.begin(), fine.end());
+  std::vector<double> means;
+  for (auto first = fine.begin(); first != fine.end(); first += ends)
+    means.push_back(std::accumulate(first, first + ends, 0.0) / ends);
+  return means;
 }
 
 /// Without a past.
@@ -154,7 +152,7 @@ std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& 
   const std::vector<double> ends = is_of_sheets(f) ? std::vector<double>{scene.time.start_s} : instants;
   for (int age = 1; age < ages.count(); ++age) {
     const double stretch_s = ages.age_s(age, 1.0) - ages.age_s(age, 0.0);
-    const double wanted = std::ceil(kLooksPerChange * stretch_s / change_s);
+    const double wanted = std::ceil(kLooksPerChange * (stretch_s + ends.back() - ends.front()) / change_s);
     add_parts(scene, f, past(ends, ages, age, wanted, max_looks(f)), shares[age], looks);
   }
   return looks;
@@ -173,7 +171,8 @@ double map_bytes(const Scene& scene, const Footprint& f, std::size_t number_byte
     cells += (std::ceil((f.size_km.east + std::abs(f.drift_km_s.east) * way_s) / f.cell_km) + 1.0) *
              (std::ceil((f.size_km.north + std::abs(f.drift_km_s.north) * way_s) / f.cell_km) + 1.0);
   }
-  return cells * bytes_per_cell(f, number_bytes);
+  // The map around the Earth has no derivatives.
+  return cells * bytes_per_cell(f, f.shape == FootprintShape::shell ? sizeof(double) : number_bytes);
 }
 
 }  // namespace vegard::sim

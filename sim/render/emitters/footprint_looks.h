@@ -22,8 +22,8 @@ struct FootprintLook {
 /// All that add up to the light of an exposure. A footprint of colours shines at once, and so does everything
 /// where emission.lag is "none". In an interval of age a footprint of a box that only drifts is looked at 64
 /// times at most, a curtain 16 times, one whose map must be made again each time 8 times, one around the
-/// Earth, or whose flow must be followed, 4 times: each instant of an exposure as often as the others, or so
-/// many of them, evenly through it, where it has more.
+/// Earth, or whose flow must be followed, 4 times: the past of all of an exposure's instants in so many
+/// groups of neighbours. Each instant counts alike.
 std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& footprint);
 
 /// What the maps of all looks take in memory, in bytes, with numbers of this size.

@@ -200,10 +200,13 @@ void check_memory_of_looks(const Scene& scene, const Footprint& f, std::size_t n
   const double bytes = map_bytes(scene, f, number_bytes);
   // make_plane_footprint() refuses one map that is too large by itself.
   if (bytes <= std::max(kMaxMapBytes, map_cells(f) * bytes_per_cell(f, number_bytes))) return;
-  const std::string key = "footprint." + f.name + ".cell_km";
+  const bool is_shell = f.shape == FootprintShape::shell;
+  const std::string key = "footprint." + f.name + (is_shell ? ".face_cells" : ".cell_km");
   complain({"the footprint's maps of the exposure's instants, and of the past whose light lags, would take " +
                 short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB",
-            "at most 4 GB", "a larger cell_km, fewer time.instants, or emission.lag = \"none\""},
+            "at most 4 GB",
+            std::string(is_shell ? "fewer face_cells" : "a larger cell_km") +
+                ", fewer time.instants, or emission.lag = \"none\""},
            {scene.file, line_of(scene, key), key});
 }
 

@@ -130,6 +130,32 @@ TEST(FootprintLooks, CountEachInstantOfAnExposureAlike) {
     }
 }
 
+// Old light of an early instant is there as well as old light of a late one: in each interval of age the
+// looks reach nearly over the exposure and the interval together. Were the oldest before the last instant,
+// and the youngest before the first, they would reach over the difference of the two only.
+TEST(FootprintLooks, HaveEachAgeBeforeEachPartOfAnExposure) {
+  for (const std::string& text : {kArc + kDrift, kArc + kDrift + "model = \"curtain\"\n"})
+    for (const int instants : {8, 16, 32}) {
+      const Scene scene = scene_of(text + "[time]\nexposure_s = 30\ninstants = " + std::to_string(instants));
+      const Footprint& f = scene.footprints[0];
+      const AgeIntervals ages(scene, f.top_km, soonest_change_s(scene, f));
+      const double exposure_s = 30.0 * (instants - 1) / instants;
+      std::vector<std::vector<double>> of_age(static_cast<std::size_t>(ages.count()));
+      const std::vector<LightShare> shares = ages.shares();
+      for (const FootprintLook& look : looks_of(scene))
+        for (std::size_t age = 1; age < of_age.size(); ++age)
+          if (look.of_lines == shares[age])
+            of_age[age].insert(of_age[age].end(), look.instants_s.begin(), look.instants_s.end());
+      for (int age = 1; age < ages.count(); ++age) {
+        const std::vector<double>& then = of_age[static_cast<std::size_t>(age)];
+        ASSERT_GE(then.size(), 8u);
+        const auto [first, last] = std::minmax_element(then.begin(), then.end());
+        const double age_s = ages.age_s(age, 1.0) - ages.age_s(age, 0.0);
+        EXPECT_GT(*last - *first, 0.7 * (exposure_s + age_s)) << text << instants << " age " << age;
+      }
+    }
+}
+
 // One map goes no further than the footprint is long, wherever instants lie.
 TEST(FootprintLooks, HaveMapsOfABoundedSize) {
   for (const int instants : {1, 2, 3, 8}) {

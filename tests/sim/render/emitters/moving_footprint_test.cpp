@@ -122,6 +122,23 @@ TEST(MovingFootprint, IsTheMeanOfItsInstantsInAnExposure) {
   }
 }
 
+// The same of light that lags, but for where its past is looked at: within 1 % of the brightest.
+TEST(MovingFootprint, IsTheMeanOfItsInstantsWithTheirPast) {
+  const std::string text = std::string(kArc) + "drift_km_s = [1.5, 0]\n";
+  for (const int instants : {3, 8}) {
+    const std::vector<double> exposed = light_of(parse_scene(
+        text + "[time]\nexposure_s = 60\ninstants = " + std::to_string(instants) + "\n", "a.toml"));
+    std::vector<double> mean(exposed.size(), 0.0);
+    for (int i = 0; i < instants; ++i) {
+      const std::vector<double> one = light_of(
+          parse_scene(text + "[time]\nstart_s = " + std::to_string(60.0 * i / instants) + "\n", "a.toml"));
+      for (std::size_t p = 0; p < mean.size(); ++p) mean[p] += one[p] / instants;
+    }
+    const double peak = *std::max_element(mean.begin(), mean.end());
+    for (std::size_t p = 0; p < mean.size(); ++p) EXPECT_NEAR(exposed[p], mean[p], 0.01 * peak) << instants;
+  }
+}
+
 TEST(MovingFootprint, HasNoiseThatBecomesAnotherWithoutAJump) {
   const std::string text = std::string(kNoise) + "noise_lifetime_s = 10\n" + kAtOnce + "[time]\nstart_s = ";
   const std::vector<double> first = light_of(parse_scene(text + "0\n", "a.toml")),
