@@ -215,6 +215,7 @@ sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& fre
 
 std::vector<Observation> observations_of(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                          const std::vector<const Photo*>& photos, int threads) {
+  sim::require_earth(scene, "a fit");
   std::vector<Observation> observations;
   if (scene.fit.photos.empty()) {
     assert(photos.size() == 1);

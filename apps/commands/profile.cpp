@@ -38,6 +38,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/scene/table/value_check.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/colour/sensor_response.h"
@@ -146,6 +147,7 @@ struct Measured {
 /// Of an observer above the air.
 std::optional<double> limb_observer_km(const std::optional<sim::Scene>& scene) {
   if (!scene || 1e-3 * scene->site.altitude_m < sim::kLimbObserverKm) return std::nullopt;
+  sim::require_earth(*scene, "the altitude of a tangent point");
   return 1e-3 * scene->site.altitude_m;
 }
 

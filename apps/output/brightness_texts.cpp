@@ -43,7 +43,7 @@ std::string sheet_text(const sim::SheetBrightness& sheet, int layers, const sim:
   std::string words =
       fmt::format("{}, {} kR of 557.7 nm, one layer", sim::brightness_class(green), plain(green));
   if (layers > 1) words += fmt::format("; up to {} kR where all {} meet", plain(layers * green), layers);
-  text += row("along the field", words);
+  if (green > 0.0) text += row("along the field", words);  // the class is that of the green line
   for (std::size_t l = 0; l < report.lines_nm.size(); ++l)
     text += row(l == 0 ? "one layer, by line" : "",
                 fmt::format("{:.1f} nm {:>9}", report.lines_nm[l], rayleighs(sheet.layer_rayleigh[l])));

@@ -12,6 +12,7 @@
 #include "fit/border/border_distance.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/table/value_check.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
@@ -545,6 +546,7 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
 }
 
 Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSettings& settings) {
+  sim::require_earth(scene, "the distance of a border");
   if (photo.linear.width != scene.camera.width || photo.linear.height != scene.camera.height)
     sim::refuse_key(sim::ErrorKind::scene, "camera.width",
                     "the camera is " + sim::size_text(scene.camera.width, scene.camera.height) +

@@ -57,6 +57,13 @@ void check_own_lines(const Scene& scene) {
       refuse({short_real_text(own.wavelength_nm) + " nm is the name of a set: " + listed->transition,
               "a wavelength that is not a set's", "vegard lines has them"},
              "wavelength_nm");
+    if (own.rayleigh_per_mw_m2 > 0.0 && own.scale_height_km == 0.0 &&
+        scale_height_km(scene.body, own.peak_km) < kThinnestLayer_km)
+      refuse({"the air of [body] gives a layer of " +
+                  short_real_text(scale_height_km(scene.body, own.peak_km)) + " km, which is too thin",
+              "at least " + short_real_text(kThinnestLayer_km) + " km",
+              "another air_temperature_k, air_mass_dalton or gravity_m_s2, or a scale_height_km of the line"},
+             "scale_height_km");
     if (own.follows_nm == 0.0) continue;
     const EmissionLine* followed = find_emission_line(own.follows_nm);
     if (followed == nullptr || !is_auroral(*followed))

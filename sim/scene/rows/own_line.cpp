@@ -28,7 +28,7 @@ std::vector<Declaration> own_line_rows() {
       row("rayleigh_per_mw_m2", &L::rayleigh_per_mw_m2).in("R per mW m⁻²").within(0, 1e9)
           .means("brightness of a layer of its own, from straight below; 0: none"),
       row("peak_km", &L::peak_km).in("km").within(80, 640).means("altitude at which that layer is brightest"),
-      row("scale_height_km", &L::scale_height_km).in("km").within(0, 500).rule(none_or_some_complaint)
+      row("scale_height_km", &L::scale_height_km).in("km").within(0, 500).rule(layer_complaint)
           .means("scale height of that Chapman layer; 0: that of the air of [body]"),
   };
   // clang-format on

@@ -69,6 +69,12 @@ std::optional<Complaint> none_or_some_complaint(double value) {
   return Complaint{short_real_text(value) + " is neither 0 nor enough", "0, or at least 0.001", ""};
 }
 
+std::optional<Complaint> layer_complaint(double scale_height_km) {
+  if (scale_height_km == 0.0 || scale_height_km >= kThinnestLayer_km) return std::nullopt;
+  return Complaint{"a layer of " + short_real_text(scale_height_km) + " km is too thin",
+                   "0, or at least " + short_real_text(kThinnestLayer_km), ""};
+}
+
 bool is_table_file(const std::string& value) {
   constexpr std::string_view kExtension = ".csv";
   return value.size() > kExtension.size() &&

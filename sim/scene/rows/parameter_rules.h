@@ -19,6 +19,9 @@ std::optional<Complaint> inclination_complaint(double inclination_deg);
 /// only lose what it belongs to in the rounding of the places and instants.
 std::optional<Complaint> none_or_some_complaint(double value);
 
+/// A layer's scale height: 0, or at least 0.5 km, below which it is thinner than the steps of altitude.
+std::optional<Complaint> layer_complaint(double scale_height_km);
+
 /// True for a text that names a table in a file; others are empty or names of what is built in.
 bool is_table_file(const std::string& value);
 

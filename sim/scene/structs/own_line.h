@@ -5,6 +5,9 @@
 
 namespace vegard::sim {
 
+/// Layers of a smaller scale height are thinner than the steps of altitude can have.
+inline constexpr double kThinnestLayer_km = 0.5;
+
 /// [[line]]: a line that emission_lines() lacks, or has with other numbers. How it shines: by a column of a
 /// sheet's profile file; else as `ratio` photons for each of the line that it follows; else in a layer of its
 /// own (sim/light/own_light.h).
