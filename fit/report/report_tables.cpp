@@ -122,7 +122,8 @@ std::string answer_sentence(const FitResult& result) {
     }
     return sentence + ".";
   }
-  return result.derived.empty()
+  const bool is_of_others = result.derived.empty() || result.verdict == Verdict::good;  // a camera, say
+  return is_of_others
              ? std::string()
              : "This fit determines no number of the " + light_noun(result.best) + " well enough to be used.";
 }

@@ -11,7 +11,7 @@ namespace vegard::fit {
 std::string derived_cards(const FitResult& result);
 
 /// The numbers that a reader wants first, in a sentence: up to three of those that are good, else of those
-/// that are doubtful. A photograph that determines none has a sentence that says so.
+/// that are doubtful. A fit that is not good and determines none has a sentence that says so.
 std::string answer_sentence(const FitResult& result);
 
 /// What has no card: details, and what is unconstrained, with the reason; empty if there is nothing.

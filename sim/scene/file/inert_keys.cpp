@@ -50,7 +50,7 @@ std::string problem_of(const Scene& scene, const ParameterPath& path) {
   if (table == "stars" && key == "faintest_magnitude" && scene.stars.source == StarSource::catalogue &&
       scene.stars.faintest_magnitude > kCatalogueEnds_mag)
     return "the catalogue's stars end at V = 6, so none that is fainter is "
-           "shown; stars.source = \"drawn\" "
+           "shown; stars.source = \"random\" "
            "has them";
   const auto complaint = inert_number_complaint(scene, path);
   return complaint ? complaint->problem : std::string();

@@ -48,7 +48,10 @@ std::optional<Complaint> why_own_line_is_inert(const Scene& scene, const Paramet
   const bool may_be_dark = std::all_of(scene.sheets.begin(), scene.sheets.end(), [](const Sheet& sheet) {
     return sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
   });
-  if (key == "wavelength_nm" && !follows && !has_layer && may_be_dark &&
+  const bool shines_otherwise = scene.sun.shown || !scene.nebulae.empty() || !scene.volumes.empty() ||
+                                !scene.loops.empty() || !scene.coronae.empty() || !scene.bundles.empty() ||
+                                !scene.ejections.empty();
+  if (key == "wavelength_nm" && !follows && !has_layer && may_be_dark && !shines_otherwise &&
       !(scene.sheets.empty() && scene.footprints.empty()))
     return Complaint{"nothing makes the line shine",
                      "follows_nm and ratio, rayleigh_per_mw_m2, or a column of it in a sheet's profile_file",
@@ -62,12 +65,35 @@ std::optional<Complaint> why_own_line_is_inert(const Scene& scene, const Paramet
   return std::nullopt;
 }
 
+/// Of a flux in a fit that frees what it is multiplied by.
+std::optional<Complaint> why_flux_is_replaced(const Scene& scene, const ParameterPath& path) {
+  const std::string& key = path.row->key;
+  const std::string expected = "a parameter that the light depends on";
+  if (path.row->table != sheet_table) return std::nullopt;
+  const Sheet& sheet = scene.sheets[path.sheet()];
+  if (key == "energy_flux_mw_m2" && sheet.course == SheetCourse::curve &&
+      has_free_brightness(scene, path.sheet()))
+    return Complaint{
+        "all of the sheet's point_brightness is free, so its energy flux has no effect: their "
+        "product is the light",
+        expected, "leave energy_flux_mw_m2 out of fit.free, or hold one of point_brightness"};
+  if (key == "energy_flux_mw_m2" && sheet.profile == ProfileKind::spline &&
+      has_free_spline(scene, path.sheet())) {
+    return Complaint{
+        "the sheet's spline_rate is free, so its energy flux has no effect: their product "
+        "is the light",
+        expected, "leave energy_flux_mw_m2 out of fit.free"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path) {
   for (const EmitterKind& kind : emitter_kinds())
     if (kind.why_inert != nullptr)
       if (auto complaint = kind.why_inert(scene, path)) return complaint;
+  if (auto complaint = why_flux_is_replaced(scene, path)) return complaint;
   return inert_number_complaint(scene, path);
 }
 
@@ -134,11 +160,6 @@ std::optional<Complaint> inert_number_complaint(const Scene& scene, const Parame
       if (key == of_points && !list->empty())
         return Complaint{"the sheet has point_" + key + ", so " + key + " has no effect", expected,
                          "leave it out of fit.free, or free numbers of point_" + key};
-    if (key == "energy_flux_mw_m2" && has_free_brightness(scene, path.sheet()))
-      return Complaint{
-          "all of the sheet's point_brightness is free, so its energy flux has no effect: their "
-          "product is the light",
-          expected, "leave energy_flux_mw_m2 out of fit.free, or hold one of point_brightness"};
   }
   if (key == "energy_kev" && sheet.profile == ProfileKind::file) {
     return Complaint{"the sheet's profile comes from a file, so the energy of its electrons has no effect",
@@ -158,13 +179,6 @@ std::optional<Complaint> inert_number_complaint(const Scene& scene, const Parame
   if (key == "energy_flux_mw_m2" && sheet.brightness_kilorayleigh > 0.0) {
     return Complaint{"the sheet's brightness is given, so its energy flux has no effect", expected,
                      "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"};
-  }
-  if (key == "energy_flux_mw_m2" && sheet.profile == ProfileKind::spline &&
-      has_free_spline(scene, path.sheet())) {
-    return Complaint{
-        "the sheet's spline_rate is free, so its energy flux has no effect: their product "
-        "is the light",
-        expected, "leave energy_flux_mw_m2 out of fit.free"};
   }
   if (key == "fold_stage" && sheet.fold_spacing_km == 0.0) {
     return Complaint{"the sheet has no folds, so their stage has no effect", expected,
