@@ -117,6 +117,14 @@ check_sources() {
         complain("netCDF belongs in sim/base/file/netcdf_file.cpp only")
       if (target ~ /^muParser/ && FILENAME != "sim/scene/freedom/expression.cpp")
         complain("muParser belongs in sim/scene/freedom/expression.cpp only")
+      if (target ~ /^hdf5/ && FILENAME != "sim/base/array/hdf5_file.cpp")
+        complain("HDF5 belongs in sim/base/array/hdf5_file.cpp only")
+      if (target ~ /^matio/ && FILENAME != "sim/base/array/mat_file.cpp")
+        complain("libmatio belongs in sim/base/array/mat_file.cpp only")
+      if (target ~ /^archive(_entry)?\.h/ && FILENAME != "sim/base/file/tar_file.cpp")
+        complain("libarchive belongs in sim/base/file/tar_file.cpp only")
+      if (target ~ /^boost\// && FILENAME != "fit/photo/camera_bodies.cpp")
+        complain("Boost belongs in fit/photo/camera_bodies.cpp only")
 
       # Rule 6: libraries do not print, physics does no input or output.
       if (library && target ~ /^(iostream|print|syncstream)$/) complain("libraries do not print (<" target ">)")
