@@ -6,6 +6,7 @@ namespace {
 /// The first positive bands of N2 between 570 and 900 nm that have a thousandth of their light or more: the
 /// populations of B3Pi measured in aurora (Gattinger and Vallance Jones 1974, Can. J. Phys. 52, 2343) times
 /// the Einstein coefficients of Vallance Jones 1974, "Aurora" (v' = 0 to 12). Wavelengths of the same book.
+/// How each upper level branches is checked against overlaps of Morse potentials; the populations are not.
 std::vector<LineComponent> first_positive_bands() {
   return {
       {590.6, 0.0020},  // (9,5)
