@@ -19,7 +19,8 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kBorderPanel_px = 520;
+constexpr int kBorderPanel_px = 520;  // of border.svg
+constexpr int kPagePanel_px = 390;    // two fit side by side on the page
 constexpr Colour kBorderAltitudeInk[4] = {{200, 60, 30}, {220, 140, 20}, {20, 130, 90}, {40, 90, 180}};
 constexpr Colour kBorderPeakInk{150, 158, 168}, kBorderGridInk{190, 196, 204};
 constexpr Colour kBorderTraceInk[6] = {{255, 60, 60},  {255, 170, 0},  {60, 220, 255},
@@ -366,27 +367,52 @@ std::string border_svg(const Border& border, const Photo& photo, const sim::Scen
   return plot_svg(plot);
 }
 
+std::string border_answer(const Border& border, const sim::Scene& scene) {
+  if (border.measured == 0) return "No lower border of the light could be measured.";
+  BorderSummary nearest = border_summary(border.traces[0], scene);  // those that are measured come first
+  for (int t = 1; t < border.measured; ++t) {
+    const BorderSummary s = border_summary(border.traces[static_cast<std::size_t>(t)], scene);
+    if (s.highest_deg > nearest.highest_deg) nearest = s;
+  }
+  return fmt::format(
+      "The nearest point of {} is {:.0f} ± {:.0f} km away, at azimuth {:.0f}°, if the border is 105 km high.",
+      border.measured == 1 ? std::string("the lower border")
+                           : fmt::format("{} lower borders", border.measured),
+      nearest.distance_km[2], nearest.distance_error_km[2], nearest.nearest_azimuth_deg);
+}
+
 std::string border_page(const Border& border, const Photo& photo, const sim::Scene& scene,
                         const BorderRunFacts& facts) {
   const std::string title = "Lower borders in " + photo.file_name;
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     sim::html_text(title) + "</title>\n<style>" + kReportStyle +
-                     "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " +
-                     sim::html_text(sim::version()) + "</p>\n<h1>" + sim::html_text(title) +
-                     "</h1></div></header>\n<main>\n<section><h2>What the photograph says</h2>\n";
+  const bool is_measured = border.measured > 0;
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+      sim::html_text(title) + "</title>\n<style>" + kReportStyle +
+      "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " + sim::html_text(sim::version()) +
+      "</p>\n<h1>" + sim::html_text(title) + "</h1></div></header>\n<div class=\"verdict " +
+      (is_measured ? "good" : "doubtful") + "\"><div>\n<div class=\"word\">" +
+      (is_measured ? "Measured" : "Not measured") + "</div>\n<div><div class=\"answer\">" +
+      sim::html_text(border_answer(border, scene)) + "</div><div class=\"line\">" +
+      (is_measured
+           ? std::string("Its elevation is measured, its altitude assumed: distances are given for four "
+                         "altitudes.")
+       : border.notes.empty() ? std::string()
+                              : sim::html_text(border.notes.front())) +
+      "</div></div></div></div>\n<main>\n";
+  const double shape = static_cast<double>(photo.linear.height) / std::max(1, photo.linear.width);
+  html += "<section><h2>Pictures</h2>\n<div class=\"plots\">" +
+          one_border_panel(border_photo_panel(border, photo, scene), kPagePanel_px,
+                           std::clamp(static_cast<int>(kPagePanel_px * shape), 160, 740)) +
+          one_border_panel(border_sky_panel(border), kPagePanel_px, 280) +
+          one_border_panel(border_map_panel(border, scene), kPagePanel_px, kPagePanel_px) +
+          "</div></section>\n";
+  html +=
+      "<section><h2>The traces</h2>\n<p>The border is where the light has fallen to half of its peak, "
+      "above the sky beneath.</p>\n";
   for (std::size_t t = 0; t < border.traces.size(); ++t)
     html += "<p>" + sim::html_text(border_sentence(border, t, scene)) + ".</p>\n";
   for (const std::string& note : border.notes) html += "<p>" + sim::html_text(note) + "</p>\n";
-  html +=
-      "<p>The border is where the light has fallen to half of its peak, above the sky beneath. Its elevation "
-      "is measured; its altitude is not, so that distances are given for four of them.</p>\n</section>\n";
-  const double shape = static_cast<double>(photo.linear.height) / std::max(1, photo.linear.width);
-  html += "<section><h2>Pictures</h2>\n<div class=\"plots\">" +
-          one_border_panel(border_photo_panel(border, photo, scene), kBorderPanel_px,
-                           std::clamp(static_cast<int>(kBorderPanel_px * shape), 160, 900)) +
-          one_border_panel(border_sky_panel(border), kBorderPanel_px, 320) +
-          one_border_panel(border_map_panel(border, scene), kBorderPanel_px, kBorderPanel_px) +
-          "</div></section>\n";
+  html += "</section>\n";
   if (!border.traces.empty())
     html +=
         "<section><h2>Elevations and distances</h2>\n<p>Every 5° of azimuth; all of them are in border.csv. "

@@ -1,4 +1,4 @@
-// Traced borders as a directory: border.csv, border.json, border.svg, report.html.
+// The directory of traced borders: border.csv, border.json, border.svg, report.html.
 #pragma once
 
 #include <string>
@@ -8,17 +8,16 @@
 
 namespace vegard::fit {
 
-/// A row for each point; distances and places for each of kBorderAltitudesKm. Empty cells where nothing is
-/// known: of places, too, where the scene does not say where the site is.
+/// Returns a table with a row for each point, with distances and places for each of kBorderAltitudesKm.
+/// Unknown values are empty cells; so are places if the scene does not give the site's position.
 std::string border_csv(const Border& border, const sim::Scene& scene);
 
 std::string border_json(const Border& border, const sim::Scene& scene, const BorderRunFacts& facts);
 
-/// Throws as write_border_run() would, without writing: to be asked before the work.
+/// Throws as write_border_run() would, without writing; to be called before the work.
 void check_border_directory(const std::string& directory, bool overwrite);
 
-/// Writes all of it; the directory appears whole or not at all. Throws sim::Error(existing_output,
-/// unwritable_output).
+/// Writes the directory, completely or not at all. Throws sim::Error(existing_output, unwritable_output).
 void write_border_run(const std::string& directory, bool overwrite, const Border& border, const Photo& photo,
                       const sim::Scene& scene, const BorderRunFacts& facts);
 

@@ -269,7 +269,21 @@ TEST(BorderTable, HasARowForEveryPoint) {
   const std::string csv = border_csv(border, scene);
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), points + 1);
   EXPECT_NEAR(border_summary(border.traces[0], scene).distance_km[2], 220.0, 4.0);
-  EXPECT_NE(border_page(border, photo, scene, {}).find("<svg"), std::string::npos);
+}
+
+TEST(BorderPage, OpensWithTheDistanceOfTheNearestBorder) {
+  const sim::Scene scene = phone();
+  const Photo photo = drawn(
+      scene, [](double a, double e) { return sky(e) + 0.4 * curtain(e, straight_deg(a)); }, 0.01);
+  const Border border = trace_border(photo, scene);
+  const std::string answer = border_answer(border, scene);
+  EXPECT_EQ(answer.rfind("The nearest point of the lower border is ", 0), 0u) << answer;
+  // The curtain's foot is drawn 220 km away, for a border 105 km high.
+  EXPECT_NEAR(std::stod(answer.substr(answer.find(" is ") + 4)), 220.0, 4.0) << answer;
+  const std::string page = border_page(border, photo, scene, {});
+  const std::size_t at = page.find(answer);
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(at, page.find("<svg"));
 }
 
 }  // namespace
