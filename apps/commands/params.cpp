@@ -77,10 +77,9 @@ std::string prose(const std::string& text) {
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
 std::string scale_word(const sim::ParameterRow& row) {
-  if (!row.can_be_free) return "";
   switch (row.scale) {
     case sim::ParameterScale::linear:
-      return "linear";
+      return "";
     case sim::ParameterScale::logarithmic:
       return "logarithmic";
     case sim::ParameterScale::angle:
@@ -123,6 +122,8 @@ std::string unit_that_key_lacks(const std::string& key, const std::string& unit)
   return has_it ? "" : unit;
 }
 
+constexpr const char* kMeaningOfNames = "name in paths";
+
 /// The entries of the page for one table of the scene. A vector is one entry: its components' names, and
 /// their defaults together.
 std::string entries_of_page(const std::string& table) {
@@ -134,20 +135,22 @@ std::string entries_of_page(const std::string& table) {
     std::size_t end = i;
     for (; end < rows.size() && rows[end].table == row.table && rows[end].key == row.key; ++end) {
       names += (end > i ? ", " : "") + rows[end].component;
-      defaults += (end > i ? ", " : "") + rows[end].default_text;
+      defaults += (end > i ? "," : "") + rows[end].default_text;
     }
     i = end;
     if (row.table != table) continue;
     const bool is_fixed_vector = names.find(',') != std::string::npos;
-    std::string entry = "- " + code(row.key);
-    if (is_fixed_vector) entry += " (" + names + ")";
-    entry += " " + code(is_fixed_vector ? "[" + defaults + "]" : defaults);
+    std::string entry = "- " + code(row.key + "=" + (is_fixed_vector ? "[" + defaults + "]" : defaults));
     const std::string unit = unit_that_key_lacks(row.key, row.unit);
     if (!unit.empty()) entry += " " + unit;
     std::string range = limits_of_page(row);
-    const std::string scale = scale_word(row);
-    if (!scale.empty()) range += (range.empty() ? "" : ", ") + scale;
-    if (!range.empty()) entry += " (" + prose(range) + ")";
+    if (const std::string scale = scale_word(row); row.can_be_free && !scale.empty()) range += ", " + scale;
+    if (is_fixed_vector) range = names + (range.empty() ? "" : "; " + range);
+    if (!range.empty()) entry += row.can_be_free ? " [" + prose(range) + "]" : " (" + prose(range) + ")";
+    if (row.meaning == std::string(kMeaningOfNames)) {  // the page says it once
+      text += entry + "\n";
+      continue;
+    }
     text += entry + ": " + prose(row.meaning) + "\n";
   }
   return text;
@@ -230,13 +233,12 @@ void answer_forms() {
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
-      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: its "
-      "default, its limits, which are inclusive, and the scale on which a fit varies it (without one it "
-      "cannot be free). A unit stands behind the default where the key does not end with it. A section is "
-      "a table of the file; those in double brackets may occur any number of times. `--set path=value`, "
-      "`fit.free` and the reports use paths: `camera.width`, `sheet.main.energy_kev` (with the sheet's "
-      "name, unless there is only one), `sheet.main.center_km.east` for a component. An integer may stand "
-      "for a number, but `3.0` is not an integer.\n";
+      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: `key=default`, the unit "
+      "where the key does not end with it, and the limits (inclusive). In [brackets] are the limits of a key "
+      "that a fit can vary, linearly unless they say otherwise. A section is a table of the file; those in "
+      "double brackets may occur any number of times, each with its `name`. `--set path=value`, `fit.free` "
+      "and reports use paths: `camera.width`, `sheet.main.energy_kev` (`main`: the sheet's name, which a "
+      "single sheet's path may leave out), `sheet.main.center_km.east`. `3.0` is no integer.\n";
   std::string table = "\n";  // no table's name, so that the first row begins a section
   for (const sim::ParameterRow& row : sim::parameter_table()) {
     if (row.table == table) continue;
@@ -247,14 +249,14 @@ std::string parameter_page() {
   }
   text +=
       "\n## Alternative forms\n\n"
-      "These keys are only for scene files. What stands for others is turned "
-      "into them on reading and never comes beside them; `start_km` comes with `end_km`, `focal_length_mm` "
-      "with `sensor_width_mm`.\n\n";
+      "Keys of scene files alone, which are turned into others on reading and never come beside them. "
+      "`start_km` needs `end_km`, `focal_length_mm` needs `sensor_width_mm`.\n\n";
   for (const sim::FileKey& key : sim::all_file_keys()) {
-    std::string entry = "- " + code(key_path_of(key));
+    std::string facts = key.type == "a number" || key.type == "a text" ? "" : prose(key.type);
     const std::string unit = unit_that_key_lacks(key.key, key.unit);
-    text += entry + " (" + prose(key.type) + (unit.empty() ? "" : ", " + unit) + "): " + prose(key.meaning) +
-            "\n";
+    if (!unit.empty()) facts += (facts.empty() ? "" : ", ") + unit;
+    text += "- " + code(key_path_of(key)) + (facts.empty() ? "" : " (" + facts + ")") + ": " +
+            prose(key.meaning) + "\n";
   }
   return text;
 }
@@ -275,18 +277,12 @@ bool is_default_of_sheet(const std::string& key, const std::string& value) {
 std::string forms_page() {
   std::string text =
       "# Auroral forms\n\n"
-      "This page is the output of `vegard params --forms`; a test compares the "
-      "two.\n\n"
-      "`form` in a `[[sheet]]` sets all keys below, to the [sheet's default](parameters.md#sheet) "
-      "where a form has none; the sheet's other keys override it. `--set sheet.main.form=drapery` sets "
-      "them again; a later `--set` of one of them counts. The forms are those of Baranoski et al. 2000, "
-      "section 2.3 (row B20 of [physics.md](physics.md)), with numbers in its ranges: arcs and bands 20 to "
-      "30 km tall between the tenths of their brightest light, rays 1 km wide or less and up to several "
-      "hundred tall, folds about 20 and curls 2 to 10 km apart. Place, direction, motion and lifetimes are "
-      "left to the scene, and so is the camera: a corona is a rayed band overhead, seen towards the "
-      "magnetic zenith.\n\n"
-      "A form's light is that of its electrons, whose energies give the source's "
-      "heights by our own emission tables. `profile = \"form\"` has the source's measured curve in its "
+      "What `form` in a `[[sheet]]` sets, by `vegard params --forms`; keys that a form does not name get the "
+      "[sheet's default](parameters.md#sheet), and the sheet's other keys override it. `--set "
+      "sheet.main.form=drapery` sets them again. The forms are those of Baranoski et al. 2000, section 2.3. "
+      "Place, direction, motion and lifetimes are left to the scene, and so is the camera: a corona is a "
+      "rayed band overhead, seen towards the magnetic zenith.\n\n"
+      "A form's light is that of its electrons. `profile = \"form\"` has the source's measured curve in its "
       "place, by `peak_km`, `lower_km` and `upper_km`, which otherwise have no effect.\n\n";
   for (const sim::Form& form : sim::forms()) {
     text += fmt::format("- **{}**: {}.", form.name, form.meaning);

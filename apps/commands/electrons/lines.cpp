@@ -90,11 +90,11 @@ void answer_lines() {
 std::string line_page() {
   std::string text =
       "# Emission lines\n\n"
-      "The lines that a scene can have (`emission.lines`, up to eight of them), by "
-      "`vegard lines --markdown`: species, transition, lifetime, and light. Light is the line's column of "
-      "the [emission tables](file_formats.md#emission-tables), or a ratio of photons to another column; "
-      "[nebulae](nebulae.md) and the Sun have neither, and electrons in the air do not excite their lines. "
-      "A filter of some nm also passes what a line is *blended with*, which is not added to it.\n\n";
+      "The lines that a scene can have (`emission.lines`, up to eight), by `vegard lines --markdown`: "
+      "species, transition, lifetime, and light: a column of the [emission "
+      "tables](file_formats.md#emission-tables), or a ratio of photons to another column. Electrons do not "
+      "excite the lines of [nebulae](nebulae.md) and the Sun. A filter of some nm also passes what a line is "
+      "*blended with*, which is not added to it.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     text += fmt::format("- {:.1f} nm:", line.wavelength_nm);
     if (line.species != std::string("*")) text += fmt::format(" {}", line.species);
@@ -114,9 +114,8 @@ std::string line_page() {
       text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
                           line.table_column, line.ratio_source);
   text +=
-      "\nA line with a ratio has the height profile of its column. For the first positive bands that is "
-      "an\napproximation: they are excited from 7.4 eV on, the second positive (0,0) band from 11 eV, and "
-      "are\nquenched below 90 km.\n";
+      "\nA line with a ratio has the height profile of its column: for the first positive bands, which need "
+      "less energy and are quenched below 90 km, an approximation.\n";
   text +=
       "\n## Lines and bands under one wavelength\n\n"
       "A camera's colour is that of all of them. `vegard "
@@ -135,10 +134,10 @@ std::string line_page() {
   }
   text +=
       "\n## Bands of the Sun\n\n"
-      "At the temperature T, in kelvin, a loop, a bundle or a corona with a "
-      "`temperature_mk` gives exp(-1/2 ((log10 T - p) / w)²) of what such a line gives at its peak. White "
-      "light, scattered by free electrons, has no such response. For eyes these bands are black but for "
-      "the visible lines: `sensor.response = \"grey\"` counts all photons alike. Sources of the peaks:\n\n";
+      "At the temperature T (K) a loop, bundle, ejection or corona with a `temperature_mk` gives exp(-1/2 "
+      "((log10 T - p) / w)²) of what such a line gives at its peak; white light has no such response. Eyes "
+      "see the visible lines alone: `sensor.response = \"grey\"` counts all photons alike. Sources of the "
+      "peaks:\n\n";
   std::vector<std::pair<std::string, std::string>> lines_of_source;  // in the order of their first lines
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     const auto response = sim::temperature_response(line.wavelength_nm);
@@ -154,11 +153,10 @@ std::string line_page() {
   for (const auto& [nm, source] : lines_of_source) text += fmt::format("- {} nm: {}\n", nm, source);
   text +=
       "\n## Quenching\n\n"
-      "How much of the light of the slow lines collisions leave, and how long their "
-      "atoms live, against altitude (`vegard lines\n--quenching quenching.svg`; coefficients and sources "
-      "in [physics](physics.md#the-physical-blur)). The others are prompt.\n\n"
-      "![Quenching of the slow "
-      "lines](pictures/quenching.svg)\n";
+      "The share of the slow lines' light that collisions leave, and their lifetimes, against altitude "
+      "(`vegard lines --quenching quenching.svg`; [sources](physics.md#the-physical-blur)). The others are "
+      "prompt.\n\n"
+      "![Quenching of the slow lines](pictures/quenching.svg)\n";
   return text;
 }
 
@@ -189,12 +187,11 @@ void add_lines_command(Program& program) {
     LineSourcesRequest of_electrons;
   };
   const auto options = std::make_shared<LinesRequest>();
-  const Command command = program.add(
-      "lines",
-      "List the emission lines: wavelength, species, lifetime, source; plot their quenching; or what "
-      "electrons make them shine");
+  const Command command = program.add("lines",
+                                      "List the emission lines: wavelength, species, lifetime, source; plot "
+                                      "their quenching; compute their sources");
   const Option page = command.flag("--markdown", options->markdown, "Print the documentation page instead");
-  const Option csv = command.flag("--csv", options->csv, "Print a table instead").excludes(page);
+  const Option csv = command.flag("--csv", options->csv, "Print a table (CSV) instead").excludes(page);
   const Option plot = command
                           .option("--quenching", options->quenching,
                                   "Plot how collisions quench the slow lines, as .svg or .png")
@@ -203,9 +200,8 @@ void add_lines_command(Program& program) {
   command.flag("--overwrite", options->overwrite, "Replace an existing output");
   const Option sources =
       command
-          .flag(
-              "--sources", options->sources,
-              "The brightness of each line under electrons from above, and what share of it comes from where")
+          .flag("--sources", options->sources,
+                "Compute each line's brightness under electrons, and the share of each source")
           .excludes(page)
           .excludes(csv)
           .excludes(plot);

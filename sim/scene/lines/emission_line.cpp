@@ -53,8 +53,8 @@ constexpr const char* kBandsSource =
 constexpr const char* kFirstPositiveSource =
     "6.0 photons per photon of the second positive system (114 R to 19 R, modelled for photoelectrons in N2, "
     "Bhardwaj and Jain 2012, arXiv:1202.2276), of which 337.1 nm has 0.267, and 0.605 of them between 570 "
-    "and 900 nm (coefficients and populations: see the bands); good to a third at best, and half as much "
-    "again in aurora with a red lower border (Evans and Vallance Jones 1965, type-B)";
+    "and 900 nm; good to a third at best, and half as much again in aurora with a red lower border (Evans "
+    "and Vallance Jones 1965, type-B)";
 
 }  // namespace
 

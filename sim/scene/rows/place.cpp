@@ -17,7 +17,7 @@ std::vector<Declaration> place_rows() {
       Row("seed", &Scene::seed).from(0).means("seed of all random numbers"),
 
       Row("body", "name", &Scene::body, &Body::name).one_of(body_names()).then(bring_along)
-          .means("body of the scene; it sets the other keys of [body], the dipole's pole and, other than the Earth, the dipole field, [[line]] and emission.lines, which those keys override (docs/bodies.md)"),
+          .means("body of the scene, which sets what the scene leaves out of [body], [field], [[line]] and emission.lines (docs/bodies.md)"),
       Row("body", "radius_km", &Scene::body, &Body::radius_km).in("km").within(6000, 100000)
           .means("of the sphere from which altitudes are counted"),
       Row("body", "gravity_m_s2", &Scene::body, &Body::gravity_m_s2).in("m s⁻²").within(0.1, 100)

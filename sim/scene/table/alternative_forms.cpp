@@ -71,8 +71,8 @@ AlternativeForm one_number(const FileKey& key, double min, double max, const std
 std::vector<AlternativeForm> declare_forms() {
   const std::string point = "two numbers (east, north)";
   return {
-      {{{"sheet", "start_km", "km", "where the sheet starts, of the feet at 110 km altitude", point},
-        {"sheet", "end_km", "km", "where the sheet ends, of the feet at 110 km altitude", point}},
+      {{{"sheet", "start_km", "km", "start of the sheet, of the feet at 110 km altitude", point},
+        {"sheet", "end_km", "km", "its end", point}},
        {"east", "north"},
        -5000.0,
        5000.0,
@@ -84,8 +84,7 @@ std::vector<AlternativeForm> declare_forms() {
           {"sheet", "mean_collisions", "", "mean number of deflections on a path, 2 / path_step", "a number"},
           4.0, 200000.0, "path_step", convert_mean_collisions),
       one_number({"sheet", "field_ratio", "",
-                  "ratio of the field at the electrons' source to that at 100 km, sin² of the loss cone",
-                  "a number"},
+                  "field at the electrons' source over that at 100 km: sin² of the loss cone", "a number"},
                  0.0, 0.24, "loss_cone_deg", convert_field_ratio),
       one_number(
           {"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"},
@@ -134,20 +133,18 @@ std::vector<FileKey> all_file_keys() {
       keys.push_back(std::move(key));
     }
   }
-  keys.push_back(
-      {"sheet", curve_file_key, "",
-       "curtains.csv of vegard map, relative to the scene's file, with the columns curtain, east_km, "
-       "north_km, energy_flux_mw_m2, energy_kev, width_km (instead of east_km, north_km, "
-       "point_brightness, point_energy_kev, point_width_km)",
-       "a text"});
-  keys.push_back({"sheet", curve_number_key, "", "which of its curtains, from 1", "a whole number"});
+  keys.push_back({"sheet", curve_file_key, "",
+                  "curtains.csv of vegard map, relative to the scene's file (instead of east_km, north_km "
+                  "and the point_ keys)",
+                  "a text"});
+  keys.push_back({"sheet", curve_number_key, "", "number of its curtain, from 1", "a whole number"});
   const std::string table = free_table, entry = free_table + ("." + std::string(free_key));
   keys.push_back(
       {table, free_key, "", "what is fitted", "an array of paths and of tables with the keys below"});
   keys.push_back(
       {entry, free_path_key, "", "path of the parameter; of a vector: all its components", "a text"});
   for (const FreeNumberKey& key : free_number_keys()) {
-    keys.push_back({entry, key.key, "", key.meaning + " (in the parameter's unit)", "a number"});
+    keys.push_back({entry, key.key, "", key.meaning, "a number"});
   }
   for (const FreeTextKey& key : free_text_keys()) keys.push_back({entry, key.key, "", key.meaning, key.type});
   for (const FreePriorKey& key : free_prior_keys()) {
