@@ -271,14 +271,14 @@ int run_animate(const AnimateRequest& request) {
 void add_animate_command(Program& program) {
   const auto options = std::make_shared<AnimateRequest>();
   const Command command = program.add(
-      "animate", "Render a scene over time: numbered frames, or a movie; goes on where it was interrupted");
+      "animate", "Render a scene over time, as numbered frames or a movie; resumes after an interruption");
   add_scene_options(command, options->scene);
   command
       .option("-o,--output", options->output,
-              "The frames to write, # for the digits of their number, or a movie")
+              "The frames to write, with # for each digit of their number, or a movie")
       .type_name("FRAMES/####.exr|tif|png|jpg or OUT.mp4");
   command
-      .option("--frames", options->frames, "Which frames, the last included (default: 0 to time.frames - 1)")
+      .option("--frames", options->frames, "Frames to render, LAST included (default: 0 to time.frames - 1)")
       .type_name("FIRST:LAST[:STEP]");
   command
       .option("--fps", options->frames_per_second,
@@ -288,7 +288,7 @@ void add_animate_command(Program& program) {
       .range(0, 1024);
   add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
-  command.flag("--list", options->list, "Only print what time.start_s each frame has");
+  command.flag("--list", options->list, "Only print each frame's time.start_s");
   command.flag("--camera-json", options->camera_json, "Write the camera's matrices next to the frames");
   command.flag("--overwrite", options->overwrite, "Replace frames of another animation, or a movie");
   command.runs([options] { return run_animate(*options); });

@@ -74,7 +74,7 @@ Json body_json(const sim::KnownBody& known) {
 
 void add_bodies_command(Program& program) {
   const Command command =
-      program.add("bodies", "List the bodies that a scene may be on: size, field, air, lines, sources");
+      program.add("bodies", "List the bodies that a scene can have: size, field, air, lines, sources");
   command.runs([] {
     json_answer()["bodies"] = Json::array();
     for (const sim::KnownBody& known : sim::known_bodies()) {

@@ -74,10 +74,10 @@ void add_border_command(Program& program) {
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
-  command.option("--channel", options->channel, "Which light of a colour picture is traced")
+  command.option("--channel", options->channel, "Colour channel that is traced")
       .one_of({"red", "green", "blue"})
       .shows_default();
-  command.flag("--overwrite", options->overwrite, "Replace what an earlier call has written");
+  command.flag("--overwrite", options->overwrite, "Replace the output of an earlier call");
   command.runs([options, words = program.command_line()] {
     options->photo = with_frames_chosen(options->photo);
     return run_border(*options, words);

@@ -70,20 +70,18 @@ void add_free(const std::string& word, const fit::LensForm& form, std::vector<fi
 void add_calibrate_options(const Command& command, CalibrateOptions& options) {
   command.option(
       "STARS", options.stars,
-      "A table of recognised stars: x_px, y_px and azimuth_deg with elevation_deg or zenith_deg; or ra_deg "
-      "and dec_deg; or star. Or the .corr file of solve-field. Without it they are found in --image, or "
-      "--azimuth-map takes their place. Without --camera they are recognised blindly. Or the .axy list of "
-      "solve-field: the points of light in which stars are recognised, with --camera");
+      "A table of recognised stars (x_px, y_px, and azimuth_deg with elevation_deg or zenith_deg, ra_deg "
+      "with dec_deg, or star), a .corr file of solve-field, or its .axy list of points of light (with "
+      "--camera). Without it stars are found in --image, blindly if there is no --camera");
   command.option("-o,--output", options.output, "The camera to write: a scene file with [camera] and [site]")
       .type_name("CAMERA.toml");
-  command.option(
-      "--image", options.image,
-      "The picture the stars are in: its size, what to draw them on; and where it says so, and nothing "
-      "else does, its time, site and focal length");
+  command.option("--image", options.image,
+                 "The picture of the stars: gives its size, and time, site and focal length from its "
+                 "metadata if no option does");
   add_at_option(command, options.at);
   command
       .option("--time", options.time,
-              "When the picture was taken, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00)")
+              "Time of the picture, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00)")
       .type_name("TIME");
   add_site_option(command, options.site);
   command.option("--camera", options.camera, "A rough camera, or an earlier one, to start from")
@@ -95,100 +93,95 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
       .delimiter(',')
       .one_an_occurrence();
   command.option("--lens", options.lens,
-                 "Only this lens: pinhole, equidistant, equisolid, stereographic, "
-                 "orthographic or polynomial (default: the simplest the stars justify)");
-  command.option("--terms", options.terms, "With --lens: just these of k1, k2, k3, p, aspect; or none");
+                 "Fit only this lens: pinhole, equidistant, equisolid, stereographic, orthographic or "
+                 "polynomial (default: the simplest that the stars support)");
+  command.option("--terms", options.terms, "With --lens: fit only these of k1, k2, k3, p, aspect; or none");
   command.flag("--hold-centre", options.centre_held, "Hold the lens's centre in the middle of the picture");
   command.option("--size", options.size_px, "The picture's size in pixels, where --image is not given")
       .delimiter(',')
       .expected(2)
       .type_name("W,H");
-  command.option(
-      "--first-pixel", options.first_pixel,
-      "Where the table has the centre of the first pixel (default 0.5, and 1 of a .corr file; others count "
-      "from 0 or 1)");
+  command.option("--first-pixel", options.first_pixel,
+                 "Coordinate of the first pixel's centre in the table (default: 0.5, and 1 for .corr files)");
   command
       .option("--offset", options.offset_px,
-              "Where the upper left corner of what the table is about lies in the picture, for a table of "
-              "a crop")
+              "Place of the table's upper left corner in the picture, if the table is of a crop")
       .delimiter(',')
       .expected(2)
       .type_name("X,Y");
   command.flag("--no-refraction", options.vacuum,
-               "Stars by name or right ascension: no air above the observer");
-  command
-      .option("--centre", options.centre_px,
-              "The lens's centre in the picture, where --camera's is another's")
+               "Compute places of stars, given by name or right ascension, without refraction by the air");
+  command.option("--centre", options.centre_px, "The lens's centre in the picture, in place of --camera's")
       .delimiter(',')
       .expected(2)
       .type_name("X,Y");
   command
-      .option(
-          "--twist", options.twist_deg,
-          "Finding stars: how far --camera may be turned about its axis, in degrees (default 5; 180: all)")
+      .option("--twist", options.twist_deg,
+              "Finding stars: how far --camera may be rotated about its axis, in degrees (default: 5; 180: "
+              "any angle)")
       .range(0.0, 180.0);
   command
       .option("--shift", options.shift_px,
-              "Finding stars: how far its centre may be off, in pixels (default 12)")
+              "Finding stars: largest error of the centre, in pixels (default: 12)")
       .range(0.0, 200.0);
   command
       .option("--scale", options.scale_percent,
-              "Finding stars: how far its focal_px may be off, in percent (default 0)")
+              "Finding stars: largest error of focal_px, in per cent (default: 0)")
       .range(0.0, 50.0);
   command
       .option("--radius", options.radius_px,
-              "Finding stars: how near a point of light must be at first, in pixels (default 12)")
+              "Finding stars: largest distance of a point of light from its star at first, in pixels "
+              "(default: 12)")
       .range(2.5, 500.0);
   command
       .option("--catalogue-magnitude", options.faintest,
-              "Finding stars: the faintest (default 4, at most 4.5)")
+              "Finding stars: magnitude of the faintest (default: 4)")
       .range(-2.0, 4.5);
   command
       .option("--min-elevation", options.min_elevation_deg,
-              "Finding stars: the lowest, in degrees (default 5)")
+              "Finding stars: elevation of the lowest, in degrees (default: 5)")
       .range(-1.0, 90.0);
   command
       .option("--signal", options.min_signal,
-              "Finding stars: how far a point must stand out of the noise around it (default 4)")
+              "Finding stars: signal-to-noise ratio of the faintest point of light (default: 4)")
       .range(1.0, 1e6);
   command.option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
   add_decoding_option(command, options.decoding);
   add_map_options(command, options.maps);
   command
       .option("--wcs", options.wcs,
-              "Astrometry.net's solution of the picture in the place of stars (needs --time and --site)")
+              "Use Astrometry.net's solution of the picture in place of stars (needs --time and --site)")
       .type_name("FIELD.wcs");
   command
-      .option("--acc", options.acc, "A camera of AIDA_tools in the place of stars (needs --size or --image)")
+      .option("--acc", options.acc, "Use a camera of AIDA_tools in place of stars (needs --size or --image)")
       .type_name("FILE.acc");
-  command.option("--acc-line", options.acc_line,
-                 "Which line of it, counted from 1, if it has several cameras");
+  command.option("--acc-line", options.acc_line, "Line of that file, from 1, if it has several cameras");
   command
       .option("--axy-out", options.axy_out,
-              "--image: write the points of light in it as solve-field takes them (X, Y, FLUX)")
+              "Write the points of light of --image for solve-field (X, Y, FLUX)")
       .type_name("OUT.axy");
   command
       .option("--corr-out", options.corr_out,
-              "Write the stars in use as solve-field writes them: where they are seen, and the catalogue's")
+              "Write the stars used as solve-field does: observed and catalogue positions")
       .type_name("OUT.corr");
   command.flag("--no-metadata", options.no_metadata,
-               "Do not take time, site and focal length from the picture's own words");
+               "Do not take time, site and focal length from the picture's metadata");
   command
-      .option(
-          "--stars-out", options.stars_out,
-          "--image alone: write the recognised stars, with right ascension and declination, as a table that "
-          "this command takes")
+      .option("--stars-out", options.stars_out,
+              "Write the stars recognised in --image, with right ascension and declination, as a table that "
+              "this command reads")
       .type_name("STARS.csv");
   command
-      .option("--date", options.date,
-              "--image with --site, the time unknown: the evening whose night's possible times are listed")
+      .option(
+          "--date", options.date,
+          "With --image and --site, the time unknown: date of the evening; lists the night's possible times")
       .type_name("YYYY-MM-DD");
-  command.flag("--level", options.level, "With --date: the camera was held level");
+  command.flag("--level", options.level, "With --date: assume that the camera was level");
   command.option("--residuals", options.residuals, "Write the stars' residuals").type_name("OUT.csv");
   command
       .option(
           "--json", options.json,
-          "Write all of it: lenses, numbers, correlations, stars; without a name, print it in place of words")
+          "Write lenses, numbers, correlations and stars; without a file name, print them in place of words")
       .expected(0, 1)
       .type_name("OUT.json");
   command.option("--plot", options.plot, "Draw the residuals").type_name("OUT.svg|OUT.png");

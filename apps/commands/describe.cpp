@@ -92,11 +92,11 @@ void add_describe_command(Program& program) {
       "describe", "Print a picture's metadata (place, time, lens, exposure), and write a scene of it");
   command
       .option("PHOTO", options->photo,
-              "The picture, a file of frames, or a skymap; or netCDF, a solution or list of stars of "
-              "Astrometry.net's, a camera of AIDA_tools")
+              "A picture, a file of frames, a skymap, netCDF, a solution or star list of Astrometry.net, or "
+              "a camera of AIDA_tools")
       .required();
   add_at_option(command, options->at);
-  command.option("-o,--output", options->output, "A scene to begin with").type_name("SCENE.toml");
+  command.option("-o,--output", options->output, "Write a scene to begin with").type_name("SCENE.toml");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] {
     options->photo = picture_at(options->photo, options->at);

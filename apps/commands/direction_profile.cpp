@@ -69,23 +69,24 @@ void add_sector_options(const Command& command, SectorOptions& options) {
               "Profiles against elevation in these directions (needs --scene or --azimuth-map)")
       .delimiter(',')
       .type_name("DEG,DEG,...");
-  command.option("--directions", options.directions, "The same in so many directions all around");
+  command.option("--directions", options.directions,
+                 "Profiles in this number of directions, evenly all around");
   command.option("--azimuth-width", options.width_deg,
-                 "Width of a direction's sector in degrees (default: 10, or where they touch)");
-  command.option("--elevation-step", options.step_deg, "Degrees of elevation for a row (default: 1)");
-  command.option("--lowest", options.lowest_deg, "Elevation to begin at (default: 0)");
+                 "Width of a direction's sector in degrees (default: 10, less if sectors would overlap)");
+  command.option("--elevation-step", options.step_deg, "Degrees of elevation between rows (default: 1)");
+  command.option("--lowest", options.lowest_deg, "Lowest elevation (default: 0)");
   command.option("--tangent-step", options.tangent_step_km,
-                 "Kilometres of tangent altitude for a row, instead of elevation (of an observer above "
-                 "the air); prints the height of the green layer at the limb");
+                 "Kilometres of tangent altitude between rows, in place of elevation, for an observer above "
+                 "the air; prints the height of the green layer");
   command
       .option("--tangent-range", options.tangent_range_km,
-              "Tangent altitudes to begin and end at (default: 0,250)")
+              "Lowest and highest tangent altitude (default: 0,250)")
       .delimiter(',')
       .expected(2)
       .type_name("KM,KM");
   command
       .option("--dark", options.dark,
-              "Dark level, in the linear light of the table, to take off before ratios are formed")
+              "Dark level, in the table's linear light, to subtract before ratios are formed")
       .delimiter(',')
       .expected(3)
       .type_name("R,G,B");

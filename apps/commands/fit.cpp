@@ -316,19 +316,18 @@ void add_fit_command(Program& program) {
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
   add_at_option(command, options->photo.at);
-  command.option("--out", options->out, "The run's directory to write").type_name("RUN");
+  command.option("--out", options->out, "The directory to write").type_name("RUN");
   command
-      .option(
-          "--from-map", options->from_map,
-          "Refine the curtains of a map that vegard map wrote of the photograph: by beams, with curves that "
-          "are needed")
+      .option("--from-map", options->from_map,
+              "Start from the curtains of this vegard map of the photograph, and add curves where the data "
+              "need them")
       .type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
-  command.option("--max-evaluations", options->max_evaluations, "Stop after so many evaluations")
+  command.option("--max-evaluations", options->max_evaluations, "Stop after this number of evaluations")
       .range(1, 1000000)
       .shows_default();
   add_memory_option(command, options->memory_limit);
@@ -337,26 +336,26 @@ void add_fit_command(Program& program) {
       "Validate the error bars by profile likelihood: the other parameters are fitted again at each value");
   command
       .option("--bootstrap", options->bootstrap,
-              "Validate the error bars by a bootstrap of so many resamplings of the bands (1000 is plenty)")
+              "Validate the error bars by a bootstrap with this number of resamplings of the bands (1000 "
+              "suffice)")
       .type_name("N")
       .range(2, 1000000);
   command
       .option("--mcmc", options->mcmc,
-              "Validate the error bars by a Markov chain of so many steps, a quarter more (at most 200) "
-              "before them")
+              "Validate the error bars by a Markov chain of this length, after a burn-in of a quarter of it "
+              "(at most 200)")
       .type_name("STEPS")
       .range(2, 1000000);
-  command.flag(
-      "--stability", options->stability,
-      "Repeat the fit from its answer with other regions, bands, sky, air, curve and model error: what "
-      "numbers move by is their systematic error");
-  command.flag("--netcdf", options->netcdf, "Write the result as netCDF too: RUN/result.nc");
+  command.flag("--stability", options->stability,
+               "Repeat the fit from its answer with other regions, bands, sky, air, curve and model error, "
+               "which gives systematic errors");
+  command.flag("--netcdf", options->netcdf, "Also write the result as netCDF: RUN/result.nc");
   command.flag("--overwrite", options->overwrite,
-               "Replace a run that exists; without --resume, discard the steps of one that was cut off");
+               "Replace an existing run; without --resume, discard the steps of an interrupted one");
   command.flag("--resume", options->resume,
-               "Go on with a fit that was cut off, from the finished steps in RUN.part");
+               "Continue a fit that was interrupted, from the finished steps in RUN.part");
   command.flag("--check-derivatives", options->check_derivatives,
-               "Only compare every free parameter's derivative with differences (no --out needed)");
+               "Only compare each free parameter's derivative with finite differences (needs no --out)");
   command.runs([options, words = program.command_line()] {
     options->photo = with_frames_chosen(options->photo);
     return run_fit(*options, words);

@@ -176,8 +176,8 @@ void add_grid_command(Program& program) {
   command.option("GRID", options->input, "A .vdb file, or a volumegrid (.pbrt, .volumegrid, .txt)")
       .required();
   add_memory_option(command, options->memory_limit,
-                    "For the grids: 500M, 16G, or a number of GB (default: 8G)");
-  command.option("-o,--output", options->output, "The file to write; its name says which kind")
+                    "Memory for the grids: 500M, 16G, or a number of GB (default: 8G)");
+  command.option("-o,--output", options->output, "The file to write; its extension sets the format")
       .type_name("OUT.vdb|pbrt")
       .required();
   command
@@ -185,19 +185,21 @@ void add_grid_command(Program& program) {
               "Only the grids of these names (default: all; into a volumegrid: density, or the only one)")
       .delimiter(',')
       .type_name("NAME,...");
-  const Option blur =
-      command.option("--blur", options->blur, "Convolve so often with the blur of 5 x 5 x 5; may be repeated")
-          .range(1, 100)
-          .type_name("TIMES")
-          .repeated();
+  const Option blur = command
+                          .option("--blur", options->blur,
+                                  "Convolve this number of times with the 5 x 5 x 5 blur (repeatable)")
+                          .range(1, 100)
+                          .type_name("TIMES")
+                          .repeated();
   const Option sharpen =
-      command.option("--sharpen", options->sharpen, "The same with twice what is there less the blur")
+      command
+          .option("--sharpen", options->sharpen, "Sharpen this number of times: twice the grid less its blur")
           .range(1, 100)
           .type_name("TIMES")
           .repeated();
   const Option mask = command
                           .option("--mask", options->masks,
-                                  "The same with a mask of your own, 125 numbers, the last axis fastest")
+                                  "Convolve with a kernel of your own, 125 numbers, the last axis fastest")
                           .type_name("FILE")
                           .repeated();
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")

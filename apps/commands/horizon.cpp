@@ -234,9 +234,9 @@ void add_horizon_command(Program& program) {
   const auto options = std::make_shared<HorizonRequest>();
   const Command command =
       program.add("horizon", "Find a camera's elevation and roll from points on the horizon of its picture");
-  command.option("PHOTO", options->photo, "The picture, for its size and focal length");
+  command.option("PHOTO", options->photo, "The picture, which gives size and focal length");
   add_at_option(command, options->at);
-  command.option("--size", options->size_px, "Its size, without a PHOTO")
+  command.option("--size", options->size_px, "Size of the picture, without a PHOTO")
       .delimiter(',')
       .expected(2)
       .range(1, 65535)
@@ -245,7 +245,7 @@ void add_horizon_command(Program& program) {
       .required()
       .expected(-1)
       .type_name("X,Y");
-  command.option("--sky", options->sky, "A point in the sky (default: the picture's top is)")
+  command.option("--sky", options->sky, "A point in the sky (default: at the picture's top)")
       .type_name("X,Y");
   const Option hfov = command.option("--hfov", options->hfov_deg, "Horizontal field of view, degrees")
                           .type_name("DEG")
@@ -259,19 +259,18 @@ void add_horizon_command(Program& program) {
       command.flag("--fit-hfov", options->fit_hfov, "Find the field of view too, from a bent horizon");
   const Option lens =
       command
-          .option(
-              "--lens", options->lens,
-              "A camera's file whose lens this is, wherever that points to: any lens, as stars have given it")
+          .option("--lens", options->lens,
+                  "Take the lens, of any kind, from this camera's file; its pointing does not matter")
           .type_name("CAMERA.toml");
   hfov.excludes(film).excludes(fit_hfov).excludes(lens);
   film.excludes(fit_hfov).excludes(lens);
   fit_hfov.excludes(lens);
   command
       .option("--altitude-m", options->altitude_m,
-              "Height of the observer above what makes the horizon (default: 0)")
+              "Height of the observer above the surface at the horizon (default: 0)")
       .type_name("M")
       .range(0.0, 1e8);
-  command.option("--layer-km", options->layer_km, "Height of the layer whose limb the points are on")
+  command.option("--layer-km", options->layer_km, "Height of the layer on whose limb the points lie")
       .type_name("KM")
       .range(0.0, 1e5)
       .shows_default();

@@ -357,11 +357,11 @@ int invert_lines(const InvertRequest& request) {
 void add_invert_command(Program& program) {
   const auto options = std::make_shared<InvertRequest>();
   const Command command = program.add(
-      "invert", "Energy flux and energy of electrons from the brightness of lines, or from maps of it");
+      "invert", "Compute electrons' energy flux and energy from the brightness of lines, or from maps of it");
   const Option line = command
                           .option("--line", options->lines,
                                   "A line's brightness in rayleighs of the vertical column, 427.8=2300±50 or "
-                                  "427.8=2300+-2%; two to eight of them")
+                                  "427.8=2300+-2%; at least as many as are free, at most eight")
                           .type_name("NM=R±ERROR")
                           .repeated();
   command
@@ -374,18 +374,19 @@ void add_invert_command(Program& program) {
       .excludes(line);
   command
       .option("--error", options->errors,
-              "Of a map: in rayleighs, in per cent or an image; several of one line are added in quadrature")
+              "Error of a map: in rayleighs, in per cent or an image; several of one line are added in "
+              "quadrature")
       .type_name("NM=R|%|FILE")
       .repeated();
   command
       .option("--relative-error", options->relative_error,
-              "In per cent, of lines that have none of their own")
+              "Error in per cent of lines without one of their own")
       .type_name("PERCENT");
   command
       .option("--model-error", options->model_error,
-              "What the tables are trusted to, in per cent of each line, beside its own error")
+              "Error of the tables, in per cent of each line, added in quadrature to its own error")
       .type_name("PERCENT");
-  command.option("--spectrum", options->spectrum, "Energies of the electrons")
+  command.option("--spectrum", options->spectrum, "Spectrum of the electrons")
       .one_of({"maxwellian", "gaussian", "mono"})
       .shows_default();
   command.option("--spread", options->spread, "Standard deviation of a Gaussian over E0 (default: 0.25)")
@@ -395,20 +396,22 @@ void add_invert_command(Program& program) {
               "Emission tables: those of the program by name, or a folder such as vegard tables writes")
       .type_name("NAME|FOLDER")
       .shows_default();
-  command.option("--free", options->free, "What is to be found: energy, flux, oxygen")
+  command.option("--free", options->free, "What to find (default: energy,flux)")
       .delimiter(',')
       .one_an_occurrence()
       .one_of({"energy", "flux", "oxygen"})
       .type_name("WORDS");
-  command.option("--energy-kev", options->held[fit::kLnEnergy], "E0, where it is not to be found")
+  command.option("--energy-kev", options->held[fit::kLnEnergy], "E0 in keV, where it is not free")
       .finite_range(1e-3, 1e3);
-  command.option("--flux-mw-m2", options->held[fit::kLnFlux], "The energy flux, where it is not to be found")
+  command.option("--flux-mw-m2", options->held[fit::kLnFlux], "Energy flux in mW m^-2, where it is not free")
       .finite_range(fit::ColumnModel::kMinFlux, fit::ColumnModel::kMaxFlux);
   command
       .option("--oxygen-factor", options->held[fit::kLnOxygen],
               "Atomic oxygen over that of the tables (default: 1)")
       .finite_range(1e-2, 1e2);
-  command.option("-o,--output", options->outputs, "Of lines JSON; of maps FITS or netCDF-4, or one of each")
+  command
+      .option("-o,--output", options->outputs,
+              "The result to write: JSON of lines; FITS or netCDF-4 of maps, or one of each")
       .type_name("OUT.json|.fits|.nc")
       .repeated();
   command.option("--plot", options->plot, "Draw chi2 over energy and flux").type_name("OUT.svg|OUT.png");

@@ -200,18 +200,18 @@ void run_keogram(const KeogramOptions& options) {
 void add_keogram_command(Program& program) {
   const auto options = std::make_shared<KeogramOptions>();
   const Command command =
-      program.add("keogram", "One line of every picture of a night, side by side in time");
+      program.add("keogram", "Make a keogram: one line of each picture of a night, side by side in time");
   command
       .option("IMAGES", options->images, "Photographs of any format that is read, or one list of them (.txt)")
       .required();
   command
       .option("-o,--output", options->outputs,
-              "What to write: a picture, linear light, a table; may be repeated")
+              "The keogram to write: a picture, linear light, or a table (repeatable)")
       .required()
       .one_an_occurrence()
       .type_name("OUT.png|.svg|.exr|.csv|.nc");
   command.option("--scene", options->scene,
-                 "A scene whose camera took the pictures: the line is the magnetic meridian");
+                 "A scene with the camera: the line is then the magnetic meridian");
   add_map_options(command, options->maps);
   command.option("--azimuth", options->azimuth_deg,
                  "Azimuth of the line in degrees (default: the field's declination in the scene, or north)");
@@ -219,15 +219,14 @@ void add_keogram_command(Program& program) {
       "--width", options->width,
       "Width of the line: degrees with a camera (default: two steps), else columns (default: 1/50)");
   command.option("--elevation-step", options->step_deg,
-                 "Degrees from place to place (default: by the pixels)");
+                 "Degrees between points of the line (default: by the pixels)");
   command
-      .option("--roi", options->roi_px,
-              "Region of interest in pixels; without a camera all its columns are taken")
+      .option("--roi", options->roi_px, "Region of interest in pixels, which without a camera is the line's")
       .delimiter(',')
       .expected(4)
       .type_name("X,Y,W,H");
   command.option("--mask", options->mask, "An image of the same size: white = use");
-  command.option("--times", options->times, "When each was taken: lines of FILE,TIME").type_name("TIMES.csv");
+  command.option("--times", options->times, "Table of the times: lines of FILE,TIME").type_name("TIMES.csv");
   add_decoding_option(command, options->decoding);
   command.option("--channel", options->channel, "Show one channel, as a colour map").one_of({"r", "g", "b"});
   command.option("--black", options->black, "Linear light shown as black");

@@ -168,23 +168,25 @@ int run_rayleigh(const LineariseRequest& options) {
 
 void add_linearise_command(Program& program) {
   const auto options = std::make_shared<LineariseRequest>();
-  const Command command = program.add("linearise",
-                                      "Take a photograph back to linear light, with its variance, by a "
-                                      "scene's sensor, or counts to rayleighs");
-  command.option("photo", options->photo, "A photograph of any format that is read")
+  const Command command = program.add(
+      "linearise",
+      "Convert a photograph to linear light with its variance, by a scene's sensor, or counts to rayleighs");
+  command.option("PHOTO", options->photo, "A photograph of any format that is read")
       .required()
       .type_name("PHOTO");
   add_at_option(command, options->at);
   add_scene_options(command, options->scene, SceneWord::may_be_missing);
-  const Option rayleigh = command
-                              .option("--rayleigh", options->rayleigh,
-                                      "To rayleighs instead, without a scene: dark level, flat field and "
-                                      "factors of a camera that counts")
-                              .type_name("COUNTS.toml");
-  command.option("--filter", options->filter, "Which of its filters the picture was taken through")
+  const Option rayleigh =
+      command
+          .option(
+              "--rayleigh", options->rayleigh,
+              "Convert to rayleighs, without a scene, by this dark level, flat field and factors of a camera")
+          .type_name("COUNTS.toml");
+  command.option("--filter", options->filter, "Filter of COUNTS.toml through which the picture was taken")
       .type_name("NAME")
       .needs(rayleigh);
-  command.option("--exposure", options->exposure_s, "Seconds, if the picture does not say them")
+  command
+      .option("--exposure", options->exposure_s, "Exposure time in seconds, if the picture does not give it")
       .finite_range(1e-6, 1e5)
       .type_name("S")
       .needs(rayleigh);

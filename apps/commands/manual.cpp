@@ -125,14 +125,15 @@ int run_manual(const ManualRequest& request, const CommandText& program) {
 
 void add_manual_command(Program& program) {
   const auto options = std::make_shared<ManualRequest>();
-  const Command command = program.add("manual", "Print a manual page, or what a shell completes commands by");
-  const Option page =
-      command.option("COMMAND", options->command, "The subcommand whose page is wanted; none: the program's");
+  const Command command = program.add("manual", "Print a manual page, or the completions of a shell");
+  const Option page = command.option("COMMAND", options->command, "The subcommand (default: the program)");
   const Option shell =
       command.option("--completion", options->shell, "Print the completion of a shell instead")
           .one_of({"bash", "zsh", "fish"})
           .excludes(page);
-  command.option("-o,--output", options->folder, "Write all pages and completions, as below a share/ folder")
+  command
+      .option("-o,--output", options->folder,
+              "Write all pages and completions, laid out like a share/ folder")
       .type_name("FOLDER")
       .excludes(page)
       .excludes(shell);

@@ -184,7 +184,7 @@ void add_map_command(Program& program) {
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
   add_at_option(command, options->photo.at);
-  command.option("--out", options->out, "The map's directory to write").type_name("RUN");
+  command.option("--out", options->out, "The directory to write").type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
@@ -196,23 +196,24 @@ void add_map_command(Program& program) {
       .range(0, 1000)
       .shows_default();
   command
-      .option("--sparsity", options->sparsity,
-              "What a lit cell costs in chi2 / 2 (0: left-out blocks of the picture choose)")
+      .option(
+          "--sparsity", options->sparsity,
+          "Penalty of each lit cell, in chi2 / 2 (0: chosen by cross-validation over blocks of the picture)")
       .range(0.0, 1000.0);
   command
       .option("--farthest-km", options->farthest_km,
-              "How far the ground reaches that is mapped (0: as far as the picture shows a lower border)")
+              "Farthest distance that is mapped (0: as far as the picture shows a lower border)")
       .range(0.0, 2000.0);
   command
       .option("--altitude-scale", options->altitude_scale,
               "Multiply all altitudes of the tables' atmosphere by this, to see what changes")
       .range(0.9, 1.2)
       .shows_default();
-  command.flag("--netcdf", options->netcdf, "Write the map as netCDF too: RUN/precipitation.nc");
+  command.flag("--netcdf", options->netcdf, "Also write the map as netCDF: RUN/precipitation.nc");
   command.flag("--overwrite", options->overwrite,
-               "Replace a map that exists; without --resume, discard the steps of one that was cut off");
+               "Replace an existing map; without --resume, discard the steps of an interrupted one");
   command.flag("--resume", options->resume,
-               "Go on with a map that was cut off, from the finished steps in RUN.part");
+               "Continue a map that was interrupted, from the finished steps in RUN.part");
   command.runs([options, words = program.command_line()] {
     options->photo = with_frames_chosen(options->photo);
     return run_map(*options, words);

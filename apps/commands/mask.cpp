@@ -132,33 +132,42 @@ void run_mask(const MaskOptions& options) {
 }
 
 void add_finders(const Command& command, MaskRequest& request) {
-  command.option("--draw", request.drawn, "A mask that was drawn by hand (white = use); may be repeated")
+  command.option("--draw", request.drawn, "Combine with a mask drawn by hand, white = use (repeatable)")
       .one_an_occurrence()
       .type_name("IMAGE");
-  command.option("--polygon", request.polygons, "Leave out its inside; may be repeated").type_name("X,Y ...");
-  command.option("--circle", request.circle, "Leave out what is outside of a fisheye's circle, or find it")
+  command.option("--polygon", request.polygons, "Leave out the inside of a polygon (repeatable)")
+      .type_name("X,Y ...");
+  command.option("--circle", request.circle, "Leave out what is outside a fisheye's circle, which auto finds")
       .type_name("auto|X,Y,RADIUS");
   command
-      .option("--circle-margin", request.circle_margin_px, "How far inside of it the mask ends (default 2)")
+      .option("--circle-margin", request.circle_margin_px,
+              "Pixels by which the mask ends inside that circle (default: 2)")
       .type_name("PX");
   command
       .option("--horizon", request.horizon,
               "Leave out what is below a line through points, or below the skyline")
       .expected(1, 1 << 20)
       .type_name("auto|X,Y ...");
-  command.option("--horizon-margin", request.horizon_margin_px, "How far above it the mask ends (default 2)")
+  command
+      .option("--horizon-margin", request.horizon_margin_px,
+              "Pixels by which the mask ends above that line (default: 2)")
       .type_name("PX");
   command.flag("--text", request.text, "Leave out lines of bright letters");
   command.flag("--saturated", request.saturated, "Leave out pixels that are clipped in any channel");
-  command.option("--border", request.saturation.border_px, "And what is as near to them (default 2)")
+  command
+      .option("--border", request.saturation.border_px,
+              "Leave out this many pixels around them too (default: 2)")
       .type_name("PX");
-  command.flag("--hot", request.hot, "Leave out single pixels that stand out, bright or dark");
-  command.option("--hot-sigma", request.hot_pixels.sigmas, "By so many deviations of the noise (default 8)");
-  command.flag("--stars", request.stars, "Leave out what is small and round");
-  command.option("--star-sigma", request.star.sigmas, "Above so many deviations of the noise (default 5)");
+  command.flag("--hot", request.hot,
+               "Leave out single pixels that are much brighter or darker than their neighbours");
+  command.option("--hot-sigma", request.hot_pixels.sigmas,
+                 "Threshold of --hot in standard deviations of the noise (default: 8)");
+  command.flag("--stars", request.stars, "Leave out small round spots of light");
+  command.option("--star-sigma", request.star.sigmas,
+                 "Threshold of --stars in standard deviations of the noise (default: 5)");
   command
       .option("--star-size", request.star.size_px,
-              "Up to this diameter (default: 1/200 of the longer side, at least 9)")
+              "Largest diameter of a star (default: 1/200 of the longer side, at least 9)")
       .type_name("PX");
 }
 
@@ -166,12 +175,12 @@ void add_finders(const Command& command, MaskRequest& request) {
 
 void add_mask_command(Program& program) {
   const auto options = std::make_shared<MaskOptions>();
-  const Command command =
-      program.add("mask", "Leave out stars, hot pixels, captions, the ground: a mask, white = use");
+  const Command command = program.add(
+      "mask", "Make a mask (white = use) that leaves out stars, hot pixels, captions or the ground");
   command.option("IMAGE", options->image, "A photograph").required();
   add_at_option(command, options->at);
   command.option("-o,--output", options->output, "The mask to write").required().type_name("MASK.png");
-  command.option("--show", options->show, "The photograph with what is left out in colours")
+  command.option("--show", options->show, "Write the photograph with what is left out in colours")
       .type_name("PICTURE.png");
   add_finders(command, options->request);
   command.option("--horizon-csv", options->horizon_csv, "Write the horizon, a row per column of pixels")

@@ -682,21 +682,22 @@ int run_measure(MeasureRequest options, const std::string& command) {
 void add_measure_command(Program& program) {
   const auto options = std::make_shared<MeasureRequest>();
   const Command command = program.add(
-      "measure", "From a photograph to an answer: where its aurora is, how high, and of which energy");
+      "measure", "Find camera, distance, height and energy of the aurora in one photograph, in one command");
   command.option("PHOTO", options->photo, "A photograph of any format that is read").required();
   add_at_option(command, options->at);
   command
       .option("--time", options->time,
-              "When it was taken, ISO 8601 in UTC or with a zone (default: what the picture says)")
+              "Time of the picture, ISO 8601 in UTC or with a zone (default: from its metadata)")
       .type_name("TIME");
   add_site_option(command, options->site);
   command.option("--out", options->out, "The folder to write (default: PHOTO's name with _measured)")
       .type_name("RUN");
-  command.option("--camera", options->camera, "Where the camera points, if that is known")
+  command.option("--camera", options->camera, "A camera file, if the pointing is known")
       .type_name("CAMERA.toml");
-  command.option("--mask", options->mask, "What of the picture is sky, if that is known: white = use")
+  command.option("--mask", options->mask, "A mask of the sky, if there is one: white = use")
       .type_name("IMAGE");
-  command.option("--line", options->line_nm, "The emission line of a picture through one filter")
+  command
+      .option("--line", options->line_nm, "Wavelength of the emission line, of a picture through one filter")
       .type_name("NM")
       .range(100.0, 2000.0)
       .shows_default();
@@ -706,7 +707,7 @@ void add_measure_command(Program& program) {
       .shows_default();
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
-  command.flag("--no-map", options->no_map, "Stop after the geometry");
+  command.flag("--no-map", options->no_map, "Leave out the map of precipitation");
   command.flag("--overwrite", options->overwrite, "Replace a measurement that exists");
   command.runs([options, words = program.command_line()] { return run_measure(*options, words); });
 }

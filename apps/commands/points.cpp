@@ -88,15 +88,15 @@ int run_points(const PointsRequest& options) {
 void add_points_command(Program& program) {
   const auto options = std::make_shared<PointsRequest>();
   const Command command =
-      program.add("points", "List every point that gives off light, for other programs to render");
+      program.add("points", "List every point that emits light, for other programs to render");
   add_scene_options(command, options->scene);
-  command.option("-o,--output", options->output, "The file to write, its kind by its extension")
+  command.option("-o,--output", options->output, "The file to write; its extension sets the format")
       .type_name("OUT.ply|csv")
       .required();
-  command.option("--unit", options->unit, "Of the positions (default: km)").one_of({"km", "m"});
+  command.option("--unit", options->unit, "Unit of the positions (default: km)").one_of({"km", "m"});
   command
       .option("--max-points", options->most,
-              "At most so many points: of neighbouring beams one is taken, with the light of all")
+              "Largest number of points: one of several neighbouring beams is kept, with the light of all")
       .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
       .type_name("NUMBER");
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")

@@ -76,31 +76,37 @@ void add_preview_command(Program& program) {
       "preview",
       "Try a scene's parameters at reduced cost: in a window, or as frames where there is no display");
   add_scene_options(command, options->scene);
-  command.option("--size", options->size, "The most pixels of a picture, which keeps its shape (640x360)")
+  command
+      .option("--size", options->size, "Largest size of a picture, which keeps its shape (default: 640x360)")
       .type_name("WIDTHxHEIGHT");
   command
       .option("--fps", options->frames_per_second,
-              "Pictures a second that a window is to hold, by its march.shrink and beams (20)")
+              "Frame rate that a window keeps by adapting march.shrink and beams (default: 20)")
       .range(0.1, 1000.0);
   command
       .option("--shrink", options->wanted_shrink,
-              "march.shrink, at least the scene's; in a window it then stays so (2)")
+              "march.shrink, at least the scene's; a window then keeps it (default: 2)")
       .range(1, 16);
-  command.option("--step-km", options->reduction.step_km, "march.step_km, at least the scene's (4)")
+  command.option("--step-km", options->reduction.step_km, "march.step_km, at least the scene's (default: 4)")
       .range(0.01, 100.0);
   command
       .option("--points", options->reduction.points,
-              "The most deflection points of all beams of a picture, roughly (2e6)")
+              "Approximate limit of all beams' deflection points in a picture (default: 2e6)")
       .range(1e3, 1e12);
-  command.option("--frames", options->wanted_frames, "Frames in place of a window, so many (60)")
+  command
+      .option("--frames", options->wanted_frames,
+              "Number of frames, in place of a window (with -o or --bench; default: 60)")
       .range(1, 9999);
-  command.option("--turn", options->turn_deg, "By how much the camera turns over all frames, in degrees (30)")
+  command
+      .option("--turn", options->turn_deg,
+              "Angle by which the camera turns over all frames, in degrees (default: 30)")
       .range(-360.0, 360.0);
-  command.flag("--run", options->run_time, "Of frames: let the scene's time run, --fps frames a second");
+  command.flag("--run", options->run_time,
+               "For frames: let the scene's time run, with --fps frames a second");
   command.option("-o,--output", options->output, "Write the frames as DIR/frame_0000.png and so on")
       .type_name("DIR");
-  command.flag("--bench", options->bench, "Only print how long a frame takes");
-  command.option("--save", options->save, "Where the key p writes the scene as it then is")
+  command.flag("--bench", options->bench, "Only measure how long a frame takes");
+  command.option("--save", options->save, "File into which the key p writes the current scene")
       .type_name("SCENE.toml");
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);

@@ -327,7 +327,7 @@ void add_profile_command(Program& program) {
               "A keogram of all images in place of a profile of one (see vegard keogram)")
       .one_an_occurrence()
       .type_name("OUT.png|.svg|.exr|.csv|.nc");
-  command.option("--times", options->times, "With --keogram: when each was taken, lines of FILE,TIME")
+  command.option("--times", options->times, "With --keogram: a table of the times, lines of FILE,TIME")
       .type_name("TIMES.csv");
   command.option("--roi", options->roi_px, "Region of interest in pixels (default: the scene's, or all)")
       .delimiter(',')
@@ -348,7 +348,7 @@ void add_profile_command(Program& program) {
   add_sector_options(command, options->sectors);
   add_decoding_option(command, options->decoding);
   add_no_metadata_option(command, options->no_metadata);
-  command.option("--plot", options->plot, "Draw the profiles too").type_name("OUT.svg|OUT.png");
+  command.option("--plot", options->plot, "Draw the profiles").type_name("OUT.svg|OUT.png");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] {
     if (options->keogram.empty())

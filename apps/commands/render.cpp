@@ -266,15 +266,15 @@ void add_render_command(Program& program) {
   const Command command =
       program.add("render", "Render a scene: EXR for light, TIFF, PNG or JPEG for the eye");
   add_scene_options(command, options->scene);
-  command.option("-o,--output", options->output, "The picture to write, its kind by its extension")
+  command.option("-o,--output", options->output, "The picture to write; its extension sets the format")
       .type_name("OUT.exr|tif|png|jpg");
   command.option("--lines", options->lines, "Write the emission lines alone, in rayleighs")
       .type_name("OUT.exr");
-  command.option("--raw", options->raw, "Write the sensor's raw numbers, those of --photograph, 16 bits")
+  command.option("--raw", options->raw, "Write the sensor's raw numbers of --photograph, 16 bits")
       .type_name("OUT.png|tif");
   command
       .option("--layers", options->layers,
-              "sheets: in an EXR, each sheet and whatever else the picture is made of, as layers")
+              "Write each sheet and all other parts of the picture as layers of the EXR")
       .one_of({"sheets"});
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
@@ -282,18 +282,17 @@ void add_render_command(Program& program) {
   add_picture_options(command, options->picture);
   const Option as_seen =
       command.flag("--as-seen", options->picture.as_seen,
-                   "As a dark-adapted eye sees it: faint light grey, bright light coloured");
+                   "Show the picture as a dark-adapted eye sees it: faint light grey, bright light coloured");
   command
       .option("--seen-half", options->picture.seen_half_mcd,
-              "Luminance that --as-seen shows as half of white, in mcd m^-2 (default 20)")
+              "Luminance that --as-seen shows as half of white, in mcd m^-2 (default: 20)")
       .range(1e-3, 1e6)
       .type_name("MCD_M2")
       .needs(as_seen);
-  command.flag(
-      "--auto-exposure", options->auto_exposure,
-      "Choose the sensor's gain (with a camera's exposure its ISO) so that next to nothing is white");
+  command.flag("--auto-exposure", options->auto_exposure,
+               "Choose the sensor's gain (or ISO) so that only one pixel in a thousand is nearly white");
   command.flag("--grain", options->grain,
-               "Render once more with other paths of the beams, and report by how much a pixel differs");
+               "Render once more with other random paths of the beams, and report by how much pixels differ");
   command.flag("--camera-json", options->camera_json,
                "Write the camera's matrices next to the picture, OUT.camera.json");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");

@@ -115,16 +115,18 @@ void run_sdf(const SdfRequest& options) {
 
 void add_sdf_command(Program& program) {
   const auto options = std::make_shared<SdfRequest>();
-  const Command command = program.add("sdf", "The exact distance of every pixel to the nearest bright one");
+  const Command command =
+      program.add("sdf", "Compute the exact distance of every pixel to the nearest bright one");
   command.option("IMAGE", options->image, "A picture, such as an aurora's footprint").required();
   command.option("-o,--output", options->output, "The distance field to write")
       .required()
       .type_name("OUT.exr|png|tif");
-  command.option("--threshold", options->threshold, "Bright is more than this share of white (default 0.5)");
+  command.option("--threshold", options->threshold,
+                 "Share of white above which a pixel is bright (default: 0.5)");
   command.flag("--signed,!--unsigned", options->is_signed,
-               "Below 0 within what is bright; unsigned: 0 there (default)");
-  command.flag("--wrap", options->wraps, "The left edge goes on at the right, as around the Earth");
-  command.option("--spread", options->spread_px, "The distance that is white in a PNG, TIFF or JPEG")
+               "Make the distance negative inside bright regions (default: --unsigned, 0 there)");
+  command.flag("--wrap", options->wraps, "Join the left edge to the right one, as around the Earth");
+  command.option("--spread", options->spread_px, "Distance shown as white in a PNG, TIFF or JPEG")
       .type_name("PX");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] {

@@ -279,14 +279,14 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
 void add_sequence_command(Program& program) {
   const auto options = std::make_shared<SequenceRequest>();
   const Command command = program.add(
-      "sequence", "Fit a scene to one photograph after another, each from where the last one ended");
+      "sequence", "Fit a scene to a series of photographs, each from the answer of the one before");
   add_scene_options(command, options->scene);
   command
       .option("--photos", options->photos,
               "Images in their order, or one list (.txt) with a line \"FILE\" or \"FILE TIME_S\" for each")
       .required()
       .type_name("IMAGE");
-  command.option("-o,--out", options->out, "The folder to write; one that was begun is gone on with")
+  command.option("-o,--out", options->out, "The folder to write; an unfinished one is continued")
       .required()
       .type_name("DIR");
   command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
@@ -294,18 +294,20 @@ void add_sequence_command(Program& program) {
   add_memory_option(command, options->memory_limit);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
-  command.option("--max-evaluations", options->max_evaluations, "Stop a frame after so many evaluations")
+  command
+      .option("--max-evaluations", options->max_evaluations, "Stop a frame after this number of evaluations")
       .range(1, 1000000)
       .shows_default();
   command
       .option("--reports", options->reports,
-              "Of which frames to write the whole run with its pictures: all, those that are not good, or "
-              "none; rows are written of all")
+              "Frames whose complete run with pictures is written: all, those that are not good, or none; "
+              "every frame has its row")
       .one_of({"all", "doubtful", "none"})
       .shows_default();
   command.flag("--netcdf", options->netcdf,
-               "Write netCDF too: DIR/sequence.nc, and result.nc into each frame's run");
-  command.flag("--overwrite", options->overwrite, "Fit again what is of another scene or version");
+               "Also write netCDF: DIR/sequence.nc, and result.nc in each frame's run");
+  command.flag("--overwrite", options->overwrite,
+               "Fit frames again that another scene or version has fitted");
   command.runs([options, words = program.command_line()] { return run_sequence(*options, words); });
 }
 

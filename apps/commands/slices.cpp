@@ -153,8 +153,8 @@ int run_slices(const SlicesRequest& options) {
 
 void add_slices_command(Program& program) {
   const auto options = std::make_shared<SlicesRequest>();
-  const Command command = program.add(
-      "slices", "A grid as pictures: its largest numbers along three axes, and slices, on one sheet");
+  const Command command =
+      program.add("slices", "Draw a grid: its largest values along three axes, and slices, on one sheet");
   add_scene_options(command, options->input);
   command.option_of_name("SCENE").description(
       "A grid (.vdb, or a volumegrid: .pbrt, .volumegrid, .txt), or a scene (.toml)");
@@ -168,23 +168,23 @@ void add_slices_command(Program& program) {
                         .expected(3)
                         .finite_range(-1e12, 1e12)
                         .type_name("X,Y,Z");
-  const Option along = command.option("--along", options->along, "Many slices along this axis instead")
+  const Option along = command.option("--along", options->along, "Draw many slices along this axis instead")
                            .one_of({"x", "y", "z"})
                            .excludes(at)
                            .type_name("AXIS");
-  command.option("--count", options->count, "How many (default: 9)").range(1, 60).needs(along);
-  const Option gamma = command
-                           .option("--gamma", options->gamma,
-                                   "Grey is the number's share of the largest, to the power of 1 / this")
-                           .finite_range(0.1, 10.0);
-  const Option log =
-      command.flag("--log", options->log, "Grey by the logarithm of the number").excludes(gamma);
-  command.option("--decades", options->decades, "Black is so many decades below the largest (default: 4)")
+  command.option("--count", options->count, "Number of slices (default: 9)").range(1, 60).needs(along);
+  const Option gamma =
+      command.option("--gamma", options->gamma, "Exponent: grey is (value / largest value)^(1 / gamma)")
+          .finite_range(0.1, 10.0);
+  const Option log = command.flag("--log", options->log, "Show the logarithm of the values").excludes(gamma);
+  command.option("--decades", options->decades, "Decades between black and the largest value (default: 4)")
       .finite_range(0.1, 40.0)
       .needs(log);
-  command.option("--colours", options->colours, "grey (default) or gold").one_of({"grey", "gold"});
-  options->of_scenes = add_voxel_options(
-      command, "--voxel", "some 300 to a side, more where strands are thin; of beams 0.5", options->voxels);
+  command.option("--colours", options->colours, "Colours of the values (default: grey)")
+      .one_of({"grey", "gold"});
+  options->of_scenes = add_voxel_options(command, "--voxel",
+                                         "about 300 along a side, more where strands are thin; 0.5 for beams",
+                                         options->voxels);
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");

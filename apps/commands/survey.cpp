@@ -6,7 +6,8 @@ namespace vegard::apps {
 
 void add_survey_command(Program& program) {
   const Command survey = program.add(
-      "survey", "A night, a winter, a network of cameras: every frame measured, on one machine or on many");
+      "survey",
+      "Measure every frame of a night, a winter or a network of cameras, on one machine or a cluster");
   add_survey_plan(survey);
   add_survey_run(survey);
   add_survey_submit(survey);

@@ -112,7 +112,8 @@ void add_volume_command(Program& program) {
       .type_name("NM,...");
   command
       .option("--for", options->convention,
-              "Where a voxel's middle is at its index: blender (+ 1/2, the default) or houdini (+ 0)")
+              "Program that will read it: voxel centres are at index + 1/2 in Blender (the default), at the "
+              "index in Houdini")
       .one_of({"blender", "houdini"});
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
       .range(0, 1024);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -78,15 +79,97 @@ std::string full_name(const CLI::App& app) {
   return full_name(*parent) + " " + app.get_name();
 }
 
-/// The words of "TEXT:{good,bad}"; none of other types.
-std::vector<std::string> choices_of(const std::string& type) {
-  const std::size_t begin = type.find('{'), end = type.rfind('}');
+/// What an option takes, from CLI11's description of it: of "INT:INT in [0 - 1024]" the name NUMBER and the
+/// limits "0 to 1024", of "TEXT:{good,bad}" the name WORD and two choices, of "TEXT:SIZE" the name SIZE.
+struct ValueText {
+  std::string name, limits;
   std::vector<std::string> choices;
-  if (begin == std::string::npos || end == std::string::npos) return choices;
-  std::istringstream words(type.substr(begin + 1, end - begin - 1));
-  for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
-  return choices;
+};
+
+ValueText value_text(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  // A name of ours may have colons of its own ("FIRST:LAST"); the library adds what a value must be.
+  std::size_t end = type.find(':');
+  if (type.rfind("INT", 0) != 0 && type.rfind("UINT", 0) != 0 && type.rfind("FLOAT", 0) != 0 &&
+      type.rfind("TEXT", 0) != 0)
+    end = std::min(
+        {type.find(":INT in ["), type.find(":UINT in ["), type.find(":FLOAT in ["), type.find(":{")});
+  ValueText value;
+  value.name = type.substr(0, end);
+  if (value.name == "INT" || value.name == "UINT" || value.name == "FLOAT") value.name = "NUMBER";
+  std::istringstream parts(end == std::string::npos ? std::string() : type.substr(end + 1));
+  for (std::string part; std::getline(parts, part, ':');) {
+    if (part.empty()) continue;
+    const std::size_t open = part.find(" in ["), dash = part.rfind(" - ");
+    if (part.front() == '{') {
+      std::istringstream words(part.substr(1, part.size() - 2));
+      for (std::string word; std::getline(words, word, ',');) value.choices.push_back(word);
+    } else if (open != std::string::npos && dash != std::string::npos) {
+      value.limits =
+          part.substr(open + 5, dash - open - 5) + " to " + part.substr(dash + 3, part.size() - dash - 4);
+    } else if (value.name == "TEXT") {
+      value.name = part;
+    }
+  }
+  if (value.name == "TEXT" && !value.choices.empty()) value.name = "WORD";
+  return value;
 }
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_positional() || option.get_items_expected_max() > 0;
+}
+
+/// "--csv or --sources", in the order of names.
+std::string names_of(const std::set<CLI::Option*>& options) {
+  std::set<std::string> names;
+  for (const CLI::Option* option : options) names.insert(option->get_name());
+  std::string text;
+  for (const std::string& name : names)
+    text += (text.empty() ? "" : " or ") + name.substr(name.rfind(',') + 1);
+  return text;
+}
+
+/// The words of an option with what it takes, its default, and the options that it needs or excludes.
+std::string described(const CLI::Option& option) {
+  std::vector<std::string> facts;
+  if (takes_value(option)) {
+    const ValueText value = value_text(option);
+    std::string choices;
+    for (const std::string& choice : value.choices) choices += (choices.empty() ? "" : ", ") + choice;
+    if (!choices.empty()) facts.push_back(choices);
+    if (!value.limits.empty()) facts.push_back(value.limits);
+  }
+  const std::string& words = option.get_description();
+  if (!option.get_default_str().empty()) facts.push_back("default: " + option.get_default_str());
+  if (!option.get_needs().empty() && words.find("needs ") == std::string::npos)
+    facts.push_back("needs " + names_of(option.get_needs()));
+  if (!option.get_excludes().empty()) facts.push_back("not with " + names_of(option.get_excludes()));
+  if (facts.empty()) return words;
+  // What already ends with facts in parentheses gets the others there.
+  const std::size_t last = words.rfind("(default");
+  const bool has_facts = last != std::string::npos && words.find(')', last) + 1 == words.size();
+  std::string text = has_facts ? words.substr(0, words.size() - 1) + "; " : words + " (";
+  for (std::size_t i = 0; i < facts.size(); ++i) text += (i == 0 ? "" : "; ") + facts[i];
+  return text + ")";
+}
+
+/// --help with the same words as the manual.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    std::string name = CLI::Formatter::make_option_name(option, is_positional);
+    if (const std::size_t mark = name.find("{false}"); mark != std::string::npos) name.erase(mark, 7);
+    return name;
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (!takes_value(*option) || option->get_positional()) return {};
+    return " " + value_text(*option).name +
+           (option->get_expected_max() == CLI::detail::expected_max_vector_size ? " ..." : "");
+  }
+  std::string make_option_desc(const CLI::Option* option) const override {
+    return described(*option) + (option->get_required() ? " (required)" : "");
+  }
+};
 
 CommandText text_of(const CLI::App& app) {
   CommandText text;
@@ -98,14 +181,19 @@ CommandText text_of(const CLI::App& app) {
     if (one.by_place) one.names.push_back(option->get_name(true));
     for (const std::string& name : option->get_snames()) one.names.push_back("-" + name);
     for (const std::string& name : option->get_lnames()) one.names.push_back("--" + name);
-    if (one.by_place || option->get_items_expected_max() > 0) one.value = option->get_type_name();
-    one.choices = choices_of(one.value);
-    one.words = option->get_description();
-    if (!option->get_default_str().empty()) one.words += " (default: " + option->get_default_str() + ")";
+    if (takes_value(*option)) {
+      const ValueText value = value_text(*option);
+      one.value = value.name;
+      one.choices = value.choices;
+    }
+    one.words = described(*option);
     one.required = option->get_required();
     text.options.push_back(one);
   }
-  for (const CLI::App* subcommand : app.get_subcommands({})) text.subcommands.push_back(text_of(*subcommand));
+  for (const CLI::App* subcommand : app.get_subcommands({})) {
+    text.subcommands.push_back(text_of(*subcommand));
+    text.subcommands.back().group = subcommand->get_group();
+  }
   return text;
 }
 
@@ -293,7 +381,8 @@ Option Command::flag(const std::string& names, bool& value, const std::string& w
 }
 
 Command Command::add(const std::string& name, const std::string& description) const {
-  return Command(prepared(app_->add_subcommand(name, description)), exit_code_);
+  // A subcommand would take over the group that its command has in the program.
+  return Command(prepared(app_->add_subcommand(name, description)->group("Subcommands")), exit_code_);
 }
 
 Option Command::option_of_name(const std::string& name) const { return Option(app_->get_option(name)); }
@@ -310,7 +399,7 @@ void Command::runs(std::function<int()> call) const {
       "No progress, notes or summary: only what is asked for, warnings and errors");
   if (app_->get_option_no_throw("--json") == nullptr)
     app_->add_flag_function(
-        "--json", [](std::int64_t) { voice().is_json = true; }, "Print one JSON object in place of words");
+        "--json", [](std::int64_t) { voice().is_json = true; }, "Print one JSON object in place of text");
   app_->callback([call = std::move(call), code = exit_code_, name = full_name(*app_)] {
     // A command may run others (vegard measure), and what they would answer is not asked for.
     static int depth = 0;
@@ -332,6 +421,7 @@ void Command::runs(std::function<int()> call) const {
 Program::Program(const std::string& name, const std::string& description,
                  const std::function<std::string()>& versions, int argc, const char* const* argv)
     : app_(std::make_unique<CLI::App>(description, name)), argc_(argc), argv_(argv) {
+  app_->formatter(std::make_shared<HelpFormatter>());  // subcommands take it over
   prepared(app_.get());
   if (versions)
     app_->set_version_flag("--version", versions, "Print the versions of vegard and of its libraries");
@@ -339,8 +429,12 @@ Program::Program(const std::string& name, const std::string& description,
 
 Program::~Program() = default;
 
+void Program::begin_group(const std::string& title) { group_ = title; }
+
 Command Program::add(const std::string& name, const std::string& description) {
-  return Command(prepared(app_->add_subcommand(name, description)), &exit_code_);
+  CLI::App* subcommand = prepared(app_->add_subcommand(name, description));
+  if (!group_.empty()) subcommand->group(group_);
+  return Command(subcommand, &exit_code_);
 }
 
 std::string Program::command_line() const {

@@ -1,5 +1,5 @@
-// The command line as the subcommands see it: options, flags and what is checked of them. CLI11 stands behind
-// it, and is compiled in command.cpp alone.
+// The command line for the subcommands: options, flags and their checks. It wraps CLI11, which is compiled in
+// command.cpp alone.
 #pragma once
 
 #include <cstdint>
@@ -18,58 +18,58 @@ class Option;
 
 namespace vegard::apps {
 
-/// A command that finds no memory for its work: what was done, and how to need less.
+/// Thrown when a command finds no memory for its work; says what was done, and how to need less.
 class OutOfMemory : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// An option of a subcommand, by reference: copies are the same option. It lives as long as its Program. All
-/// that sets something gives the option again.
+/// setters return the option itself.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   const Option& required() const;
-  /// How the help calls its value: "OUT.exr".
+  /// Name of its value in the help: "OUT.exr".
   const Option& type_name(const std::string& name) const;
-  /// Words in the help in place of those given first.
+  /// Replaces the description in the help.
   const Option& description(const std::string& words = {}) const;
-  /// The value that it has now stands in the help as its default.
+  /// Shows the present value in the help as the default.
   const Option& shows_default() const;
 
   /// Both ends included.
   const Option& range(int low, int high) const;
   const Option& range(std::uint64_t low, std::uint64_t high) const;
-  /// Both ends included. It lets "nan" through, which is neither below nor above anything: see
-  /// finite_range().
+  /// Both ends included. It accepts "nan", which is neither below nor above any number: see finite_range().
   const Option& range(double low, double high) const;
-  /// The same, and refuses what is no number.
+  /// The same, but it refuses "nan".
   const Option& finite_range(double low, double high) const;
   const Option& one_of(std::initializer_list<const char*> words) const;
   const Option& one_of(std::initializer_list<int> numbers) const;
-  /// `complaint` says what is wrong with a word, nothing if it is good; `type` is what the help calls such
-  /// words.
+  /// `complaint` returns what is wrong with a value, or nothing if it is valid; `type` is the name of such
+  /// values in the help.
   const Option& check(const std::function<std::string(const std::string& word)>& complaint,
                       const std::string& type) const;
 
   /// Splits a word into several values.
   const Option& delimiter(char separator) const;
-  /// How many values it takes; below 0: at least so many.
+  /// Number of values that it takes; below 0: at least that many.
   const Option& expected(int count) const;
   const Option& expected(int least, int most) const;
-  /// One value (or one word with delimiters) an occurrence: else it would swallow words that follow it.
+  /// One value (or one list with delimiters) per occurrence; without this it would take the arguments after
+  /// it, too.
   const Option& one_an_occurrence() const;
-  /// One value an occurrence, and every occurrence counts.
+  /// One value per occurrence; the values of all occurrences are kept.
   const Option& repeated() const;
 
   const Option& excludes(const Option& other) const;
   const Option& needs(const Option& other) const;
   const Option& needs(const std::string& other) const;
 
-  /// Known once the command line is read.
+  /// Whether it was given; known once the command line is read.
   bool given() const;
-  /// As messages call it: "--voxel".
+  /// Name in messages: "--voxel".
   std::string name() const;
 
   bool operator==(const Option& other) const { return option_ == other.option_; }
@@ -78,12 +78,12 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A subcommand, by reference, as Option. What options write to must outlive the parsing.
+/// A subcommand, by reference like Option. Variables to which options write must outlive the parsing.
 class Command {
  public:
   Command(CLI::App* app, int* exit_code) : app_(app), exit_code_(exit_code) {}
 
-  /// `names`: "-o,--output", or "SCENE" for a word by its place.
+  /// `names`: "-o,--output", or "SCENE" for a positional argument. `words` is the description in the help.
   Option option(const std::string& names, std::string& value, const std::string& words = {}) const;
   Option option(const std::string& names, int& value, const std::string& words = {}) const;
   Option option(const std::string& names, std::uint64_t& value, const std::string& words = {}) const;
@@ -96,23 +96,23 @@ class Command {
                 const std::string& words = {}) const;
   Option option(const std::string& names, std::vector<int>& values, const std::string& words = {}) const;
   Option option(const std::string& names, std::vector<double>& values, const std::string& words = {}) const;
-  /// A list for each occurrence.
+  /// One list of values for each occurrence.
   Option option(const std::string& names, std::vector<std::vector<std::string>>& values,
                 const std::string& words = {}) const;
   Option flag(const std::string& names, bool& value, const std::string& words = {}) const;
 
-  /// A subcommand of this one, which is nothing without one then.
+  /// Adds a subcommand to this command, which from then on requires one.
   Command add(const std::string& name, const std::string& description) const;
 
-  /// One that was added before.
+  /// Returns an option that was added before.
   Option option_of_name(const std::string& name) const;
 
-  /// Once the command line is read: the options in the order in which it gave them, one as often as it was
-  /// given.
+  /// The options in the order of the command line, each as often as it was given; known once the command line
+  /// is read.
   std::vector<Option> order() const;
 
-  /// `call` does the work and gives the program's exit code. Where it finds no memory, in whatever thread,
-  /// OutOfMemory is thrown.
+  /// Sets the function that does the work and returns the program's exit code. If it runs out of memory, in
+  /// any thread, OutOfMemory is thrown.
   void runs(std::function<int()> call) const;
 
  private:
@@ -120,18 +120,19 @@ class Command {
   int* exit_code_;
 };
 
-/// An option in words, for manuals.
+/// The texts of an option, for manuals.
 struct OptionText {
-  std::vector<std::string> names;    ///< "-o", "--output"; of a word by its place its name alone, "SCENE"
-  std::string value;                 ///< what the help calls its value; empty: a flag
-  std::vector<std::string> choices;  ///< the words that it takes, if they are few
+  std::vector<std::string> names;    ///< "-o", "--output"; of a positional argument its name alone, "SCENE"
+  std::string value;                 ///< name of its value in the help; empty: a flag
+  std::vector<std::string> choices;  ///< the allowed values, if they are few
   std::string words;
   bool by_place = false, required = false;
 };
 
-/// A subcommand, or the whole program, in words.
+/// The texts of a subcommand, or of the whole program.
 struct CommandText {
-  std::string name;  ///< "survey run"; of the program its own
+  std::string name;   ///< "survey run"; for the program itself its own name
+  std::string group;  ///< title under which the help lists it
   std::string words;
   std::vector<OptionText> options;
   std::vector<CommandText> subcommands;
@@ -147,31 +148,36 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  /// Begins a group of subcommands in the help; those added from here on belong to it.
+  void begin_group(const std::string& title);
+
   /// A subcommand.
   Command add(const std::string& name, const std::string& description);
 
-  /// What is given without a subcommand.
+  /// Returns the command for options that are given without a subcommand.
   Command root();
 
-  /// All of it in words, as far as it has been added.
+  /// Returns the texts of all commands and options that have been added.
   CommandText text() const;
 
-  /// Words that nothing takes are no error.
+  /// Makes read() accept arguments that no option takes.
   void takes_more();
 
   /// The program's name without its folder and the arguments as given, quoted where a shell would need it:
-  /// for a result's provenance.
+  /// for the provenance of a result.
   std::string command_line() const;
 
-  /// Parses, and calls the subcommand if there is one. The exit code if this was the end: --help, --version,
-  /// or wrong words, which are reported on standard error. Throws what the subcommand throws.
+  /// Parses, and calls the subcommand if there is one. Returns the exit code if the program must end here:
+  /// after --help or --version, or after a wrong command line, which is reported on standard error. Throws
+  /// what the subcommand throws.
   std::optional<int> read();
 
-  /// read() of a program that is nothing without a subcommand; gives the exit code.
+  /// read() for a program that requires a subcommand; returns the exit code.
   int run();
 
  private:
   std::unique_ptr<CLI::App> app_;
+  std::string group_;
   int argc_;
   const char* const* argv_;
   int exit_code_ = 0;

@@ -17,12 +17,12 @@ void add_map_options(const Command& command, MapOptions& options) {
                  "Elevation of every pixel (channel elevation_deg; default: the file of --azimuth-map)");
   command
       .option("--skymap", options.skymap,
-              "Both in one file: IDL's .sav and CDF as THEMIS, REGO and TREx have them, HDF5, MATLAB, FITS "
+              "Azimuth and elevation in one file: .sav or CDF of THEMIS, REGO and TREx, HDF5, MATLAB, FITS "
               "of two planes, EXR")
       .type_name("FILE");
   command
       .option("--skymap-flip", options.skymap_flip,
-              "What of the skymap runs the other way than in the picture: rows, columns or both")
+              "Flip the skymap's rows, columns or both, if they run against the picture's")
       .type_name("WHICH");
 }
 

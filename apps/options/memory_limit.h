@@ -1,4 +1,4 @@
-// How much memory a command may take, and what is said of one that would take more.
+// The limit of a command's memory, and its messages.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +13,19 @@ namespace vegard::apps {
 /// must outlive the parsing.
 Option add_memory_option(
     const Command& command, std::string& words,
-    const std::string& meaning = "Refuse what would take more memory (default: most of what is free)");
+    const std::string& meaning =
+        "Refuse work that needs more memory: 500M, 8G (default: four fifths of what is free)");
 
-/// In bytes; without words four fifths of what the machine has left (sim/base/available_memory.h). Infinity
-/// where that is not known.
+/// Returns the limit in bytes; if `words` is empty, four fifths of the machine's free memory
+/// (sim/base/available_memory.h), or infinity where that is not known.
 double memory_limit_bytes(const std::string& words);
 
 /// sim::threads_to_render() within that limit.
 int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
                       const std::string& memory_words);
 
-/// fit::require_memory_of_fit() within that limit. Reports on standard error, before it begins, a fit that
-/// will take more than 2 GB.
+/// fit::require_memory_of_fit() within that limit. Also prints a note on standard error if the fit will take
+/// more than 2 GB.
 void check_memory_of_fit(const sim::Scene& scene, int threads, const std::string& memory_words);
 
 }  // namespace vegard::apps

@@ -18,9 +18,9 @@ void add_decoding_option(const Command& command, std::string& word) {
   };
   command
       .option("--decoding", word,
-              "How numbers become light: auto (sRGB for integers, linear for floats), srgb, srgb:EXPONENT, "
-              "linear, gamma:2.2, curve:FILE.csv, sensor (as the scene's sensor encodes), unknown or "
-              "unknown:2 (a fit finds it); default: the scene's")
+              "How the picture's numbers become light: auto (sRGB for integers, linear for floats), srgb, "
+              "srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor (inverse of the scene's sensor), "
+              "unknown or unknown:2 (fitted); default: the scene's")
       .check(complaint_of, "WORD");
 }
 
@@ -52,8 +52,8 @@ void check_filters(const sim::Scene& scene) {
 void add_at_option(const Command& command, std::string& time) {
   command
       .option("--at", time,
-              "Of a file with many frames the one taken at this time, ISO 8601 in UTC or with a zone; by its "
-              "number from 0: FILE#12")
+              "Choose the frame of this time in a file of many (ISO 8601, UTC or with a zone); FILE#12 "
+              "chooses by number, from 0")
       .type_name("TIME");
 }
 
@@ -76,8 +76,8 @@ std::string picture_at(const std::string& picture, const std::string& time) {
 
 void add_no_metadata_option(const Command& command, bool& off) {
   command.flag("--no-metadata", off,
-               "Do not take what the scene leaves out (place, time, size, field of view, exposure) from "
-               "the photograph's own words");
+               "Do not fill what the scene leaves out (place, time, size, field of view, exposure) from the "
+               "photograph's metadata");
 }
 
 }  // namespace vegard::apps

@@ -20,22 +20,21 @@ std::vector<Option> add_voxel_options(const Command& command, const std::string&
                                   default_voxel + ")")
                       .finite_range(1e-6, 1e6)
                       .type_name("LENGTH"));
-  added.push_back(
-      command
-          .option("--box", options.box,
-                  "Only what is inside, in km from the observer (of a nebula: right, up, near, in its unit; "
-                  "of the Sun: x, y, z of its frame)")
-          .delimiter(',')
-          .expected(6)
-          .type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH"));
+  added.push_back(command
+                      .option("--box", options.box,
+                              "Fill only this box, in km from the observer (of a nebula: right, up, near, in "
+                              "its unit; of the Sun: x, y, z of its frame)")
+                      .delimiter(',')
+                      .expected(6)
+                      .type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH"));
   added.push_back(
       command
           .option("--of", options.of,
-                  "Only the sheets, footprints, nebulae, volumes and things on the Sun of these names")
+                  "Only the sheets, footprints, nebulae, volumes and objects on the Sun with these names")
           .delimiter(',')
           .type_name("NAME,..."));
   added.push_back(add_memory_option(command, options.memory_limit,
-                                    "For the voxels: 500M, 8G, or a number of GB (default: 4G)"));
+                                    "Memory for the voxels: 500M, 8G, or a number of GB (default: 4G)"));
   return added;
 }
 

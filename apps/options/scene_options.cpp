@@ -37,7 +37,8 @@ void add_scene_options(const Command& command, SceneOptions& options, SceneWord 
   command.option("--set", options.changes, "Change one value of the scene (repeatable; see vegard params)")
       .type_name("PATH=VALUE")
       .one_an_occurrence();
-  command.option("--seed", options.seed, "Another seed of the random numbers").type_name("NUMBER");
+  command.option("--seed", options.seed, "Seed of the random numbers, in place of the scene's")
+      .type_name("NUMBER");
 }
 
 sim::Scene scene_of(const SceneOptions& options) {

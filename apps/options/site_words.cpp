@@ -107,7 +107,7 @@ bool is_latitude(const SiteAngle& angle) { return angle.letter == 'N' || angle.l
 void add_site_option(const Command& command, std::vector<std::string>& words) {
   command
       .option("--site", words,
-              "Where: degrees north and east (78.148,16.043 or 78.148N,16.043E), metres above the sea")
+              "Site: degrees north and east (78.148,16.043 or 78.148N,16.043E), metres above the sea")
       .delimiter(',')
       .expected(2, 3)
       .type_name("LAT,LON[,HEIGHT]");

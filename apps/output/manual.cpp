@@ -117,8 +117,12 @@ std::string man_page(const CommandText& program, const CommandText& command) {
   text += command.subcommands.empty() ? "[\\fIOPTIONS\\fR]\n" : "\\fISUBCOMMAND\\fR ...\n";
   if (!command.subcommands.empty()) {
     text += ".SH SUBCOMMANDS\n";
-    for (const CommandText& sub : command.subcommands)
+    std::string group = command.subcommands.front().group;
+    if (whole) text += ".SS " + escaped(group) + "\n";
+    for (const CommandText& sub : command.subcommands) {
+      if (whole && sub.group != group) text += ".SS " + escaped(group = sub.group) + "\n";
       text += fmt::format(".TP\n\\fB{}\\fR(1)\n{}\n", escaped(page_name(program, sub)), escaped(sub.words));
+    }
   }
   text += options_section("ARGUMENTS", command, true) + options_section("OPTIONS", command, false);
   text += ".SH EXIT STATUS\n";

@@ -65,9 +65,9 @@ sim::Image shown_picture(const PictureOptions& options, const sim::Scene& scene,
 void add_picture_options(const Command& command, PictureOptions& options) {
   command.option("--bits", options.bits, "Bits per channel (default: 8 for PNG, 16 for TIFF)")
       .one_of({8, 16});
-  command.option("--quality", options.quality, "Quality of a JPEG, 1 to 100 (default 92)").range(1, 100);
+  command.option("--quality", options.quality, "Quality of a JPEG (default: 92)").range(1, 100);
   command.flag("--photograph", options.photograph,
-               "Add what a camera adds, by the scene's sensor: photon and read noise, saturation, mosaic");
+               "Simulate the scene's sensor: photon and read noise, saturation, mosaic");
 }
 
 void check_picture_options(const std::string& path, const PictureOptions& options) {

@@ -15,7 +15,7 @@ expect_exit 0 manual -o other --overwrite
 [[ $(find other -type f | wc -l) == $(find share -type f | wc -l) ]] || fail "not all of them are written"
 # Every subcommand of the help has its page, and every long option of a subcommand stands on it.
 expect_exit 0 --help
-mapfile -t commands < <(sed -n '/^Subcommands:/,$s/^  \([a-z][a-z-]*\).*/\1/p' "$stdout")
+mapfile -t commands < <(sed -n '/^From a photograph/,/^Exit codes/s/^  \([a-z][a-z-]*\).*/\1/p' "$stdout")
 ((${#commands[@]} > 25)) || fail "the help has ${#commands[@]} subcommands"
 for command in "${commands[@]}"; do
   expect_file "share/man/man1/vegard-$command.1"

@@ -32,8 +32,17 @@ expect_exit 2 profile
 expect_only
 expect_exit 0 --help
 expect_stdout render
+expect_stdout "From a photograph to numbers:"
+# What an option takes, its default and its limits are words, not the library's types.
 expect_exit 0 render --help
 expect_stdout --overwrite
+expect_stdout "Quality of a JPEG (default: 92; 1 to 100)"
+expect_stdout "needs --as-seen"
+if grep -E "INT|FLOAT|TEXT:" "$stdout"; then fail "the help has names of types"; fi
+expect_exit 0 animate --help
+expect_stdout "--frames FIRST:LAST[:STEP]"
+expect_exit 0 survey --help
+expect_stdout "Subcommands:"
 expect_exit 0 fit --help
 expect_stdout --photo
 expect_exit 0 --version

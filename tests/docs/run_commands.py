@@ -138,8 +138,8 @@ class Manual:
         return self.known[key]
 
     def subcommands(self, words):
-        after = self.help_of(words).partition("\nSubcommands:")[2]
-        return re.findall(r"^  (\w[\w-]*)", after, re.MULTILINE)
+        before = self.help_of(words).partition("\nExit codes:")[0]
+        return re.findall(r"^  ([a-z][\w-]*)", before, re.MULTILINE)
 
     def options(self, words):
         lines = [line for line in self.help_of(words).splitlines() if re.match(r"^ +-", line)]

@@ -114,33 +114,34 @@ std::string complaint_about(const std::string& name) {
 
 void add_atmosphere_command(Program& program) {
   const auto options = std::make_shared<AtmosphereRequest>();
-  const Command command =
-      program.add("atmosphere",
-                  "The neutral air for a place, a time and an activity (NRLMSISE-00), for vegard electrons");
-  command.option("--time", options->time, "UTC, such as 2014-03-10T06:05:33Z").type_name("TIME");
-  command.option("--latitude-deg", options->latitude_deg, "Geographic, north positive")
+  const Command command = program.add(
+      "atmosphere",
+      "Compute the neutral air for a place, a time and an activity (NRLMSISE-00), for vegard electrons");
+  command.option("--time", options->time, "Time in UTC, such as 2014-03-10T06:05:33Z").type_name("TIME");
+  command.option("--latitude-deg", options->latitude_deg, "Geographic latitude, north positive")
       .finite_range(-90.0, 90.0);
-  command.option("--longitude-deg", options->longitude_deg, "East positive").finite_range(-180.0, 360.0);
+  command.option("--longitude-deg", options->longitude_deg, "Geographic longitude, east positive")
+      .finite_range(-180.0, 360.0);
   command
       .option("--f107", options->f107,
               "The Sun's radio flux at 10.7 cm on the day before, in 10^-22 W m^-2 Hz^-1")
       .finite_range(50.0, 400.0);
-  command.option("--f107a", options->f107a, "Its mean of the 81 days about the day (default: --f107)")
+  command
+      .option("--f107a", options->f107a, "Mean of that flux over the 81 days about the day (default: --f107)")
       .finite_range(50.0, 400.0);
   command.option("--ap", options->ap, "Magnetic index of the day").finite_range(0.0, 400.0);
   command
-      .option(
-          "--ap-history", options->ap_history,
-          "In its place, after storms: of the day, of now, 3, 6 and 9 hours before, means of 12 to 33 and of "
-          "36 to 57 hours before")
+      .option("--ap-history", options->ap_history,
+              "After storms, in place of --ap: ap of the day, now, 3, 6 and 9 hours before, and means of 12 "
+              "to 33 and 36 to 57 hours before")
       .delimiter(',')
       .one_an_occurrence()
       .type_name("AP,AP,AP,AP,AP,AP,AP");
   command
       .option("--conditions", options->conditions,
-              "All of these by a name; what is given as well takes precedence")
+              "Set all of these by a name; other options take precedence")
       .check(complaint_about, "NAME");
-  command.flag("--list", options->list, "Say the names, and what they stand for");
+  command.flag("--list", options->list, "List the names and their meanings");
   command.option("--bottom-km", options->bottom_km, "Altitude of the first row")
       .finite_range(sim::kMsisBottomKm, sim::kMsisTopKm)
       .shows_default();
@@ -149,7 +150,7 @@ void add_atmosphere_command(Program& program) {
       .shows_default();
   command.option("-o,--output", options->output, "Temperature and densities by altitude")
       .type_name("OUT.csv");
-  command.option("--plot", options->plot, "Draw them").type_name("OUT.svg|OUT.png");
+  command.option("--plot", options->plot, "Draw temperature and densities").type_name("OUT.svg|OUT.png");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] { return run_atmosphere(*options); });
 }

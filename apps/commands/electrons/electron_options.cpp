@@ -112,21 +112,22 @@ void require_balance(const ElectronOptions& request, double missing_share) {
 
 std::vector<Option> add_electron_options(const Command& command, ElectronOptions& options) {
   std::vector<Option> all;
-  all.push_back(command.option("--spectrum", options.spectrum, "Energies of the electrons")
+  all.push_back(command.option("--spectrum", options.spectrum, "Spectrum of the electrons")
                     .one_of({"mono", "gaussian", "maxwellian", "kappa", "accelerated", "table"})
                     .shows_default());
-  all.push_back(command
-                    .option("--energy-kev", options.energy_kev,
-                            "E0: their energy (mono, gaussian), or half the mean of a Maxwellian's")
-                    .finite_range(sim::kMinSpectrumKev, sim::kMaxSpectrumKev));
+  all.push_back(
+      command
+          .option("--energy-kev", options.energy_kev,
+                  "E0: the electrons' energy (mono, gaussian), or half the mean energy of a Maxwellian")
+          .finite_range(sim::kMinSpectrumKev, sim::kMaxSpectrumKev));
   all.push_back(
       command.option("--spread", options.spread, "Standard deviation of a Gaussian over E0 (default: 0.1)")
           .finite_range(0.01, 1.0));
-  all.push_back(command.option("--kappa", options.kappa, "Kappa of such a spectrum (default: 5)")
+  all.push_back(command.option("--kappa", options.kappa, "Kappa of a kappa distribution (default: 5)")
                     .finite_range(2.1, 100.0));
   all.push_back(command
                     .option("--potential-kev", options.potential_kev,
-                            "Energy that accelerated electrons have gained, in keV")
+                            "Energy that the spectrum accelerated has gained, in keV")
                     .finite_range(0.0, sim::kMaxSpectrumKev));
   all.push_back(
       command
@@ -138,10 +139,11 @@ std::vector<Option> add_electron_options(const Command& command, ElectronOptions
       command.option("--flux-mw-m2", options.flux_mw_m2, "Energy flux through a plane across the field")
           .finite_range(1e-6, 1e4)
           .shows_default());
-  all.push_back(
-      command.option("--pitch", options.pitch, "Directions: all downwards alike, or along the field")
-          .one_of({"isotropic", "field-aligned"})
-          .shows_default());
+  all.push_back(command
+                    .option("--pitch", options.pitch,
+                            "Pitch angles: isotropic over the downward hemisphere, or along the field")
+                    .one_of({"isotropic", "field-aligned"})
+                    .shows_default());
   all.push_back(command.option("--dip-deg", options.dip_deg, "Inclination of the field to the horizontal")
                     .finite_range(10.0, 90.0)
                     .shows_default());

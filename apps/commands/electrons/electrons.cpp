@@ -96,8 +96,8 @@ void add_electrons_command(Program& program) {
   const Command command = program.add(
       "electrons", "Follow electrons down through the air: ion pairs, excitations and energy by altitude");
   add_electron_options(command, options->electrons);
-  command.option("-o,--output", options->output, "The rates by altitude").type_name("OUT.csv");
-  command.option("--plot", options->plot, "Draw them").type_name("OUT.svg|OUT.png");
+  command.option("-o,--output", options->output, "Write the rates by altitude").type_name("OUT.csv");
+  command.option("--plot", options->plot, "Draw the rates").type_name("OUT.svg|OUT.png");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] { return run_electrons(*options); });
 }

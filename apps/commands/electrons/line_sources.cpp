@@ -160,10 +160,10 @@ void add_line_source_options(const Command& command, const Option& sources, Line
       .needs(sources);
   command
       .option("--seconds", request.seconds,
-              "How long the electrons have come (default: for ever, a steady state)")
+              "Duration of the precipitation in seconds (default: a steady state)")
       .finite_range(0.001, 1e6)
       .needs(sources);
-  command.option("-o,--output", request.output, "Light by altitude and source, ions and lifetimes")
+  command.option("-o,--output", request.output, "Write light by altitude and source, ions and lifetimes")
       .type_name("OUT.csv")
       .needs(sources);
   command.option("--plot", request.plot, "Draw the sources by altitude")

@@ -110,7 +110,7 @@ void add_tables_command(Program& program) {
   const auto options = std::make_shared<TablesRequest>();
   const Command command = program.add(
       "tables",
-      "Make emission tables for an air and its chemistry: light by altitude and energy of electrons");
+      "Make emission tables for a neutral air and its chemistry: light by altitude and energy of electrons");
   command.option("-o,--output", options->output, "The folder of the tables").type_name("FOLDER").required();
   add_air_option(command, options->atmosphere, ", from 80 to 640 km");
   command
@@ -120,7 +120,7 @@ void add_tables_command(Program& program) {
       .type_name("FILE.csv");
   command
       .option("--oxygen-factors", options->oxygen,
-              "Multiples of the atomic oxygen, between which a scene may choose and a fit may search")
+              "Factors on the atomic oxygen, between which scenes and fits interpolate")
       .delimiter(',')
       .shows_default();
   command.option("--dip-deg", options->dip_deg, "Inclination of the field to the horizontal")
@@ -128,8 +128,8 @@ void add_tables_command(Program& program) {
       .shows_default();
   command
       .option("--refinement", options->refinement,
-              "Of the steps in energy and altitude; work grows as its cube (at 0.5 columns are within 0.3 % "
-              "of 1)")
+              "Fineness of the steps in energy and altitude; the work grows as its cube (columns at 0.5 "
+              "agree with 1 within 0.3 %)")
       .finite_range(0.25, 2.0)
       .shows_default();
   command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")

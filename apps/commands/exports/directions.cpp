@@ -135,13 +135,13 @@ void add_directions_command(Program& program) {
   add_scene_options(command, options->scene);
   command
       .option("-o,--output", options->output,
-              "The maps to write; MAPS.fits: MAPS_az.fits and MAPS_el.fits; .wcs: Astrometry.net's solution, "
-              ".acc: a camera of AIDA_tools, both as near as they come")
+              "The maps to write: MAPS.fits gives MAPS_az.fits and MAPS_el.fits; .wcs (Astrometry.net) and "
+              ".acc (AIDA_tools) are approximated as closely as they can be")
       .required()
       .type_name("MAPS.exr|.fits|.wcs|.acc");
   command
       .option("--reach-deg", options->reach_deg,
-              "With .wcs: how far from the middle of the picture it is to hold")
+              "With .wcs: angle from the picture's middle up to which it is fitted")
       .range(1.0, 80.0)
       .shows_default();
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");

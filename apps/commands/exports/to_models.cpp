@@ -82,17 +82,16 @@ int run_to_lompe(const ModelRequest& options) {
 }
 
 void add_model_options(const Command& command, ModelRequest& options) {
-  command.option("MAP", options.maps, "Directories that vegard map wrote, one a time").required();
+  command.option("MAP", options.maps, "Directories that vegard map wrote, one for each time").required();
   command
       .option("--step-deg", options.step_deg,
-              "Degrees of latitude from cell to cell; of longitude as many more as makes cells square")
+              "Degrees of latitude between cells; longitude steps make the cells square")
       .range(0.001, 10.0)
       .shows_default();
-  command.option("--time", options.time, "When the only map's photograph was taken, in the place of its own")
-      .type_name("TIME");
+  command.option("--time", options.time, "Time of the only map, in place of its own").type_name("TIME");
   command
       .option("--flux-factor", options.flux_factor,
-              "Multiply energy fluxes; needed where a map's are right up to a factor")
+              "Factor on energy fluxes, needed if the map's are relative")
       .type_name("F");
   command.flag("--overwrite", options.overwrite, "Replace an output that exists");
 }
@@ -102,7 +101,8 @@ void add_model_options(const Command& command, ModelRequest& options) {
 void add_to_gemini_command(Program& program) {
   const auto options = std::make_shared<ModelRequest>();
   const Command command = program.add(
-      "to-gemini", "Maps of precipitation as GEMINI's input: energy flux and energy by magnetic place");
+      "to-gemini",
+      "Convert maps of precipitation to GEMINI's input: energy flux and energy by magnetic coordinates");
   add_model_options(command, *options);
   command.option("--out", options->output, "The directory to write: prec_dir of a config.nml")
       .required()
@@ -113,7 +113,7 @@ void add_to_gemini_command(Program& program) {
 void add_to_lompe_command(Program& program) {
   const auto options = std::make_shared<ModelRequest>();
   const Command command = program.add(
-      "to-lompe", "Maps of precipitation by longitude and latitude with conductances, as Lompe takes them");
+      "to-lompe", "Convert maps of precipitation to Lompe's input: conductances by longitude and latitude");
   add_model_options(command, *options);
   command.option("-o,--output", options->output, "The file to write").required().type_name("OUT.nc");
   command.runs([options] { return run_to_lompe(*options); });

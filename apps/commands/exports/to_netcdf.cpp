@@ -36,7 +36,7 @@ int run_to_netcdf(const NetcdfRequest& options) {
 
 void add_to_netcdf_command(Program& program) {
   const auto options = std::make_shared<NetcdfRequest>();
-  const Command command = program.add("to-netcdf", "A run, a map, a sequence or a table as netCDF");
+  const Command command = program.add("to-netcdf", "Convert a run, a map, a sequence or a table to netCDF");
   command
       .option("INPUT", options->input,
               "The directory that fit, map or sequence wrote, or the CSV of profile or keogram")

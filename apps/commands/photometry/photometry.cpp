@@ -243,8 +243,8 @@ int run_photometry(PhotometryRequest& options) {
 
 void add_photometry_command(Program& program) {
   const auto options = std::make_shared<PhotometryRequest>();
-  const Command command = program.add(
-      "photometry", "Find by stars how many rayleighs a count of a camera corresponds to, with errors");
+  const Command command =
+      program.add("photometry", "Calibrate a camera's counts in rayleighs by stars, with errors");
   command
       .option("COUNTS", options->counts,
               "The camera's dark level, flat field and filters (docs/rayleighs.md)")
@@ -252,28 +252,31 @@ void add_photometry_command(Program& program) {
       .type_name("COUNTS.toml");
   command
       .option("PICTURES", options->pictures,
-              "Pictures through one of its filters; of files with many frames all")
+              "Pictures through one of its filters; all frames of files that hold many")
       .required()
       .type_name("PICTURE");
-  command.option("--filter", options->filter, "Which filter").type_name("NAME");
+  command.option("--filter", options->filter, "The filter of these pictures").type_name("NAME");
   command.option("--camera", options->camera, "Lens, pointing and site, as vegard calibrate writes them")
       .required()
       .type_name("CAMERA.toml");
-  command.option("--time", options->time, "When the exposure began (UTC), if the picture does not say it")
+  command.option("--time", options->time, "Start of the exposure (UTC), if the picture does not give it")
       .type_name("TIME");
   add_site_option(command, options->site);
-  command.option("--exposure", options->exposure_s, "Seconds, if the pictures do not say them")
+  command
+      .option("--exposure", options->exposure_s, "Exposure time in seconds, if the pictures do not give it")
       .finite_range(1e-6, 1e5)
       .type_name("S");
   command
       .option("--extinction", options->extinction,
-              "Of the air: found with the factor (stars), that of the standard air (air), or magnitudes per "
-              "airmass (default: stars where they are at enough different elevations, else air)")
+              "Extinction of the air: fitted with the factor (stars), of the standard air (air), or in "
+              "magnitudes per airmass (default: stars if their elevations differ enough, else air)")
       .type_name("stars|air|MAG");
   command.option("--catalogue-magnitude", options->settings.faintest, "Faintest star that is measured")
       .finite_range(-2.0, 6.0)
       .shows_default();
-  command.option("--min-elevation", options->settings.min_elevation_deg, "Lowest star, in degrees")
+  command
+      .option("--min-elevation", options->settings.min_elevation_deg,
+              "Elevation of the lowest star used, in degrees")
       .finite_range(5.0, 85.0)
       .shows_default();
   command
@@ -281,10 +284,12 @@ void add_photometry_command(Program& program) {
               "Radius of the circle about a star, in pixels")
       .finite_range(1.0, 50.0)
       .shows_default();
-  command.flag("--no-refraction", options->vacuum, "Stars where they would be without refraction by air");
-  command.option("-o,--output", options->output, "COUNTS.toml with the factor in it, in the same folder")
+  command.flag("--no-refraction", options->vacuum, "Compute the stars' places without refraction by the air");
+  command
+      .option("-o,--output", options->output,
+              "The copy of COUNTS.toml with the factor to write, in the same folder")
       .type_name("OUT.toml");
-  command.option("--stars-out", options->stars_out, "A table of the stars").type_name("STARS.csv");
+  command.option("--stars-out", options->stars_out, "Write a table of the stars").type_name("STARS.csv");
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] { return run_photometry(*options); });
 }

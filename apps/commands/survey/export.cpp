@@ -38,7 +38,7 @@ int run_export(const ExportRequest& options) {
 
 void add_survey_export(const Command& survey) {
   const auto options = std::make_shared<ExportRequest>();
-  const Command command = survey.add("export", "A survey's database as a table (CSV), or as netCDF");
+  const Command command = survey.add("export", "Write a survey's database as a table (CSV) or as netCDF");
   command.option("DATABASE", options->database, "The database, merged or of one shard").required();
   command.option("-o,--output", options->out, "The file to write: netCDF if it ends in .nc, else CSV")
       .required()

@@ -63,10 +63,10 @@ int run_merge(const MergeRequest& options) {
 
 void add_survey_merge(const Command& survey) {
   const auto options = std::make_shared<MergeRequest>();
-  const Command command = survey.add("merge", "The databases of all shards as one");
+  const Command command = survey.add("merge", "Merge the databases of all shards");
   command.option("DATABASE", options->inputs, "Databases, or the folder of vegard survey run").required();
   command.option("-o,--output", options->out, "The database to write").required().type_name("OUT.sqlite");
-  command.flag("--mixed", options->mixed, "Merge also what is of different plans or versions of vegard");
+  command.flag("--mixed", options->mixed, "Also merge databases of different plans or versions of vegard");
   command.flag("--overwrite", options->overwrite, "Replace a file that exists");
   command.runs([options] { return run_merge(*options); });
 }

@@ -52,12 +52,12 @@ int run_report(const ReportRequest& options) {
 void add_survey_report(const Command& survey) {
   const auto options = std::make_shared<ReportRequest>();
   const Command command =
-      survey.add("report", "Pages to look at: one for each night, one for the whole (HTML)");
+      survey.add("report", "Write web pages (HTML): one for each night, one for the survey");
   command.option("DATABASE", options->database, "The database, merged or of one shard").required();
   command.option("-o,--output", options->out, "The folder to write").required().type_name("FOLDER");
   command
       .option("--plan", options->plan,
-              "The survey's plan, by which frames are found: for keograms, latitudes and links")
+              "The survey's plan, which names the frames: for keograms, latitudes and links")
       .type_name("PLAN.json");
   command.flag("--no-keograms", options->no_keograms, "Do not read any frame");
   command.flag("--overwrite", options->overwrite, "Replace a report that exists");

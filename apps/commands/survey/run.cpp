@@ -144,24 +144,22 @@ int run_survey(const RunRequest& options) {
 
 void add_survey_run(const Command& survey) {
   const auto options = std::make_shared<RunRequest>();
-  const Command command = survey.add(
-      "run", "Measure the frames of a plan, or of one shard of it; what was begun is gone on with");
+  const Command command =
+      survey.add("run", "Measure the frames of a plan, or of one shard of it; continues an earlier run");
   command.option("PLAN", options->plan, "The plan, of vegard survey plan").required();
   command.option("--out", options->out, "The folder of the results, a database for each shard")
       .required()
       .type_name("DIR");
   const Option shard =
-      command
-          .option("--shard", options->shard, "Only the shard of this number of so many, 3/120 (default: 1/1)")
+      command.option("--shard", options->shard, "Only this shard, such as 3/120 (default: 1/1)")
           .type_name("I/N");
-  command.option("--local", options->local, "All shards, by so many processes on this machine")
+  command.option("--local", options->local, "Measure all shards by this number of processes on this machine")
       .type_name("J")
       .range(1, 1024)
       .excludes(shard);
-  command.flag(
-      "--again", options->again,
-      "Frames that were missing and have come, or could not be read and are other files, are done, with "
-      "those after them in their block");
+  command.flag("--again", options->again,
+               "Measure frames that were missing or unreadable and have been replaced, with those after them "
+               "in their block");
   add_memory_option(command, options->memory_limit);
   command
       .option("--threads", options->threads, "Threads of each process (0: all cores); the result is the same")

@@ -39,7 +39,7 @@ int run_smooth(const SmoothRequest& options) {
 void add_survey_smooth(const Command& survey) {
   const auto options = std::make_shared<SmoothRequest>();
   const Command command =
-      survey.add("smooth", "How curtains move: velocities with errors, and frames that jump");
+      survey.add("smooth", "Compute how curtains move: velocities with errors, and outliers");
   command.option("DATABASE", options->database, "The database, merged or of one shard").required();
   command.option("-o,--output", options->out, "The database to write, a copy with three more tables")
       .required()
@@ -49,11 +49,10 @@ void add_survey_smooth(const Command& survey) {
               "Follow this number as well, by its name in the table quantity (repeatable)")
       .type_name("NAME")
       .one_an_occurrence();
-  command.option("--gap-s", options->motion.gap_s, "After a longer gap a track ends, in seconds")
-      .shows_default();
+  command.option("--gap-s", options->motion.gap_s, "Gap in seconds after which a track ends").shows_default();
   command
       .option("--false-alarms", options->motion.false_alarms,
-              "Share of sound numbers that may be taken for jumps, by either of two questions")
+              "Probability of a false alarm for each of the two outlier tests")
       .shows_default();
   command.flag("--overwrite", options->overwrite, "Replace a file that exists");
   command.runs([options] { return run_smooth(*options); });

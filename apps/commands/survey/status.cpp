@@ -64,7 +64,7 @@ int run_status(const std::string& folder) {
 
 void add_survey_status(const Command& survey) {
   const auto folder = std::make_shared<std::string>();
-  const Command command = survey.add("status", "How far a survey has come");
+  const Command command = survey.add("status", "Show the progress of a survey");
   command.option("DIR", *folder, "The folder of its shards").required();
   command.runs([folder] { return run_status(*folder); });
 }

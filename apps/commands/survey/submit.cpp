@@ -138,19 +138,21 @@ int run_cancel(const std::string& folder) {
 
 void add_survey_submit(const Command& survey) {
   const auto options = std::make_shared<SubmitRequest>();
-  const Command command = survey.add(
-      "submit", "Hand the shards that are not finished to a cluster with Slurm, as an array of tasks");
+  const Command command =
+      survey.add("submit", "Submit the unfinished shards to a Slurm cluster, as an array of tasks");
   command.option("PLAN", options->plan, "The plan, of vegard survey plan").required();
   command.option("--out", options->out, "The folder of the results, a database for each shard")
       .required()
       .type_name("DIR");
-  command.option("--shards", options->shards, "So many (default: as the plan has it)")
+  command.option("--shards", options->shards, "Number of shards (default: the plan's)")
       .range(1, 100000)
       .type_name("N");
   command.option("--threads", options->threads, "Threads, and cores, of each task")
       .range(1, 1024)
       .shows_default();
-  command.option("--at-once", options->at_once, "Tasks at a time (default: as many as the cluster likes)")
+  command
+      .option("--at-once", options->at_once,
+              "Largest number of tasks at a time (default: the cluster's limit)")
       .range(1, 100000)
       .type_name("K");
   command
@@ -163,7 +165,7 @@ void add_survey_submit(const Command& survey) {
 
 void add_survey_cancel(const Command& survey) {
   const auto folder = std::make_shared<std::string>();
-  const Command command = survey.add("cancel", "Take the tasks of a survey from the cluster's queue");
+  const Command command = survey.add("cancel", "Remove a survey's tasks from the cluster's queue");
   command.option("DIR", *folder, "The folder of vegard survey submit").required();
   command.runs([folder] { return run_cancel(*folder); });
 }
