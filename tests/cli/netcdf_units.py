@@ -15,19 +15,16 @@ import xarray
 
 
 def table_of(docs, heading):
-    """Names (or patterns) to units, of the first table behind the heading."""
+    """Names (or patterns) to units, of the first list "- units: names" behind the heading."""
     lines = open(docs, encoding="utf-8").read().split("\n")
     start = next(i for i, line in enumerate(lines) if line.startswith(heading))
-    table, seen = {}, False
+    table = {}
     for line in lines[start + 1:]:
-        if line.startswith("|"):
-            seen = True
-            cells = [cell.strip() for cell in line.strip("|").split("|")]
-            names = re.findall(r"`([^`]+)`", cells[0])
-            units = [unit.strip() for unit in cells[1].split(",")]
-            for i, name in enumerate(names):
-                table[name] = units[min(i, len(units) - 1)]
-        elif seen:
+        if line.startswith("- "):
+            units, _, names = line[2:].partition(": ")
+            for name in re.findall(r"`([^`]+)`", names):
+                table[name] = units
+        elif table:
             return table
     return table
 
@@ -54,7 +51,7 @@ def main():
                 if units is None and not is_words:
                     problems.append(f"{name} has no units")
                 continue
-        if (units or "–") != wanted:
+        if (units or "no units") != wanted:
             problems.append(f"{name} has units {units!r}, documented {wanted!r}")
         for other in variable.attrs.get("ancillary_variables", "").split():
             if other not in data.variables:
