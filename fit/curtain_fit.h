@@ -1,11 +1,12 @@
-// Refining the curtains of a map by beams: `vegard fit --from-map`.
+// Refines the curtains of a map in a fit by beams: `vegard fit --from-map`.
 //
-// Each curtain becomes a sheet whose course is a curve (fit/map/curtain_sheets.h), and all of them together
-// go downhill from where the map has them, with exact derivatives. Then curves are tried to be left out, the
-// weakest first, and curtains that the map holds below its brightness limit to be added, the strongest first;
-// each time all others settle again, and BIC (fit/answer/information_criteria.h) says whether the change
-// stays. Where one was added, what it may stand in place of is tried to be left out once more. Two refusals
-// in a row end a round. All of these models are compared with the same values and the same sigma.
+// Each curtain becomes a sheet along a curve (fit/map/curtain_sheets.h). All sheets are first fitted together
+// by a descent with exact derivatives that starts from the map. Then the fit tries to leave out curves, the
+// weakest first, and to add curtains that are below the map's brightness limit, the strongest first. After
+// each change all other parameters are fitted again, and the change is kept if it lowers the BIC
+// (fit/answer/information_criteria.h). After an addition, the fit tries again to leave out the curves that
+// the new one may replace. Two rejected changes in a row end a round. All these models are compared with the
+// same values and the same sigma.
 #pragma once
 
 #include <vector>
@@ -18,9 +19,10 @@
 
 namespace vegard::fit {
 
-/// `scene` says where the cameras are, what is compared and what is free beside the curtains; its sheets and
-/// emitters are left out. `photos` are those of scene.fit.photos in their order, or the only one. At least
-/// one curtain. options.max_evaluations counts all descents together. Throws as fit_photos() does.
+/// Fits sheets to the ridges `curtains`, of which there must be at least one; `faint` are the ridges that the
+/// fit may add. `scene` gives the cameras, what is compared, and the free parameters other than those of the
+/// curtains; its sheets and emitters are left out. `photos` are those of scene.fit.photos in their order, or
+/// the only one. options.max_evaluations limits the sum over all descents. Throws as fit_photos() does.
 FitResult fit_curtains(const sim::Scene& scene, const std::vector<Photo>& photos,
                        const std::vector<Ridge>& curtains, const std::vector<Ridge>& faint,
                        const FitOptions& options);

@@ -1,4 +1,4 @@
-// Fitting a scene to a photograph.
+// Fits a scene to one photograph or to several.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace vegard::fit {
 
-/// Fits scene.fit.free to `photo`, by the statistics that scene.fit weighs. The photograph must have the
-/// camera's size. Throws sim::Error for input that cannot be used (no free parameter, sizes that differ,
-/// nothing usable in the region); numerical trouble is a verdict, never an exception. A sheet that cannot be
-/// seen is a verdict too (failed). An unknown transfer curve is taken as sRGB: fit/curve_fit.h finds it.
+/// Fits scene.fit.free to `photo`, by the statistics that have a weight in scene.fit. The photograph must
+/// have the camera's size. Throws sim::Error for input that cannot be used (no free parameter, sizes that
+/// differ, nothing usable in the region). Numerical trouble never throws: it leads to a verdict, and so does
+/// a sheet that is out of view (failed). An unknown transfer curve is taken as sRGB; fit/curve_fit.h finds
+/// it.
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options);
 
-/// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A number
-/// that belongs to one photograph moves that one's scene; sheets are given in the frame of the scene's own
-/// site and carried over to a photograph's (fit/parameters/photo_frame.h). Throws as fit_photo() does, and
-/// for one whose transfer curve is unknown.
+/// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A free
+/// number that belongs to one photograph changes only that photograph's scene. Sheets are given in the frame
+/// of the scene's own site and carried over to the frame of each photograph (fit/parameters/photo_frame.h).
+/// Throws as fit_photo() does, and for a photograph whose transfer curve is unknown.
 FitResult fit_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const FitOptions& options);
 
 }  // namespace vegard::fit

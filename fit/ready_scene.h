@@ -5,8 +5,8 @@
 
 namespace vegard::fit {
 
-/// Validates the whole, reads the tables that it names again (a change may have named another), and checks
-/// height profiles, the free oxygen and the sensor's response against them. Throws Error(scene),
+/// Validates the scene, reads the tables that it names again (a change may have named another one), and
+/// checks height profiles, the free oxygen and the sensor's response against them. Throws Error(scene),
 /// Error(unreadable_input).
 void make_ready(sim::Scene& scene);
 

@@ -1,4 +1,4 @@
-// The whole of `vegard fit` between reading and writing, whatever the scene and its photographs are.
+// Does all of `vegard fit` except reading and writing, for any scene and its photographs.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ struct SceneFitOptions : FitOptions {
   bool stability = false;  ///< whether the fit is repeated with other choices (fit/stability.h)
 };
 
-/// fit_curtains() of a map, if there is one; fit_photos() where the scene names its photographs; of the only
-/// photograph fit_photo(), or fit_photo_and_curve() where its transfer curve is unknown. That one is decoded
-/// by what was found of it afterwards. Throws as they do.
+/// Calls fit_curtains() if there is a map, fit_photos() where the scene names its photographs, and else
+/// fit_photo() or, where the transfer curve is unknown, fit_photo_and_curve(). The latter leaves the
+/// photograph decoded by the curve that was found. Throws as these functions do.
 FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
                     const SceneFitOptions& options);
 

@@ -1,4 +1,4 @@
-// A sequence of photographs: each fitted from where the last one ended.
+// Fits a sequence of photographs, each from the answer of the one before.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace vegard::fit {
 
-/// A number of a frame's answer, as it is followed over time.
+/// A number of a frame's answer that is followed over time.
 struct SequenceNumber {
-  std::string name;  ///< a free parameter's path, or a derived number's words
+  std::string name;  ///< path of a free parameter, or name of a derived number
   std::string unit;
   double value = 0.0;
   std::optional<double> sigma;
 };
 
-/// What is kept of a frame.
+/// The results of one frame that are kept.
 struct SequenceRow {
   std::string frame;  ///< the photograph's name without its ending
   double time_s = 0.0;
   std::string photo_sha256;
   std::string decoding;
   Verdict verdict = Verdict::failed;
-  bool searched = false;  ///< by the full search, not by a descent from the frame before
+  bool searched = false;  ///< whether the full search found it, not a descent from the frame before
   double chi2_per_dof = 0.0;
   std::vector<double> values;  ///< of the free numbers, in their order: where the next frame starts
   std::vector<SequenceNumber> numbers;
@@ -37,14 +37,16 @@ struct FrameFit {
   bool searched = false;
 };
 
-/// Fits a frame taken at `time_s` on the scene's clock. With a frame before it that has an answer, first by a
-/// descent from that answer; if the verdict is not good, or there is none, by the scene's whole search (about
-/// that answer if it was a good one), and the better of the two stays: by verdict, then by chi2.
+/// Fits a frame taken at `time_s` on the scene's clock. If the frame before has an answer, a descent from it
+/// comes first. If there is none, or the verdict of the descent is not good, the scene's whole search follows
+/// (about the answer before if that was good), and the better of both results is returned: by verdict, then
+/// by chi2.
 FrameFit fit_frame(const sim::Scene& scene, const Photo& photo, double time_s, const SequenceRow* before,
                    const FitOptions& options);
 
-/// All free numbers, and what follows from them; and where it was not free but the sensor's scale is
-/// known, the energy flux of each sheet by the gain that the fit found (fit/answer/energy_flux.h).
+/// Returns the row of a frame with all free and derived numbers. If a sheet's energy flux was not free but
+/// the sensor's scale is known, the row has the flux that follows from the fitted gain
+/// (fit/answer/energy_flux.h).
 SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Scene& scene,
                          const FrameFit& fit, const Photo& photo);
 

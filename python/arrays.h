@@ -1,4 +1,4 @@
-// Buffers of C++ as NumPy arrays, without a copy, and arrays as C++ takes them.
+// Converts C++ buffers to NumPy arrays without a copy, and arrays to C++.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -13,8 +13,8 @@ namespace vegard::python {
 
 namespace py = pybind11;
 
-/// An array over `data`, of that shape and strides in bytes, which keeps `owner` alive. Read-only: others may
-/// look at the same numbers.
+/// Returns an array over `data` with this shape and these strides in bytes, which keeps `owner` alive. It is
+/// read-only, since other objects may use the same data.
 template <class T>
 py::array_t<T> array_over(std::shared_ptr<const void> owner, const T* data, std::vector<py::ssize_t> shape,
                           std::vector<py::ssize_t> strides) {
@@ -27,7 +27,7 @@ py::array_t<T> array_over(std::shared_ptr<const void> owner, const T* data, std:
   return array;
 }
 
-/// The same, row-major and without gaps.
+/// Returns such an array, row-major and without gaps.
 template <class T>
 py::array_t<T> array_over(std::shared_ptr<const void> owner, const T* data,
                           const std::vector<py::ssize_t>& shape) {
@@ -40,7 +40,7 @@ py::array_t<T> array_over(std::shared_ptr<const void> owner, const T* data,
   return array_over(std::move(owner), data, shape, strides);
 }
 
-/// A vector that nobody else has becomes the array's own, which may be written.
+/// Moves a vector into an array, which is writable.
 template <class T>
 py::array_t<T> array_of(std::vector<T>&& values, const std::vector<py::ssize_t>& shape) {
   auto kept = std::make_unique<std::vector<T>>(std::move(values));
@@ -50,14 +50,15 @@ py::array_t<T> array_of(std::vector<T>&& values, const std::vector<py::ssize_t>&
   return py::array_t<T>(shape, data, capsule);
 }
 
-/// (height, width, channels) of an image that `owner` keeps; None if it is empty.
+/// Returns an array (height, width, channels) over an image that `owner` keeps alive; None if it is empty.
 py::object image_array(std::shared_ptr<const void> owner, const sim::Image& image);
 
-/// The same of an image that is the array's own.
+/// Moves an image into such an array.
 py::array_t<float> image_array(sim::Image&& image);
 
-/// Two arrays of doubles brought to one shape by NumPy's rules, each without gaps.
+/// An array of doubles, row-major and without gaps.
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Broadcasts two arrays to one shape by NumPy's rules.
 std::pair<Doubles, Doubles> broadcast(const py::object& first, const py::object& second);
 
 std::vector<py::ssize_t> shape_of(const py::array& array);

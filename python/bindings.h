@@ -1,4 +1,4 @@
-// The units of the module, each of which adds its part, and what they share.
+// The parts of the Python module, each bound by a function, and the code that they share.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,8 +16,8 @@ namespace vegard::python {
 
 namespace py = pybind11;
 
-/// A scene as Python holds it: never changed in place, so that work on it can go on in another thread while
-/// the interpreter puts a changed one here.
+/// A scene held by Python. It is never changed in place, but replaced: so work on it can continue in another
+/// thread while the interpreter changes it.
 struct SceneHandle {
   std::shared_ptr<const sim::Scene> scene;
 };
@@ -26,7 +26,8 @@ struct PhotoHandle {
   std::shared_ptr<const fit::Photo> photo;
 };
 
-/// A cost with all that must outlive it. One evaluation at a time, whoever asks.
+/// A cost with all objects that must outlive it, and a mutex, since only one thread may evaluate it at a
+/// time.
 struct CostHandle {
   std::shared_ptr<const sim::Scene> scene;
   std::vector<std::shared_ptr<const fit::Photo>> photos;
@@ -34,20 +35,21 @@ struct CostHandle {
   std::shared_ptr<std::mutex> alone;
 };
 
-/// The photographs that work on a scene is about: `given` is a PhotoHandle, a file's name, a list of
+/// Returns the photographs for work on a scene: `given` is a PhotoHandle, a file's name, a list of
 /// PhotoHandle, or None for those of the scene's [[fit.photo]]. `for_fit`: whether files are averaged as a
 /// fit reads them. Throws sim::Error, py::type_error.
 std::vector<std::shared_ptr<const fit::Photo>> photographs_given(const sim::Scene& scene,
                                                                  const py::object& given, bool for_fit);
 
-/// The files that such work rests on. A scene that is no file counts by the text that would be written of it.
+/// Returns the input files of such work. A scene without a file is represented by the text of a file that
+/// would be written for it.
 std::vector<fit::InputFile> inputs_of_work(const sim::Scene& scene, const std::vector<fit::Photo>& photos);
 
-/// Throws sim::Error(usage) for an argument that is not from `min` to `max`, NaN too: the limits of the
-/// option of the same name of a command.
+/// Throws sim::Error(usage) if an argument is not from `min` to `max`, or NaN. The limits are those of the
+/// command-line option of the same name.
 void require_within(const char* argument, double value, double min, double max);
 
-/// The same for a number of threads; 0 means all cores.
+/// Checks a number of threads; 0 means all cores.
 void require_threads(int threads);
 
 void bind_errors(py::module_& m);

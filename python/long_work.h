@@ -1,5 +1,5 @@
-// Long work: in a thread of its own without the interpreter's lock, while the caller's thread hears of
-// progress and looks for Ctrl-C.
+// Runs long work in a thread of its own without the interpreter's lock, while the caller's thread calls a
+// progress callback and checks for Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,29 +15,29 @@ namespace vegard::python {
 
 namespace py = pybind11;
 
-/// What a callback hears.
+/// The argument of a progress callback.
 struct Progress {
   std::string stage;
-  double share = 0.0;           ///< 0 to 1, a guess
+  double share = 0.0;           ///< 0 to 1, estimated
   int evaluations = 0;          ///< of a fit
   double chi2_per_value = 0.0;  ///< of a fit or a map; infinite or 0 where it is not known yet
 };
 
 class LongWork {
  public:
-  /// `progress`: None, or called with a Progress, at most some twenty times a second; `stop`: None, or a
-  /// threading.Event whose is_set() ends the work early. Throws py::type_error.
+  /// `progress`: None, or a function that is called with a Progress, at most about twenty times per second;
+  /// `stop`: None, or a threading.Event whose is_set() ends the work early. Throws py::type_error.
   LongWork(py::object progress, py::object stop);
 
-  /// For the work to ask, and to tell, from any thread.
+  /// The flag that the work must check, and the function by which it reports progress; both for any thread.
   const std::atomic<bool>* stop() const { return &stop_; }
   void tell(Progress news);
 
-  /// work() in another thread. Throws what it throws; what the callback raises, and KeyboardInterrupt, after
-  /// the work has been told to stop and has ended.
+  /// Runs work() in another thread. Throws what it throws; also what the callback raises, and
+  /// KeyboardInterrupt, after the work has been told to stop and has ended.
   void run(const std::function<void()>& work);
 
-  /// Whether the user's `stop` has ended it.
+  /// Whether the user's `stop`, or an exception in the caller's thread, has told the work to end.
   bool stopped() const { return stop_.load(); }
 
  private:
@@ -51,7 +51,7 @@ class LongWork {
   bool done_ = false;
 };
 
-/// The same of work that has a result.
+/// Runs work that returns a result.
 template <class Result>
 Result result_of(LongWork& long_work, const std::function<Result()>& work) {
   std::optional<Result> result;

@@ -1,4 +1,4 @@
-// What `vegard calibrate` was asked for, and what the picture's own words add to it.
+// The options of `vegard calibrate`, and what the picture's metadata add to them.
 #pragma once
 
 #include <optional>
@@ -35,22 +35,25 @@ struct CalibrateOptions {
 /// `options` must outlive the parsing.
 void add_calibrate_options(const Command& command, CalibrateOptions& options);
 
-/// --time and --site, or the site of --camera. Throws Error(usage).
+/// Returns the time and the site by --time and --site, or the site of --camera. Throws Error(usage).
 fit::SkyOfPicture sky_of(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_scene);
 
-/// --lens, --terms, --free, --hold-centre; `start` is the camera of --camera. Throws Error(usage).
+/// Returns the settings by --lens, --terms, --free, --hold-centre; `start` is the camera of --camera. Throws
+/// Error(usage).
 fit::LensSettings lens_settings(const CalibrateOptions& options, const std::optional<fit::SkyCamera>& start);
 
+/// What the options and the picture's metadata give together.
 struct PictureSays {
-  fit::SkyOfPicture sky;              ///< sky_of(), and what it left out
+  fit::SkyOfPicture sky;              ///< sky_of(), completed by the metadata
   std::optional<sim::Scene> camera;   ///< that of --camera, with the picture's focal length if it has none
-  std::vector<fit::PhotoFact> taken;  ///< what was taken, in the order of a scene file
+  std::vector<fit::PhotoFact> taken;  ///< what was taken from the metadata, in the order of a scene file
   std::vector<std::string> notes;
 };
 
-/// The time unless --time is given (that in --camera is of another picture); the place unless --site or the
-/// camera's site is, and its height only together with it; the field of view if --camera is a pinhole that
-/// says neither it nor a size of its own. Nothing with --no-metadata. Throws Error(usage).
+/// Completes the options by the picture's metadata: the time unless --time is given (the time in --camera's
+/// file is that of another picture); the place unless --site or the camera's site is given, and its height
+/// only together with it; the field of view if --camera is a pinhole that gives neither it nor a size of its
+/// own. Nothing is taken with --no-metadata. Throws Error(usage).
 PictureSays with_metadata(const CalibrateOptions& options, const std::optional<sim::Scene>& camera_scene,
                           const sim::PictureMetadata& metadata);
 

@@ -1,4 +1,5 @@
-// `vegard fit SCENE --photo P --check-derivatives`: every free parameter's derivative beside differences.
+// `vegard fit SCENE --photo P --check-derivatives`: compares the derivative by every free parameter with
+// differences.
 #pragma once
 
 #include "apps/options/exit_code.h"
@@ -7,8 +8,8 @@
 
 namespace vegard::apps {
 
-/// Prints a table. `good` if all derivatives agree with differences, `doubted` if one does not or has no
-/// effect, `interrupted` after Ctrl-C.
+/// Prints a table. Returns `good` if all derivatives agree with differences, `doubted` if one does not or has
+/// no effect, `interrupted` after Ctrl-C.
 ExitCode print_derivative_check(const sim::Scene& scene, const fit::Photo& photo, int threads);
 
 }  // namespace vegard::apps

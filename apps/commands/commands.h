@@ -1,11 +1,11 @@
-// The subcommands, a file of this folder each: what it may be given, the work, its exit code.
+// The subcommands, each in a file of this folder with its options, its work and its exit code.
 #pragma once
 
 #include "apps/options/command.h"
 
 namespace vegard::apps {
 
-/// Each adds its subcommand to the program, whose run() may throw sim::Error.
+/// Each function adds its subcommand to the program, whose run() may throw sim::Error.
 void add_animate_command(Program& program);
 void add_atmosphere_command(Program& program);
 void add_bodies_command(Program& program);

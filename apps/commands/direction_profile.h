@@ -14,7 +14,7 @@
 
 namespace vegard::apps {
 
-/// What is not given stays empty.
+/// Options of the sectors; empty if not given.
 struct SectorOptions {
   std::vector<double> azimuths_deg;
   std::optional<int> directions;
@@ -29,7 +29,8 @@ struct SectorOptions {
 /// Adds --azimuths, --directions and what belongs to them; `options` must outlive the parsing.
 void add_sector_options(const Command& command, SectorOptions& options);
 
-/// Throws Error(usage) if options that belong to directions are given without any, or contradict each other.
+/// Throws Error(usage) if options for sectors are given without --azimuths or --directions, or contradict
+/// each other.
 void check_sector_options(const SectorOptions& options);
 
 struct MeasuredDirections {
@@ -39,7 +40,7 @@ struct MeasuredDirections {
   std::vector<std::string> details;  ///< lines to print: the limb's layers
 };
 
-/// `observer_km`: height of an observer above the air. Throws Error(usage).
+/// Measures the profiles. `observer_km` is the height of an observer above the air. Throws Error(usage).
 MeasuredDirections measure_directions(const SectorOptions& options, const fit::Photo& photo,
                                       const fit::Region& region, const KnownDirections& known,
                                       std::optional<double> observer_km);

@@ -1,4 +1,4 @@
-// `vegard keogram IMAGES… -o OUT`, and what `vegard profile` takes over from it for a list of pictures.
+// `vegard keogram IMAGES… -o OUT`, also used by `vegard profile` for a list of pictures.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace vegard::apps {
 
-/// What is not given stays empty.
+/// Options of a keogram; empty if not given.
 struct KeogramOptions {
   std::vector<std::string> images, outputs;  ///< outputs by their endings: .png, .svg, .exr, .csv
   std::string mask, scene, decoding, times;
@@ -21,7 +21,7 @@ struct KeogramOptions {
   bool overwrite = false;
 };
 
-/// Throws Error of all kinds. Prints what was done.
+/// Makes the keogram and prints what was done. Throws Error of all kinds.
 void run_keogram(const KeogramOptions& options);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// What the options of vegard mask ask for, found in a photograph.
+// Finds in a photograph the parts that the options of vegard mask request.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@
 namespace vegard::apps {
 
 struct MaskRequest {
-  std::vector<std::string> drawn;                  ///< masks' files
-  std::vector<std::vector<std::string>> polygons;  ///< words "x,y"
+  std::vector<std::string> drawn;                  ///< files of masks
+  std::vector<std::vector<std::string>> polygons;  ///< points as words "x,y"
   std::string circle;                              ///< "auto", "x,y,radius", or empty
   std::vector<std::string> horizon;                ///< "auto", words "x,y", or none
   bool text = false, saturated = false, hot = false, stars = false;
@@ -30,12 +30,12 @@ struct MaskRequest {
 
 struct MaskParts {
   std::vector<fit::MaskPart> parts;
-  std::vector<std::string> notes;  ///< a line each: what was found
+  std::vector<std::string> notes;  ///< the findings, a line each
   std::optional<fit::Horizon> horizon;
 };
 
-/// Throws Error(usage) for what cannot be read or found, Error(unreadable_input) for a drawn mask that is
-/// none.
+/// Finds the parts. Throws Error(usage) for a part that cannot be read or found, Error(unreadable_input) for
+/// a file that is not a mask.
 MaskParts mask_parts(const fit::Photo& photo, const MaskRequest& request);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// Where a photograph's pixels look: by maps, or by a scene's camera.
+// The directions of a photograph's pixels, from maps or from a scene's camera.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace vegard::apps {
 
-/// Empty as long as they are not given; the file of elevations is then that of azimuths.
+/// The options of direction maps; empty where not given. If elevation_map is not given, the file of azimuths
+/// contains the elevations too.
 struct MapOptions {
   std::string azimuth_map, elevation_map, skymap, skymap_flip;
 
@@ -28,18 +29,18 @@ void add_map_options(const Command& command, MapOptions& options);
 
 struct KnownDirections {
   sim::DirectionMap map;
-  std::string words;                      ///< whose they are: "maps az.exr, el.exr", "the scene's camera"
+  std::string words;                      ///< their source: "maps az.exr, el.exr", "the scene's camera"
   std::optional<fit::SkyMapPlace> place;  ///< where the camera stands, if a skymap gives it
 };
 
-/// Of --skymap-flip. Throws Error(usage).
+/// The value of --skymap-flip. Throws Error(usage).
 fit::SkyMapFlip flip_of(const MapOptions& options);
 
-/// Of the maps alone, of any size. Throws Error(usage, unreadable_input).
+/// Reads the maps, of any size. Throws Error(usage, unreadable_input).
 KnownDirections maps_of(const MapOptions& options);
 
-/// Of the maps, or where none are named of the scene's camera; none without either. The picture's size must
-/// be theirs: throws Error(usage, unreadable_input, scene).
+/// Returns the directions from the maps or, where none are given, from the scene's camera; none without
+/// either. Throws Error(usage, unreadable_input, scene), also if the picture has another size.
 std::optional<KnownDirections> known_directions(const MapOptions& options, const sim::Scene* scene,
                                                 int width_px, int height_px, const std::string& picture);
 

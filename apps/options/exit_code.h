@@ -1,4 +1,4 @@
-// What `vegard` tells the shell. The numbers are documented and part of the interface.
+// The exit codes of `vegard`. The numbers are documented and part of the interface.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ namespace vegard::apps {
 
 enum ExitCode : int {
   good = 0,
-  internal_error = 1,  ///< a fault of vegard itself or of the machine: no memory, an exception nobody foresaw
-  bad_usage = 2,       ///< wrong words on the command line, a bad scene, an output that exists
-  unreadable_input = 3,  ///< a photograph, mask, scene or table that cannot be read
-  not_converged = 4,     ///< the fit did not converge
-  doubted = 5,  ///< the fit converged to an answer that the verdict doubts; a derivative that differs
+  internal_error = 1,     ///< an error of vegard itself or of the machine: no memory, an unexpected exception
+  bad_usage = 2,          ///< a wrong command line, an invalid scene, an output that exists
+  unreadable_input = 3,   ///< a photograph, mask, scene or table that cannot be read
+  not_converged = 4,      ///< the fit did not converge
+  doubted = 5,            ///< the verdict on a converged fit is doubtful; a derivative differs
   unwritable_output = 6,  ///< an output that cannot be written
   hung_up = 129,          ///< SIGHUP: the terminal was closed
   interrupted = 130,      ///< Ctrl-C (SIGINT)
-  terminated = 143,       ///< SIGTERM: a batch system or the end of a session
+  terminated = 143,       ///< SIGTERM: from a batch system or at the end of a session
 };
 
 struct ExitMeaning {
@@ -26,10 +26,10 @@ struct ExitMeaning {
   const char* words;  ///< a sentence
 };
 
-/// All of them, for manuals.
+/// All exit codes, for manuals.
 const std::vector<ExitMeaning>& exit_meanings();
 
-/// A paragraph of them, for --help.
+/// All exit codes in a paragraph, for --help.
 std::string exit_code_help();
 
 inline ExitCode exit_code_of(sim::ErrorKind kind) {

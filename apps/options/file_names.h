@@ -9,17 +9,17 @@
 
 namespace vegard::apps {
 
-/// Without its folder.
+/// The file's name without its folder.
 std::string file_name_of(const std::string& file);
 
-/// True if both names lead to one file, whether it exists yet or not: "./a.exr" and "a.exr", a link and what
-/// it points to, a frame of a file and the file. An empty name is no file.
+/// True if both names refer to the same file, whether it exists yet or not: "./a.exr" and "a.exr", a link and
+/// its target, a frame of a file and the file. An empty name is no file.
 bool same_file(const std::string& name, const std::string& other);
 
-/// True if the name leads to the folder itself or into it, at any depth. An empty name leads nowhere.
+/// True if the name refers to the folder itself or to something in it, at any depth. False for an empty name.
 bool is_inside(const std::string& file, const std::string& folder);
 
-/// Throws Error(usage): the file that the option `key` names is `other` ("an input") as well.
+/// Throws Error(usage), which says that the file given by the option `key` is also `other` ("an input").
 [[noreturn]] void refuse_same_file(const std::string& key, const std::string& file, const std::string& other);
 
 struct NamedInput {
@@ -27,15 +27,15 @@ struct NamedInput {
   std::string what;  ///< "the scene", for messages
 };
 
-/// The scene's file, the camera's, and all that the scene names: pictures, grids, depths, tables, and the
-/// photographs and masks of [[fit.photo]].
+/// The scene's file, the camera's, and all files that the scene names: pictures, grids, depths, tables, and
+/// the photographs and masks of [[fit.photo]].
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene);
 
-/// Throws Error(usage) if the output that the option `key` names is one of them.
+/// Throws Error(usage) if the output given by the option `key` is one of the inputs.
 void protect_inputs(const std::string& key, const std::string& output, const std::vector<NamedInput>& inputs);
 
-/// Throws Error(usage) if one of them lies in the folder that the option `key` names: a run that is replaced
-/// goes with all that lies in it.
+/// Throws Error(usage) if one of the inputs is in the folder given by the option `key`: when a run is
+/// replaced, everything in its folder is deleted.
 void protect_inputs_inside(const std::string& key, const std::string& folder,
                            const std::vector<NamedInput>& inputs);
 

@@ -1,7 +1,7 @@
-// What a command answers to --json: one object, whose numbers have their units in their names.
+// The answer of a command to --json: one object, whose keys contain the units of the numbers.
 //
-// A command says its words as ever (standard_streams.h), which --json keeps silent, and puts the same numbers
-// here; Command::runs() prints the object when the command has ended without an error.
+// A command prints its text as usual (standard_streams.h), which --json suppresses, and puts the same numbers
+// here. Command::runs() prints the object when the command has ended without an error.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,16 @@ namespace vegard::apps {
 
 using Json = nlohmann::ordered_json;
 
-/// The object, to be filled. One for the program: a command that runs others (vegard measure) begins it
-/// again.
+/// The object to be filled. There is one per program: a command that runs others (vegard measure) replaces
+/// what they have filled in.
 Json& json_answer();
 
-/// The object is what this JSON says, as a run's own files have it; nothing is read where --json is not
-/// given.
+/// Sets the object from JSON text, such as that of a run's own file. The text is not parsed without --json.
 void answer_with(const std::string& json);
 
-/// Null for what is not known, and for NaN and infinity, which JSON has no words for.
+/// Null for an unknown value, and for NaN and infinity, which JSON cannot represent.
 Json json_number(const std::optional<double>& number);
-/// Names of files that were written; empty ones are left out.
+/// Names of the files that were written, as a list; empty names are left out.
 Json json_names(const std::vector<std::string>& names);
 /// The object as text.
 std::string json_answer_text();

@@ -1,5 +1,5 @@
-// What a command line says of the photograph that it names: its decoding, the filters that it was taken
-// through, and whether its own words count.
+// Command-line options for a photograph: its decoding, the filters through which it was taken, its time, and
+// whether its metadata are used.
 #pragma once
 
 #include <string>
@@ -15,15 +15,16 @@ namespace vegard::apps {
 /// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing.
 void add_decoding_option(const Command& command, std::string& word);
 
-/// The command line's word (sim/scene/rows/decoding_word.h), or where it is empty the scene's. The scene's
-/// table of a curve is that of `scene`; the command line's stands where it says.
+/// Returns the decoding of the command line's word (sim/scene/rows/decoding_word.h) or, if that is empty, of
+/// the scene's word. A curve table named by the scene's word is the one in `scene`; one named on the command
+/// line is read from its file.
 fit::Decoding decoding_of(const std::string& word, const std::string& scene_word,
                           const sim::Scene* scene = nullptr);
 
 /// Adds --line; `words` stays empty if it is not given, and must outlive the parsing.
 void add_filter_option(const Command& command, std::vector<std::string>& words);
 
-/// The files that --line names. Throws Error(usage) for words of another shape.
+/// The files in the values of --line. Throws Error(usage) for values of another form.
 std::vector<fit::FilterFile> filter_files(const std::vector<std::string>& words);
 
 /// Throws Error(usage) unless the scene's sensor has a filter per line.
@@ -32,8 +33,8 @@ void check_filters(const sim::Scene& scene);
 /// Adds --at; `time` stays empty if it is not given, and must outlive the parsing.
 void add_at_option(const Command& command, std::string& time);
 
-/// The picture's name, with the frame of its file chosen that was taken at `time`; as it is without one.
-/// Throws Error(usage, unreadable_input).
+/// Returns the picture's name with the frame of its file that was taken at `time`; unchanged if `time` is
+/// empty. Throws Error(usage, unreadable_input).
 std::string picture_at(const std::string& picture, const std::string& time);
 
 /// Adds --no-metadata; `off` must outlive the parsing.

@@ -1,5 +1,5 @@
-// Photographs that a scene names itself, [[fit.photo]], and what a photograph on the command line adds to a
-// scene.
+// Reads the photographs of a command: those that a scene names ([[fit.photo]]), or the one on the command
+// line, and takes values from it into the scene.
 #pragma once
 
 #include <string>
@@ -13,23 +13,24 @@
 
 namespace vegard::apps {
 
-/// What a command line says of the photograph that it names, of --photo, --at, --mask, --decoding and --line.
+/// The options for a photograph: --photo, --at, --mask, --decoding and --line.
 struct PhotoWords {
   std::string file, at, mask, decoding;
   std::vector<std::string> filters;
 };
 
-/// With the frames at `at` in the names of its files (picture_at()), and no `at` any more. Throws
-/// Error(usage, unreadable_input).
+/// Returns the options with the frame at the time `at` chosen in the names of files (picture_at()), and `at`
+/// empty. Throws Error(usage, unreadable_input).
 PhotoWords with_frames_chosen(PhotoWords words);
 
-/// The photograph of the command line, or those that the scene names. Throws Error(usage) where there is
-/// none, or both, and as reading does.
+/// Reads the photograph of the command line, or those that the scene names. Throws Error(usage) where there
+/// is none, or both, and as reading does.
 std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
                                           fit::PhotoPixels pixels = fit::PhotoPixels::of_file);
 
-/// Takes into the scene what neither its file nor `changes` ("path=value", of --set) give, and says on
-/// standard output what was taken and what is to be noted. Throws Error(unreadable_input).
+/// Takes values from the photograph's metadata into the scene which neither its file nor `changes`
+/// ("path=value", from --set) give. Prints on standard output what was taken and what the user should note.
+/// Throws Error(unreadable_input).
 std::vector<fit::PhotoFact> take_from_photograph(sim::Scene& scene, const std::string& photo,
                                                  const std::vector<std::string>& changes);
 

@@ -1,4 +1,4 @@
-// What is wrong with the words of a command line or with the scene that it names, reported with its place.
+// Errors of the command line or of the scene that it names, with their place.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace vegard::apps {
 
-/// Error(usage) about the option `key`.
+/// Returns an Error(usage) about the option `key`.
 inline sim::Error usage_error(const std::string& key, const std::string& problem, const std::string& expected,
                               const std::string& hint = {}) {
   sim::ErrorDetails details;
@@ -20,12 +20,12 @@ inline sim::Error usage_error(const std::string& key, const std::string& problem
   return sim::Error(sim::ErrorKind::usage, details);
 }
 
-// Of the scene, with its file and line.
+// Errors of the scene, with its file and line.
 using sim::placing_errors;
 using sim::with_place;
 
-/// Throws Error(scene), with the key's place, if the scene's points are of unit weight (film.weight), so that
-/// its picture is none in rayleighs. `what` needs them: "--as-seen".
+/// Throws Error(scene), with the key's place, if the scene's points have unit weight (film.weight), so that
+/// its picture is not in rayleighs. `what` is the option that needs rayleighs: "--as-seen".
 void require_rayleighs(const sim::Scene& scene, const std::string& what);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// A scene's light on voxels as a command line asks for it.
+// Command-line options for a scene's light on voxels.
 #pragma once
 
 #include <string>
@@ -18,16 +18,16 @@ struct VoxelOptions {
   std::vector<std::string> of;
 };
 
-/// Adds --voxel by the names it is to have, --box, --of and --memory-limit. `options` must outlive the
-/// parsing. Returns what was added.
+/// Adds --voxel (with the given option names), --box, --of and --memory-limit, and returns these options.
+/// `options` must outlive the parsing.
 std::vector<Option> add_voxel_options(const Command& command, const std::string& names,
                                       const std::string& default_voxel, VoxelOptions& options);
 
-/// Throws Error(usage) for a box without inside.
+/// Converts the options. Throws Error(usage) for an empty box.
 sim::SceneGridOptions scene_grid_options(const VoxelOptions& options, int threads);
 
-/// Leaves in the scene what is called by one of the names, if there are any, and the sheets that a footprint
-/// among it is made of. Throws Error(usage) for a name that nothing has.
+/// Keeps only the light sources of the scene with one of the names (all, if there are no names), and sheets
+/// from which such a footprint is made. Throws Error(usage) for a name that nothing has.
 void keep_named(sim::Scene& scene, const std::vector<std::string>& names);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// A scene as a command line gives it: a file, and what is to be changed in it.
+// Command-line options for a scene: its file, and changes of its values.
 #pragma once
 
 #include <string>
@@ -12,23 +12,22 @@ namespace vegard::apps {
 
 struct SceneOptions {
   std::string file;
-  std::string
-      camera_file;  ///< a scene file with [camera] and [site] that wins over the scene's; may be empty
+  std::string camera_file;  ///< a scene file whose [camera] and [site] override the scene's; may be empty
   std::vector<std::string> changes;  ///< "path=value", in the order given
-  std::string seed;                  ///< wins over a change of "seed"; empty: the file's
+  std::string seed;                  ///< overrides a change of "seed"; empty: the seed of the file
 };
 
-/// Adds SCENE, --camera, --set and --seed. `options` must outlive the parsing. A command that does without a
-/// scene in some of its ways says so, and asks whether one is given.
+/// Adds SCENE, --camera, --set and --seed. `options` must outlive the parsing. A command to which SCENE may
+/// be missing must check whether it is given.
 enum class SceneWord { required, may_be_missing };
 void add_scene_options(const Command& command, SceneOptions& options, SceneWord scene = SceneWord::required);
 
-/// Reads the file, takes the camera, makes the changes and checks the result. Throws Error(unreadable_input,
-/// scene, usage).
+/// Reads the file, replaces the camera, makes the changes and checks the result. Throws
+/// Error(unreadable_input, scene, usage).
 sim::Scene scene_of(const SceneOptions& options);
 
-/// Tells on standard error what the scene's file sets and nothing uses, and what of it the physical blur
-/// leaves as it is.
+/// Prints notes on standard error: keys of the scene's file that have no effect, and light to which the
+/// physical blur is not applied.
 void note_inert_keys(const sim::Scene& scene);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// Where an observer stood, as people write it on a command line.
+// Parses an observer's position on a command line.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct SitePlace {
 /// Adds --site LAT,LON[,HEIGHT]; `words` stays empty if it is not given, and must outlive the parsing.
 void add_site_option(const Command& command, std::vector<std::string>& words);
 
-/// Of two or three words. A latitude and a longitude are decimal degrees or degrees, minutes and seconds,
+/// Parses two or three words. A latitude and a longitude are decimal degrees or degrees, minutes and seconds,
 /// with a sign or with one of N, S, E, W before or behind them: "78.148", "78.148N", "N78.148", "78°8'53\"N",
 /// "16.043 E". With letters the longitude may come first. The height is in metres, "520" or "520m". Throws
 /// Error(usage) about `key`.

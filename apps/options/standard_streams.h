@@ -1,39 +1,39 @@
-// What commands say, on the standard output and on standard error. All of it goes through here: words of
-// inputs are made safe to show (sim/base/shown_text.h), and whether what was printed could be written is
-// checked once at the end.
+// All output of commands on standard output and standard error. Text from inputs is made safe to show
+// (sim/base/shown_text.h), and errors of writing are checked once at the end.
 #pragma once
 
 #include <string>
 
 namespace vegard::apps {
 
-/// Opens what stands in for standard streams that were closed when the program began, such that using them
-/// fails. Without it an output file would get the number of the standard output, and with it all that is
-/// printed. To be called before any file is opened.
+/// Opens replacements for standard streams that were closed when the program began, such that using them
+/// fails. Without this, an output file would get the descriptor of standard output, and all that is printed
+/// would be written into it. To be called before any file is opened.
 void replace_closed_streams();
 
-/// How much is said: --quiet and --json, which every subcommand has.
+/// How much is printed: --quiet and --json, which every subcommand has.
 struct Voice {
   bool is_quiet = false;  ///< no progress, no notes and no summary; results, warnings and errors still
-  bool is_json = false;   ///< one JSON object (json_answer.h) in place of all words on the standard output
+  bool is_json = false;   ///< one JSON object (json_answer.h) instead of all text on standard output
 };
 Voice& voice();
 
-/// As std::printf, a line of a summary; what stands before a line's end at the end of `format` is one line. A
-/// failure is kept for finish_output(): what a command has yet to write to files is worth more than its
-/// words.
+/// Prints a summary, as std::printf. If the only line end in `format` is its last character, exactly one line
+/// is printed: line ends in arguments are escaped. A failure is kept until finish_output(), since the files
+/// that a command has yet to write are more important than its messages.
 [[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
-/// Of several lines.
+/// Prints a summary of several lines.
 void say_text(const std::string& text);
-/// The same of what a command is asked to print, not of what it has written: said with --quiet too.
+/// Prints results that the user asked for (not reports of what was written), also with --quiet.
 void say_result(const std::string& text);
-/// A line of a verdict: yellow on a terminal if it is doubtful, red if it is bad.
+/// Prints a line of a verdict: on a terminal yellow if it is doubtful, red if it is bad.
 enum class Tone { good, doubtful, bad };
 void say_verdict(Tone tone, const std::string& line, bool is_summary = true);
-/// What --json promises, already JSON: said whatever else is not.
+/// Prints the JSON text for --json, always.
 void say_json(const std::string& text);
 
-/// While it lives, what is said is kept as well: for a report that quotes it. One at a time.
+/// Keeps a copy of what is printed while it exists, for a report that quotes it. Only one may exist at a
+/// time.
 class CapturedOutput {
  public:
   CapturedOutput();
@@ -48,18 +48,18 @@ class CapturedOutput {
   std::string text_;
 };
 
-/// A warning, or how an interrupted command goes on: on standard error, whose failures are nobody's.
+/// Prints a warning, or how to continue an interrupted command, on standard error. Failures are ignored.
 [[gnu::format(printf, 1, 2)]] void tell(const char* format, ...);
-/// Progress and notes, which --quiet leaves out.
+/// Prints progress and notes, which --quiet suppresses.
 [[gnu::format(printf, 1, 2)]] void tell_progress(const char* format, ...);
-/// An error: "PROGRAM: MESSAGE", the program's name in red on a terminal.
+/// Prints an error: "PROGRAM: MESSAGE", with the program's name in red on a terminal.
 void complain(const std::string& program, const std::string& message);
 
-/// Whether a stream may have colours: it is a terminal that knows them, and the user has not set NO_COLOR
+/// Whether a stream may have colours: it is a terminal that supports them, and the user has not set NO_COLOR
 /// (https://no-color.org).
 bool may_have_colours(int stream);
 
-/// What was printed so far is to be seen now, before long work. Failures as in say().
+/// Flushes what was printed, before long work. Failures are kept as in say().
 void show_output();
 
 /// Throws Error(unwritable_output) if anything that was printed could not be written. Nothing may be printed

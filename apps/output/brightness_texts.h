@@ -1,4 +1,4 @@
-// What is known of a scene's brightness, as text and as JSON.
+// The brightness of a scene as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace vegard::apps {
 
-/// For people: aligned, with a new line at the end.
+/// As text in aligned columns, with a new line at the end.
 std::string brightness_text(const sim::BrightnessReport& report);
 
-/// For programs: docs/file_formats.md, "Brightness (JSON)".
+/// As JSON: docs/file_formats.md, "Brightness (JSON)".
 std::string brightness_json(const sim::BrightnessReport& report);
 
 }  // namespace vegard::apps

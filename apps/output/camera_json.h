@@ -1,4 +1,4 @@
-// The camera as matrices, for programs that lay something over a picture or put a picture into a scene.
+// The camera as matrices, for programs that overlay graphics on a picture or place a picture into a 3D scene.
 #pragma once
 
 #include <string>

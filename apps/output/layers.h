@@ -1,4 +1,4 @@
-// The layers of an EXR: that of volumes, and what `vegard render --layers sheets` adds to the picture.
+// The layers of an EXR: that of volumes, and those that `vegard render --layers sheets` adds to the picture.
 #pragma once
 
 #include <vector>
@@ -9,15 +9,16 @@
 
 namespace vegard::apps {
 
-/// Throws Error(scene) if a sheet is called like one of the layers that are no sheets.
+/// Throws Error(scene) if a sheet has the name of another layer.
 void check_layer_names(const sim::Scene& scene);
 
-/// What volumes are in the picture, "volume.R" to "volume.A"; empty: none. Every EXR has it.
+/// The layer of the volumes in the picture, "volume.R" to "volume.A"; empty if there are none. Every EXR has
+/// it.
 sim::Image volume_layer(const sim::Rendering& rendering);
 
-/// Each sheet ("main.R", "main.rayleigh.6300"), the aurora, the sky, and what there is of background, stars,
-/// what volumes hide of them, nebulae of the literal march, foreground (times its mask) and mask, as images
-/// whose channels are named as those of the file.
+/// Returns the layers as images with the channel names of the file: each sheet ("main.R",
+/// "main.rayleigh.6300"), the aurora, the sky, and, as far as they exist, background, stars, the part of
+/// these that volumes hide, nebulae of the literal march, foreground (times its mask) and mask.
 std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rendering);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// A warning for a scene of whose light nothing reaches the picture.
+// A warning for a scene whose light does not reach the picture.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace vegard::apps {
 
-/// Empty if there is light in the picture or nothing that could shine. Else says so, where
-/// the camera looks, and where everything stands that could shine. `rayleigh` is the picture of the lines.
+/// Returns an empty text if there is light in the picture or no light source. Otherwise the text says so, and
+/// gives the direction of the camera and the positions of all light sources. `rayleigh` is the picture of the
+/// lines.
 std::string warning_if_out_of_view(const sim::Scene& scene, const sim::Image& rayleigh);
 
 }  // namespace vegard::apps

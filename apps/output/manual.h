@@ -1,4 +1,4 @@
-// Manual pages and completions, made of the same words as --help.
+// Manual pages and shell completions, made from the texts of --help.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace vegard::apps {
 /// "vegard-survey-run" for the subcommand "survey run", "vegard" for the program itself.
 std::string page_name(const CommandText& program, const CommandText& command);
 
-/// The page of a command of the program, or of the program itself, in man's macros (section 1).
+/// The manual page of a command or of the program itself, in man macros (section 1).
 std::string man_page(const CommandText& program, const CommandText& command);
 
-/// What bash, zsh or fish complete `vegard` by: subcommands, options and the words that these take; file
-/// names for whatever else.
+/// Completions of `vegard` for bash, zsh or fish: subcommands, options and their allowed values; file names
+/// for everything else.
 std::string bash_completion(const CommandText& program);
 std::string zsh_completion(const CommandText& program);
 std::string fish_completion(const CommandText& program);

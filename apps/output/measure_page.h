@@ -1,4 +1,4 @@
-// The report of `vegard measure`: what each stage has found, how sure it is, and what is lacking.
+// The report of `vegard measure`: the result of each stage, its trust, and what is missing.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace vegard::apps {
 
-/// One stage from the photograph to the answer.
+/// One stage on the way from the photograph to the answer.
 struct MeasureStage {
   std::string title;  ///< "Where the camera points"
   fit::Trust trust = fit::Trust::unconstrained;
   std::string found;               ///< a sentence or two
   std::string lacking;             ///< what is missing and what would help; may be empty
-  std::string command;             ///< that does the same by itself; empty if there is none
-  std::string words;               ///< what that command said
-  int exit_code = 0;               ///< of that command
-  std::vector<std::string> files;  ///< that it has written, inside of the run
+  std::string command;             ///< the command that does the same alone; empty if there is none
+  std::string words;               ///< the output of that command
+  int exit_code = 0;               ///< exit code of that command
+  std::vector<std::string> files;  ///< files that it has written in the run directory
 };
 
 struct Measurement {
@@ -29,7 +29,7 @@ struct Measurement {
   std::vector<MeasureStage> stages;
 };
 
-/// The page; it shows pictures of the folder that it stands in. The same measurement gives the same bytes.
+/// Returns the page, which shows pictures in its own folder. The same measurement gives the same bytes.
 std::string measure_page(const Measurement& measurement);
 
 std::string measure_json(const Measurement& measurement);

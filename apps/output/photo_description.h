@@ -1,4 +1,4 @@
-// What a picture says of itself: as text, and as a scene to begin with.
+// The metadata of a picture, as text and as a scene to start from.
 #pragma once
 
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace vegard::apps {
 
-/// A scene file of the keys that one will want to look at. Behind every value stands where it comes from:
-/// the picture, or that it is assumed. What the picture says outside of a key's limits stands in a comment.
+/// Returns a scene file with the most important keys. Behind every value stands its source: the picture, or
+/// an assumption. Values of the picture outside a key's limits stand in a comment.
 std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts);
 
-/// `words` as a comment may hold them: printable ASCII, '?' for the rest.
+/// Returns `words` in a form allowed in a comment: printable ASCII, '?' for other characters.
 std::string comment_words(std::string words);
 
-/// What is known, line by line, and what follows from it in a scene's keys.
+/// Returns the known metadata, line by line, and the resulting values of a scene's keys.
 std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata);
 
-/// The same of a file with many frames: what its first says but for the time, and the frames with their
-/// times.
+/// Returns the same for a file with many frames: the metadata of the first frame except its time, and the
+/// frames with their times.
 std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index);
 
-/// Of a skymap: its size, how much of it looks at the sky and where, its place, and who takes it.
+/// Returns a description of a skymap: its size, how much of it looks at the sky and where, its place, and the
+/// commands that accept it.
 std::string sky_map_description_text(const std::string& file_name, const fit::SkyMapFile& map);
 
-/// The three as JSON: what is known, with units in the names.
+/// The same three descriptions as JSON, with units in the keys.
 std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata);
 std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index);
 std::string sky_map_description_json(const std::string& file_name, const fit::SkyMapFile& map);

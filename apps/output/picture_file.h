@@ -1,4 +1,4 @@
-// A rendered picture as the bytes of its file: the same for a still and for a frame of an animation.
+// Encodes a rendered picture as a file, for stills and for frames of an animation.
 #pragma once
 
 #include <cstdint>
@@ -14,42 +14,43 @@
 
 namespace vegard::apps {
 
-/// In the units of an EXR that --photograph has written.
+/// Part of the attribute "units" by which an EXR written with --photograph is recognised.
 inline constexpr const char* photograph_words = "R, G, B are a photograph's";
 
-/// What the command line says of a picture's file beside its name; empty: the default of its kind.
+/// Options for a picture's file other than its name; empty: the default for its kind.
 struct PictureOptions {
   std::optional<int> bits, quality;
   bool as_seen = false;         ///< as a dark-adapted eye sees it (sim/render/as_seen.h), not a camera
-  double seen_half_mcd = 20.0;  ///< the luminance that it then shows as half of white
+  double seen_half_mcd = 20.0;  ///< the luminance that is then shown as half of white
   bool photograph = false;      ///< with the sensor's noise (sim/view/sensor/sensor.h)
-  std::uint32_t frame = 0;      ///< of an animation: each has its own noise
-  int threads = 0;              ///< for the noise; it does not depend on them
+  std::uint32_t frame = 0;      ///< number in an animation: each frame has its own noise
+  int threads = 0;              ///< for the noise, which does not depend on it
 };
 
 /// Adds --bits, --quality and --photograph; `options` must outlive the parsing.
 void add_picture_options(const Command& command, PictureOptions& options);
 
-/// Throws Error(usage) if a file of that name cannot be what the options want.
+/// Throws Error(usage) if the kind of file given by the name does not support the options.
 void check_picture_options(const std::string& path, const PictureOptions& options);
 
-/// The lines' channels as the layer "rayleigh".
-/// Bytes for each pixel that it takes to make such a file of a rendering.
+/// Bytes per pixel that it takes to encode such a file from a rendering.
 double bytes_to_encode_px(const std::string& path, const PictureOptions& options, const sim::Scene& scene);
 
+/// The lines' channels as the layer "rayleigh".
 sim::Image line_layer(const sim::Rendering& rendering);
 
-/// The bytes of the picture's file, its kind by the extension of `path`. `lines` is the line_layer().
-/// with_layers: an EXR gets those of apps/layers.h too, taken out of the rendering.
+/// Returns the bytes of the picture's file, whose kind is given by the extension of `path`. `lines` is the
+/// line_layer(). With `with_layers`, an EXR also gets the layers of apps/output/layers.h, which are moved out
+/// of the rendering.
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers = false);
 
-/// The bytes of a 16-bit PNG or TIFF of the sensor's raw numbers, those of the photograph: one channel behind
-/// a mosaic, else three.
+/// Returns the bytes of a 16-bit PNG or TIFF of the sensor's raw numbers, the same as for --photograph: one
+/// channel if the sensor has a mosaic, else three.
 std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                         const sim::Rendering& rendering);
 
-/// The bytes of an EXR of the lines alone.
+/// Returns the bytes of an EXR of the lines alone.
 std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-// A plot on its way to a file whose name says its format.
+// Encodes a plot in the format given by its file name.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@ namespace vegard::apps {
 
 enum class PlotFormat { none, svg, png };
 
-/// By the name's ending, in capitals or not; none for an empty name. Throws Error(usage) that names the
-/// option `key` for any other ending.
+/// Returns the format by the name's ending, in upper or lower case; none for an empty name. Throws
+/// Error(usage) about the option `key` for any other ending.
 PlotFormat plot_format(const std::string& file, const std::string& key);
 
-/// The bytes of such a file; empty for none.
+/// The bytes of the file; empty for none.
 std::string plot_bytes(const fit::Plot& plot, PlotFormat format);
 
 }  // namespace vegard::apps

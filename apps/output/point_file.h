@@ -1,4 +1,4 @@
-// Points with their light as a file for programs of artists: PLY, or CSV.
+// Writes points with their light to a file for graphics programs: PLY, or CSV.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,20 @@ namespace vegard::apps {
 
 enum class PointFormat { ply, csv };
 
-/// By the extension, in either case. Throws Error(usage).
+/// The format by the extension, in upper or lower case. Throws Error(usage).
 PointFormat point_format(const std::string& path);
 
-/// A file of points that is written as they come; see docs/file_formats.md for what is in it.
+/// A file to which points are written in parts; its contents are described in docs/file_formats.md.
 class PointFile {
  public:
-  /// unit: "km" or "m". `every` is what the points were thinned by. Throws as sim::WholeFile.
+  /// `unit`: "km" or "m". `every`: only every such point was kept. Throws as sim::WholeFile.
   PointFile(const std::string& path, const sim::Scene& scene, const std::string& unit, int every,
             bool overwrite);
 
   /// Throws Error(unwritable_output).
   void write(const sim::EmissionPoints& points);
 
-  /// Fills in how many points there are and gives the file its name. Throws Error(unwritable_output,
+  /// Fills in the number of points and gives the file its final name. Throws Error(unwritable_output,
   /// existing_output).
   void commit();
 
@@ -45,7 +45,7 @@ class PointFile {
   PointFormat format_;
   std::string unit_;
   std::vector<std::string> remarks_, columns_;
-  std::vector<sim::Vector3> rgb_;  ///< of a line, per photon
+  std::vector<sim::Vector3> rgb_;  ///< colour of each line, per photon
   float scale_;
   std::uint64_t count_ = 0;
   sim::WholeFile file_;

@@ -1,4 +1,4 @@
-// How far long work has come, for someone who watches.
+// A progress bar for long work.
 #pragma once
 
 #include <chrono>
@@ -8,19 +8,19 @@
 
 namespace vegard::apps {
 
-/// Where work stood some time after its beginning. Work that goes on where another process has stopped jumps
-/// ahead at once, and what it has left goes by the pace since then.
+/// The state of work at some time after its start. Work that continues where another process stopped begins
+/// with a jump; its remaining time is estimated from the pace since then.
 struct ProgressPoint {
   double share = 0.0;
   double elapsed_seconds = 0.0;
 };
 
-/// Seconds to go at the pace since `from`; none before that says anything.
+/// Remaining seconds at the pace since `from`; none while too little is done for an estimate.
 std::optional<double> seconds_to_go(const ProgressPoint& from, const ProgressPoint& now);
 
-/// One line on stderr: what is going on, a bar, per cent, time gone and time to go. It appears only if stderr
-/// is a terminal and the work has taken more than a second, and is wiped when the work is done. Its calls may
-/// come from any thread.
+/// One line on stderr: the label, a bar, per cent, elapsed and remaining time. It appears only if stderr is a
+/// terminal and the work has taken more than a second, and is erased when the work is done. All functions may
+/// be called from any thread.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);
@@ -28,17 +28,17 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Finished share, 0 to 1. A share that falls back is shown as it was.
+  /// Sets the finished share, 0 to 1. A smaller share than before is ignored.
   void update(double share);
 
-  /// The same with another label: a new stage of the same work.
+  /// Sets the share and a new label: another stage of the same work.
   void update(double share, const std::string& label);
 
-  /// Since the beginning, and to go; the latter none while it is not known.
+  /// Elapsed time since the start, and remaining time; the latter is none while it is not known.
   double elapsed_seconds() const;
   std::optional<double> seconds_to_go() const;
 
-  /// Wipes the line, so that other text may follow.
+  /// Erases the line, so that other text may follow.
   void finish();
 
  private:
@@ -51,7 +51,7 @@ class ProgressBar {
   bool on_terminal_;
   bool shown_ = false;
   double share_ = 0.0;
-  ProgressPoint first_;  ///< the last of the quiet second
+  ProgressPoint first_;  ///< the last state of the first second, in which nothing is shown
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
@@ -59,7 +59,7 @@ class ProgressBar {
 /// "4 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);
 
-/// The line that the bar shows, `columns` wide at most; never 100 %.
+/// The line that the bar shows, at most `columns` wide; never 100 %.
 std::string progress_line(const std::string& label, const ProgressPoint& now,
                           std::optional<double> seconds_to_go, int columns);
 

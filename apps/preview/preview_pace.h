@@ -1,5 +1,5 @@
-// Keeps a window's pictures coming at the rate that is wanted: coarser where they take too long, finer again
-// where there is time to spare.
+// Keeps the frame rate of a window: pictures become coarser if they take too long, and finer again if there
+// is time.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ class PreviewPace {
 
   const sim::Reduction& reduction() const { return reduction_; }
 
-  /// How long a picture took. True if the next are to be coarser or finer.
+  /// Takes the time for one picture. Returns true if the next ones must be coarser or finer.
   bool take(double ms);
 
  private:
@@ -24,7 +24,7 @@ class PreviewPace {
 
   sim::Reduction reduction_;
   double start_points_, wanted_ms_;
-  std::vector<double> last_ms_;  ///< since the last change
+  std::vector<double> last_ms_;  ///< since the last decision
 };
 
 }  // namespace vegard::apps

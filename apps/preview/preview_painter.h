@@ -1,5 +1,5 @@
-// A preview's pictures as a screen has them: what `vegard render` makes of the reduced scene, with everything
-// kept from one picture to the next that can be.
+// Renders a preview's pictures for the screen: the same as `vegard render` of the reduced scene, with
+// everything reusable kept from one picture to the next.
 #pragma once
 
 #include <atomic>
@@ -27,8 +27,8 @@ class PreviewPainter {
  public:
   explicit PreviewPainter(int threads) : threads_(threads) {}
 
-  /// Empty if `stop` was raised. Throws as fit::read_composite_pictures() and the reading of volumes' files
-  /// do.
+  /// Returns the picture, empty if `stop` was raised. Throws as fit::read_composite_pictures() and the
+  /// reading of volumes' files do.
   ScreenPicture paint(const sim::Scene& scene, const sim::Reduction& reduction,
                       const std::atomic<bool>* stop = nullptr);
 

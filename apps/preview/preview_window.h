@@ -1,4 +1,5 @@
-// The window of a preview: a picture with lines of text, keys and the mouse. OpenCV is behind this door.
+// The window of a preview: a picture with lines of text, and input by keys and the mouse. It hides the use of
+// OpenCV.
 #pragma once
 
 #include <memory>
@@ -12,18 +13,18 @@ namespace vegard::apps {
 /// Whether the environment names a display (DISPLAY or WAYLAND_DISPLAY).
 bool has_display();
 
-/// Whether a window opens on it: tried by a process of its own, since the library ends the process where
-/// none answers. To be asked before any threads are started.
+/// Whether a window can be opened on the display. This is tested in a separate process, since the library
+/// ends the process if no display answers. To be called before any threads are started.
 bool display_answers();
 
 enum class WindowKey { none, up, down, left, right, page_up, page_down, escape, closed, letter };
 
-/// What has happened since it was last asked.
+/// Input events since the last call of wait().
 struct WindowEvents {
   WindowKey key = WindowKey::none;
-  char letter = 0;                                ///< of WindowKey::letter
+  char letter = 0;                                ///< the letter, for WindowKey::letter
   double dragged_x_px = 0.0, dragged_y_px = 0.0;  ///< with the left button held down
-  double wheel = 0.0;                             ///< notches, away from oneself
+  double wheel = 0.0;                             ///< notches, positive away from the user
 };
 
 class PreviewWindow {
@@ -33,10 +34,10 @@ class PreviewWindow {
   PreviewWindow(const PreviewWindow&) = delete;
   PreviewWindow& operator=(const PreviewWindow&) = delete;
 
-  /// The lines, in ASCII, stand below each other in the upper left corner.
+  /// Shows a picture. The lines, in ASCII, are drawn below each other in its upper left corner.
   void show(const ScreenPicture& picture, const std::vector<std::string>& lines);
 
-  /// Waits so long at most, but no longer than until a key is pressed.
+  /// Waits at most this long, or until a key is pressed.
   WindowEvents wait(int ms);
 
  private:

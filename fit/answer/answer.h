@@ -10,30 +10,31 @@
 
 namespace vegard::fit {
 
-/// Parameters with their error bars into the result, and what trades off in words; returns what is known of
-/// combinations of them.
+/// Puts the parameters with their error bars, and sentences about strong correlations, into the result;
+/// returns the uncertainty of combinations of parameters.
 ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                 const std::vector<double>& values, const Uncertainty& uncertainty,
                                 bool stopped, FitResult& result);
 
-/// What follows from the parameters' values, which are put into `scene`, with error bars.
+/// Returns the tied numbers with error bars, computed from the parameters' values, which are also put into
+/// `scene`.
 std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<double>& values,
                                      const sim::Scene& scene, const ValueUncertainty& known);
 
-/// Gains and sky of a photograph, solved numbers and into its best scene.
+/// Puts the gains, the sky and the other solved numbers of a photograph into `fitted` and its best scene.
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
                   double error_inflation, FittedPhoto& fitted);
 
-/// An entry with what a photograph alone has as the fit found it, gain, sky and its own free numbers: what
-/// its best scene has and the shared one does not. `parameters` are all of the fit's.
+/// Returns the entry with the fitted values that belong to its photograph alone (gain, sky and its own free
+/// numbers): those in which its best scene differs from the shared one. `parameters` are all of the fit's.
 sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& fitted,
                               const std::vector<FreeNumber>& free,
                               const std::vector<FittedParameter>& parameters);
 
-/// Root mean square residual over all rows, bands and channels, over the peak of the data's profile above its
-/// sky. Where bands have skies of their own, what is behind may be much brighter than the light in question
-/// and differ from band to band: then over the peak of the model's light before its sky, in bands of which
-/// the gain is constrained; infinity if there is none.
+/// Returns the root mean square residual over all rows, bands and channels, divided by the peak of the data's
+/// profile above its sky. If each band has its own sky, the background may be much brighter than the light of
+/// interest and differ from band to band: then the divisor is the peak of the model's light without the sky,
+/// in bands whose gain is constrained, and the result is infinity if there is none.
 double rms_over_peak(const FittedPhoto& fitted);
 
 }  // namespace vegard::fit

@@ -1,5 +1,5 @@
-// The energy flux Q of a sheet's electrons, given by the gain that a fit has found, where the picture's own
-// scale is known.
+// The energy flux Q of a sheet's electrons, computed from the gain of a fit where the sensor's scale is
+// known.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,22 @@ struct FoundFlux {
   std::optional<double> sigma;
 };
 
-/// Q = (the scene's Q) * (found gain) / (known gain): brighter light or a higher gain are the same picture.
-/// `known` is the scene as it was before the fit, with the sensor's own scale; the found gain is the mean of
-/// the bands'. Its relative sigma is that of this mean, bands taken as independent, and that of the scale, in
-/// quadrature: sensor.calibration_error, or for a camera by its data sheet that of
-/// sim/view/sensor/expected_counts.h (27 to 35 %). Nothing, and why, where the picture is not calibrated or Q
-/// is not what scales the light.
+/// Returns Q = (the scene's Q) * (fitted gain) / (known gain): brighter light and a higher gain give the same
+/// picture. `known` is the scene before the fit, with the sensor's own scale; the fitted gain is the mean
+/// over the bands. The relative sigma combines in quadrature that of this mean, with bands taken as
+/// independent, and that of the scale: sensor.calibration_error, or for a camera known by its data sheet that
+/// of sim/view/sensor/expected_counts.h (27 to 35 %). Returns none, with the reason in `why_none`, where the
+/// picture is not calibrated or Q does not scale the light.
 std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int sheet,
                                     std::string& why_none);
 
-/// The same of a footprint, whose Q is at its spline, or where its picture is white.
+/// Does the same for a footprint, whose Q is at its spline, or where its picture is white.
 std::optional<FoundFlux> found_flux_of_footprint(const sim::Scene& known, const FittedPhoto& fitted,
                                                  int footprint, std::string& why_none);
 
-/// "energy flux Q of the main sheet" of every sheet, and "of the arc footprint" of every footprint. One that
-/// was free, or tied, is as it was found. Of several photographs it is given by the one whose answer has the
-/// smallest sigma. `known` holds the scene of each photograph of the result.
+/// Returns "energy flux Q of the main sheet" for every sheet, and "of the arc footprint" for every footprint.
+/// A flux that was free or tied has its fitted value. With several photographs, the one with the smallest
+/// sigma gives the flux. `known` holds the scene of each photograph of the result.
 std::vector<DerivedNumber> energy_fluxes(const std::vector<const sim::Scene*>& known,
                                          const FitResult& result);
 

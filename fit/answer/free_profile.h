@@ -1,4 +1,4 @@
-// Free-form height profiles as a fit has found them: curves with bands, in place of their coefficients.
+// The free-form height profiles of a fit: curves with error bands, in place of their coefficients.
 #pragma once
 
 #include "fit/answer/derived.h"
@@ -7,9 +7,10 @@
 
 namespace vegard::fit {
 
-/// Every kilometre between the spline's ends. The band is rate * exp(-+ sigma), sigma the standard deviation
-/// of the rate by the coefficients' covariance over the rate: 68 % of each altitude by itself, of the shape
-/// in the scale that the fit holds (SplinePrior), and given everything that was not free.
+/// Returns the profiles at every kilometre between the ends of the spline. The band is rate * exp(-+ sigma),
+/// where sigma is the relative standard deviation of the rate by the coefficients' covariance. It is a 68 %
+/// interval for each altitude by itself, for the shape at the scale that the fit holds fixed (SplinePrior),
+/// and for fixed values of everything that was not free.
 std::vector<FreeProfile> free_profiles(const sim::Scene& best, const SplinePrior& prior,
                                        const ValueUncertainty& known);
 

@@ -7,11 +7,12 @@
 
 namespace vegard::fit {
 
-/// "aurora", "nebula" or "solar light". Grids of a scene with neither nebula nor Sun are most likely aurora;
-/// a scene with some aurora is spoken of as aurora.
+/// "aurora", "nebula" or "solar light". Grids in a scene with neither nebula nor Sun are taken as aurora; so
+/// is a scene of which only a part is aurora.
 std::string light_noun(const sim::Scene& scene);
 
-/// What makes the light, for "no light of the scene's ...": "sheets", "volumes", "Sun", "sheets and volumes".
+/// The kinds of light sources, for "no light of the scene's ...": "sheets", "volumes", "Sun", "sheets and
+/// volumes".
 std::string sources_of(const sim::Scene& scene);
 
 }  // namespace vegard::fit

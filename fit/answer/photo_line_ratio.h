@@ -1,4 +1,4 @@
-// Ratios of lines as a photograph shows them, beside what the model's picture of it shows.
+// Ratios of emission lines in a photograph and in the model's picture of it.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace vegard::fit {
 
-/// I(630.0)/I(557.7) and I(427.8)/I(557.7) "in the photograph" and "in the model's picture": the profile less
-/// the solved sky, as brightness of lines (fit/measure/line_brightness.h), summed over the bins in which the
-/// model has at least a tenth of its brightest 557.7 nm. Both ways alike, so that blur, air and what the
-/// channels mix up do the same to both; unlike the ratios along the field they are those of the light in
-/// view. A gain for all channels does nothing to them.
+/// Returns I(630.0)/I(557.7) and I(427.8)/I(557.7) "in the photograph" and "in the model's picture": the
+/// profile less the solved sky, as brightness of lines (fit/measure/line_brightness.h), summed over the bins
+/// in which the model has at least a tenth of its brightest 557.7 nm. Both are computed alike, so blur, air
+/// and the mixing of lines in the channels have the same effect on both. Unlike the ratios along the field,
+/// they are those of the light in view. A gain common to all channels does not change them.
 ///
-/// The photograph's sigma: noise of the bins, times the fit's inflation, and the solved sky level's, channels
-/// taken as independent. Ratios are missing, and say why, where the channels have gains of their own, where
-/// there are more lines than channels, and in a grid other than columns. Nothing of a line that a scene does
-/// not have.
+/// The photograph's sigma combines the noise of the bins, times the error inflation, with the error of the
+/// solved sky level, channels taken as independent. Ratios have no value, and give the reason, where the
+/// channels have separate gains, where there are more lines than channels, and for bins other than columns. A
+/// line that the scene does not have gives no ratio.
 std::vector<DerivedNumber> photo_line_ratios(const FitResult& result);
 
 }  // namespace vegard::fit

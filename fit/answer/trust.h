@@ -1,8 +1,8 @@
 // The trust in a quantity is good, doubtful or unconstrained, each with its reason.
 //
-// What counts is the standard error on the scale of the quantity's kind. A distance that is off by a
-// twentieth still identifies the arc, by a fifth it does not; an energy is constrained to a sixth or, at
-// most, to a factor of 1.6; a lower border that may be 10 km off adds nothing to what is known of aurora
+// It depends on the standard error, with limits for each kind of quantity. A distance that is off by a
+// twentieth still identifies the arc; by a fifth, it does not. An energy is good to a sixth, and constrained
+// at most to a factor of 1.6. A lower border with an error of 10 km adds nothing to what is known of aurora
 // without a picture (95 to 120 km).
 #pragma once
 
@@ -16,9 +16,9 @@ const char* trust_name(Trust trust);
 /// Kinds of quantities; each has its scale (error_scale()).
 enum class Quantity { distance, energy, energy_flux, altitude, width, ratio, place, azimuth, phase, other };
 
-/// Up to which standard error a quantity is good, and from which on it is unconstrained.
+/// Up to the standard error `good` a quantity is good, and from `none` on it is unconstrained.
 struct ErrorScale {
-  bool relative = true;  ///< errors are shares of the value; else in its unit (km, degrees)
+  bool relative = true;  ///< `good` and `none` are relative to the value; else in its unit (km, degrees)
   double good = 0.0, none = 0.0;
 };
 
@@ -27,7 +27,7 @@ struct ErrorScale {
 /// phase 0.5 and 1.5 rad.
 ErrorScale error_scale(Quantity kind);
 
-/// By its standard error alone. An error that is no number is one that nothing bounds.
+/// Returns the trust by the standard error alone. An error that is not a number stands for an unbounded one.
 Trust trust_of(Quantity kind, double value, double error);
 
 }  // namespace vegard::fit

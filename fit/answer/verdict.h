@@ -15,12 +15,12 @@ struct Evidence {
   bool out_of_evaluations = false;
   bool aurora_in_view = true;  ///< the model has any light in the region
   double chi2_without_aurora = 0.0;
-  double unknowns = 0.0;     ///< that the data determine, where priors do the rest; 0: every parameter
-  bool second_mode = false;  ///< another valley explains the data almost as well
+  double unknowns = 0.0;     ///< number that the data determine if there are priors; 0: every parameter
+  bool second_mode = false;  ///< another minimum explains the data almost as well
   std::string second_mode_text;
   std::vector<double> second_mode_values;  ///< of the free numbers
-  std::string curve_words;  ///< what was found of an unknown transfer curve; empty: it is known
-  std::vector<std::string> against_curve;  ///< what speaks against that
+  std::string curve_words;  ///< the transfer curve that was found, in words; empty: it was known
+  std::vector<std::string> against_curve;  ///< reasons to doubt the curve
 };
 
 /// Sets verdict, verdict_line, reasons and checks.

@@ -11,24 +11,25 @@ namespace vegard::fit {
 /// 1955, "The polar aurora"; docs/forms.md).
 inline constexpr std::array<double, 4> kBorderAltitudesKm = {95.0, 100.0, 105.0, 110.0};
 
-/// The elevation without the air, of what is seen at an apparent one: Saemundsson's formula
-/// (sim/view/sky/star_place.h), solved for it, for the standard atmosphere over the site's height.
+/// Returns the true elevation for an apparent one, i.e. without refraction: Saemundsson's formula
+/// (sim/view/sky/star_place.h), inverted, for the standard atmosphere above the site's height.
 double true_elevation_deg(double apparent_elevation_deg, double site_altitude_m);
 
 struct BorderPlace {
-  double distance_km = 0.0;                        ///< along the ground, at sea level, to the point beneath
-  double distance_error_km = 0.0;                  ///< by the elevation's error alone
+  double distance_km = 0.0;        ///< along the ground, at sea level, to the point below the border
+  double distance_error_km = 0.0;  ///< from the elevation's error alone
   double latitude_deg = 0.0, longitude_deg = 0.0;  ///< on the sphere; longitude above -180, to 180
 };
 
-/// Of a direction as a camera has it (apparent). NaN where the line of sight does not reach the altitude.
+/// Returns the place of a border that is seen in a direction of the camera (apparent elevation). NaN where
+/// the line of sight does not reach the altitude.
 BorderPlace border_place(const sim::Site& site, double azimuth_deg, double apparent_elevation_deg,
                          double elevation_error_deg, double altitude_km);
 
-/// By the true elevation; NaN as above.
+/// Returns the distance along the ground by the true elevation; NaN as above.
 double ground_distance_km(double true_elevation_deg, double site_altitude_m, double altitude_km);
 
-/// The way back: the true elevation of what stands so far away and so high.
+/// The inverse: returns the true elevation of a point at this distance and altitude.
 double elevation_of_place_deg(double ground_distance_km, double site_altitude_m, double altitude_km);
 
 }  // namespace vegard::fit

@@ -1,9 +1,9 @@
-// chi2 of line brightnesses over the unknowns of a column-ratio inversion, and all of its valleys.
+// chi2 of line brightnesses as a function of the unknowns of a column-ratio inversion, and all of its minima.
 //
-// A ratio of two lines need not be monotonic in the energy, so that brightnesses may have two explanations.
-// The whole range of energies is scanned first, with the energy flux solved for at each (brightness is nearly
-// proportional to it); every valley of that scan is then followed to its bottom by damped Gauss-Newton steps
-// (Levenberg 1944, Marquardt 1963) inside the limits of the tables.
+// A ratio of two lines need not be monotonic in the energy, so brightnesses may have two solutions. The whole
+// range of energies is scanned first, with the energy flux solved for at each energy (brightness is nearly
+// proportional to it). From every local minimum of that scan, damped Gauss-Newton steps (Levenberg 1944,
+// Marquardt 1963) lead to a minimum of chi2 inside the limits of the tables.
 #pragma once
 
 #include <Eigen/Dense>
@@ -17,27 +17,28 @@ namespace vegard::fit {
 
 inline constexpr std::size_t kMaxColumnLines = 8;
 
-/// Of the model's lines, in rayleighs. Standard deviations are above 0.
+/// Brightnesses of the model's lines, in rayleighs. Standard deviations are above 0.
 struct ColumnData {
   std::array<double, kMaxColumnLines> rayleigh{}, sigma{};
 };
 
-/// The bottom of a valley.
+/// A local minimum of chi2.
 struct ColumnValley {
   ColumnPoint at{};
   double chi2 = 0.0;
-  /// Half of chi2's second derivatives by the unknowns, as Gauss and Newton have them; its inverse is their
-  /// covariance.
+  /// Half of chi2's second derivatives by the unknowns, in the Gauss-Newton approximation; the inverse is
+  /// their covariance.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  std::array<bool, kColumnUnknowns> at_edge{};  ///< chi2 would fall further beyond the tables
-  /// Of the scan between this valley and the best one, above the higher of the two; 0 for the best.
+  std::array<bool, kColumnUnknowns> at_edge{};  ///< chi2 would decrease further beyond the tables
+  /// Largest chi2 of the scan between this minimum and the best one, above the higher of the two; 0 for the
+  /// best.
   double barrier = 0.0;
 };
 
 class ColumnChi2 {
  public:
-  /// Unknowns that are not free stay as `fixed` has them. `model` outlives this. energy_stride: of the
-  /// model's energies every which one is scanned.
+  /// Unknowns that are not free keep their values in `fixed`. `model` must outlive this object. Of the
+  /// model's energies, every energy_stride-th is scanned.
   ColumnChi2(const ColumnModel& model, const ColumnFreedom& free, const ColumnPoint& fixed,
              std::size_t energy_stride = 1);
 
@@ -47,16 +48,16 @@ class ColumnChi2 {
 
   double at(const ColumnData& data, const ColumnPoint& point) const;
 
-  /// From `start` downwards, over those of `free`.
+  /// Descends from `start` by changing the unknowns of `free`.
   ColumnValley descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const;
 
-  /// All valleys, the deepest first; never none. Safe to be called by several threads at once.
+  /// Returns all minima, the lowest first; at least one. May be called by several threads at once.
   std::vector<ColumnValley> valleys(const ColumnData& data) const;
 
  private:
   struct ScanPlace {
     ColumnPoint at{};
-    std::size_t energy = 0;                 ///< which of the scanned energies
+    std::size_t energy = 0;                 ///< index among the scanned energies
     std::vector<double> rayleigh_per_flux;  ///< [line * fluxes + flux]
   };
   double best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const;
@@ -69,7 +70,8 @@ class ColumnChi2 {
   std::vector<ScanPlace> places_;
 };
 
-/// The covariance of the unknowns that are free and not at an edge; zero in the rows of the others.
+/// Returns the covariance of the unknowns that are free and not at an edge; the rows and columns of the
+/// others are zero.
 Eigen::Matrix3d column_covariance(const ColumnValley& valley, const ColumnFreedom& free);
 
 }  // namespace vegard::fit

@@ -1,9 +1,10 @@
-// The column-ratio inversion: brightnesses of two or more lines, each with its error, to the energy flux and
-// the characteristic energy of the electrons and, where the tables know several, the factor of atomic oxygen.
+// The column-ratio inversion: from the brightnesses of two or more lines, each with its error, to the energy
+// flux and the characteristic energy of the electrons and, where the tables have several, the factor of
+// atomic oxygen.
 //
-// Of the kind that Rees and Luckey 1974 (J. Geophys. Res. 79, 5181, doi:10.1029/JA079i034p05181) began:
-// 427.8 nm counts the energy, 630.0 nm over 427.8 nm falls with it, and lines of atomic oxygen (844.6 nm) say
-// how much of that there is.
+// The method goes back to Rees and Luckey 1974 (J. Geophys. Res. 79, 5181, doi:10.1029/JA079i034p05181):
+// 427.8 nm measures the energy flux, 630.0 nm over 427.8 nm falls with the energy, and lines of atomic oxygen
+// (844.6 nm) measure the density of atomic oxygen.
 #pragma once
 
 #include <array>
@@ -18,22 +19,22 @@ namespace vegard::fit {
 enum class ColumnVerdict {
   well_constrained,
   loosely_constrained,  ///< closed intervals, but wide ones
-  one_sided,            ///< an end of an interval is the end of the tables
+  one_sided,            ///< an interval ends at an end of the tables
   two_solutions,
-  contradiction,  ///< no electrons of the tables make these lines
-  no_light,       ///< of maps: no line stands out of its error
-  not_measured,   ///< of maps: a brightness, or its error, is missing
+  contradiction,  ///< no electrons in the tables give these brightnesses
+  no_light,       ///< for maps: no line exceeds its error
+  not_measured,   ///< for maps: a brightness, or its error, is missing
 };
 /// "well constrained".
 const char* column_verdict_name(ColumnVerdict verdict);
 
-/// Energy in keV, flux in mW m^-2, the factor of oxygen.
+/// Estimate of one unknown: energy in keV, flux in mW m^-2, or the factor of oxygen.
 struct ColumnEstimate {
   double value = 0.0;
   bool is_free = false;
-  double sigma_ln = 0.0;        ///< standard deviation of its logarithm by the covariance; NaN at an edge
-  double sigma_ln_alone = 0.0;  ///< the same if the others were known
-  OpenInterval interval68, interval95;  ///< by the likelihood; an end that is missing lies beyond the tables
+  double sigma_ln = 0.0;        ///< standard deviation of its logarithm, by the covariance; NaN at an edge
+  double sigma_ln_alone = 0.0;  ///< standard deviation for known other unknowns
+  OpenInterval interval68, interval95;  ///< by the likelihood; a missing end lies beyond the tables
 };
 
 struct ColumnSolution {
@@ -46,28 +47,28 @@ struct ColumnSolution {
 struct ColumnInversion {
   std::vector<double> lines_nm;
   ColumnData data;
-  std::vector<ColumnSolution>
-      solutions;  ///< the best first; others that chi2 cannot distinguish from it at 95 %
+  std::vector<ColumnSolution> solutions;  ///< the best first, then those not excluded at 95 %
   int degrees_of_freedom = 0;
-  double p_value = 1.0;  ///< of so large a chi2 by chance; 1 without degrees of freedom
+  double p_value = 1.0;  ///< probability of such a large chi2 by chance; 1 without degrees of freedom
   ColumnVerdict verdict = ColumnVerdict::well_constrained;
   std::string reason;                     ///< in one sentence
   std::vector<std::string> degeneracies;  ///< a sentence each
 };
 
-/// At least as many lines as unknowns are free. Each unknown's interval is where chi2, the others at their
-/// best, rises by 1 and by 4.
+/// Inverts line brightnesses, of which there must be at least as many as free unknowns. An unknown's interval
+/// reaches to where chi2, minimised over the other unknowns, rises by 1 (68 %) or by 4 (95 %).
 ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data);
 
-/// Of more than so much by chance, for whole degrees of freedom of 1 or more.
+/// Probability of a larger chi2 by chance, for at least one degree of freedom.
 double chi2_tail(double chi2, int degrees_of_freedom);
 
-/// A second valley counts if chi2 rises by less than this from the best to it, and by more than
-/// kMinBarrier on the way back.
+/// A second minimum is reported as a solution if its chi2 exceeds that of the best by at most
+/// kEquivalentChi2, and the barrier between them is at least kMinBarrier.
 inline constexpr double kEquivalentChi2 = 4.0, kMinBarrier = 0.5;
-/// chi2 that lines without a degree of freedom may be off, and the chance below which those with some are.
+/// Lines contradict the tables if their chi2 exceeds kMaxColumnChi2 (without degrees of freedom), or if its
+/// probability is below kMinChance (with some).
 inline constexpr double kMaxColumnChi2 = 9.0, kMinChance = 0.0027;
-/// Wide: the ends of a 95 % interval are more than this factor apart.
+/// An interval is wide if the ratio of the ends at 95 % exceeds this factor.
 inline constexpr double kWideFactor = 4.0;
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// Column-ratio inversion of maps: every pixel by itself.
+// Column-ratio inversion of maps of line brightness, pixel by pixel.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace vegard::fit {
 
-/// One line's brightness and its errors, row by row. `known_error` may be empty: then the error is that of
+/// The brightness of one line and its errors, row by row. If `known_error` is empty, the error is that of
 /// BrightnessError alone.
 struct LineMap {
   std::vector<float> rayleigh;     ///< NaN: not measured
@@ -19,8 +19,8 @@ struct LineMap {
   BrightnessError error;
 };
 
-/// As the line maps. NaN where a pixel has no answer, and an error where the answer is at an edge of the
-/// tables.
+/// Results, row by row as the line maps. NaN where a pixel has no answer; an error is also NaN where the
+/// answer is at an edge of the tables.
 struct ColumnMaps {
   std::size_t width = 0, height = 0;
   std::vector<float> energy_kev, flux_mw_m2, oxygen_factor;
@@ -30,10 +30,10 @@ struct ColumnMaps {
   std::vector<std::uint8_t> quality;  ///< a ColumnVerdict
 };
 
-/// Of the lines of chi2's model, in its order. Errors are by the covariance at the minimum; what an interval
-/// by the likelihood would add is in `quality`: at an edge (or within two standard deviations of it), with a
-/// second valley, with a chi2 that contradicts. Pixels without a line above three of its errors have no
-/// light. `threads` (0: all) changes nothing.
+/// Inverts the maps of the lines of chi2's model, in its order. Errors are by the covariance at the minimum.
+/// What a likelihood interval would add is in `quality`: an answer at an edge (or within two standard
+/// deviations of it), a second minimum, a chi2 that contradicts the model. Pixels in which no line exceeds
+/// three of its errors have no light. `threads` (0: all) does not change the result.
 ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines, std::size_t width,
                        std::size_t height, int threads);
 

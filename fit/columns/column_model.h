@@ -1,9 +1,10 @@
-// Brightness of the vertical column of emission lines, by the electrons that make them: what a
-// column-ratio inversion compares with photometers and filtered cameras.
+// Brightness of emission lines along a vertical column, as a function of the electrons: what a column-ratio
+// inversion compares with photometers and filtered cameras.
 //
-// The columns are those of the simulator's own height profiles (sim/light/height_profile.h), tabulated once
-// over energy (and whatever else changes them), so that a million pixels can ask for them. In between,
-// ln(rayleighs) is a cubic through the four nearest nodes, once continuously differentiable.
+// The columns are integrals of the simulator's own height profiles (sim/light/height_profile.h). They are
+// tabulated once over energy (and energy flux and oxygen where these matter), so that they are fast enough
+// for a million pixels. In between, ln(rayleighs) is interpolated by a cubic through the four nearest nodes,
+// once continuously differentiable.
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@ struct ColumnModelOptions {
   double spread = 0.25;  ///< of a Gaussian: its standard deviation over its energy
 };
 
-/// ln of a line's rayleighs, and its slopes by the three unknowns.
+/// ln of a line's brightness in rayleighs, and its derivatives by the three unknowns.
 struct ColumnLight {
   double ln_rayleigh = 0.0;
   ColumnPoint slope{};
@@ -39,29 +40,29 @@ class ColumnModel {
  public:
   static constexpr double kMinFlux = 1e-3, kMaxFlux = 1e3;  ///< mW m^-2
 
-  /// Lines of the aurora, eight at most. `tables` are not needed any more afterwards. Takes some tenths of a
-  /// second, on up to `threads` threads (0: all).
+  /// `lines_nm`: lines of the aurora, eight at most. `tables` need not outlive the constructor, which takes
+  /// some tenths of a second on up to `threads` threads (0: all).
   ColumnModel(const sim::EmissionTables& tables, const std::vector<double>& lines_nm,
               const ColumnModelOptions& options, int threads = 0);
 
   std::size_t lines() const { return lines_nm_.size(); }
   const std::vector<double>& lines_nm() const { return lines_nm_; }
 
-  /// Inside the limits.
+  /// Brightness at a point inside the limits.
   ColumnLight at(std::size_t line, const ColumnPoint& point) const;
 
-  /// The range of each unknown: of the tables, of kMinFlux to kMaxFlux. Two equal numbers: the tables do
-  /// not know it.
+  /// The range of each unknown: that of the tables, for the flux kMinFlux to kMaxFlux. If both ends are
+  /// equal, the tables do not depend on it (knows() is false).
   double least(std::size_t unknown) const { return least_[unknown]; }
   double most(std::size_t unknown) const { return most_[unknown]; }
   bool knows(std::size_t unknown) const { return most_[unknown] > least_[unknown]; }
 
-  /// Energies that are close enough together that no minimum of chi2 hides between two.
+  /// Energies so close together that no minimum of chi2 can hide between two of them.
   const std::vector<double>& ln_energies() const { return energy_nodes_; }
   const std::vector<double>& ln_oxygens() const { return oxygen_nodes_; }
 
-  /// Whether one of the lines is a fixed multiple of another, whatever the electrons: they come from the same
-  /// upper state.
+  /// Whether one of the lines is a fixed multiple of the other for all electrons, since both come from the
+  /// same upper state.
   bool is_multiple(std::size_t line, std::size_t other) const;
 
  private:

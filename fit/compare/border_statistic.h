@@ -8,18 +8,20 @@
 
 namespace vegard::fit {
 
-/// A band's border is where green falls off downwards: the mean position weighed with the square of the fall,
+/// A band's border is the row at which green decreases downwards: the mean position weighted with the square
+/// of the decrease f,
 ///
 ///   y = sum r w(f_r) / sum w(f_r),    f_r = sum_k K_k G_(r + k),    K_k ~ -k exp(-k^2 / 2 m^2), m = 2,
 ///
-/// w(f) = f^2 where light falls downwards, 0 elsewhere. It is smooth in all light, and knows neither of gains
-/// nor of a level sky. Rows about the brightest and down to where a tenth of its light is left, three times
-/// as far to either side, take part. Noise makes falls where there are none: the model's w is the expectation
-/// of the square under the photograph's own noise, so that both are alike where the model is right.
+/// where w(f) = f^2 if light decreases downwards, else 0. y is a smooth function of the light, and does not
+/// depend on the gains or on a level sky. The rows that are used reach from the brightest one down to where a
+/// tenth of its light is left, and three times that distance further on both sides. Noise causes decreases
+/// where there are none: the model's w is the expectation of the square under the photograph's own noise, so
+/// that photograph and model agree where the model is right.
 ///
 /// Noise of y: to first order that of the profile (photograph and model error, rows taken as independent), to
-/// second order the photograph's own. Bands whose steepest fall is less than five of its standard deviations
-/// have no border.
+/// second order the photograph's own. Bands whose steepest decrease is less than five of its standard
+/// deviations have no border.
 class BorderStatistic : public Statistic {
  public:
   /// `sigma`: of the profile's values (fit/measure/noise_model.h). `weight` multiplies chi2.
@@ -30,7 +32,7 @@ class BorderStatistic : public Statistic {
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
 
   /// Position of each border that is compared, in the profile's rows, and its standard deviation, in the
-  /// order of the residuals; light as in Profile, sky taken off.
+  /// order of the residuals. `light` is indexed as in Profile, without the sky.
   struct Border {
     int band = 0;
     double row = 0.0, sigma = 0.0;
@@ -40,7 +42,7 @@ class BorderStatistic : public Statistic {
  private:
   struct Band {
     int band = 0;
-    std::vector<int> rows;              ///< whose fall takes part
+    std::vector<int> rows;              ///< rows that are used
     std::vector<double> noise_of_fall;  ///< the photograph's own
     double sigma = 0.0;
   };
@@ -48,7 +50,7 @@ class BorderStatistic : public Statistic {
     double row = 0.0;
     std::vector<double> slope;  ///< d row / d light of the band's rows
   };
-  /// `expected`: of light without noise, what noise would make of it.
+  /// `expected`: whether `green` is light without noise, for which the expectation under noise is computed.
   BorderRow border_row(const Band& band, const std::vector<double>& green, bool expected) const;
   std::vector<double> green_of(int band, const std::vector<double>& light) const;
 

@@ -1,4 +1,4 @@
-// Colour profiles: how much red and blue there is beside green.
+// The colour statistic: the ratios of red and blue to green.
 #pragma once
 
 #include <array>
@@ -9,17 +9,16 @@
 
 namespace vegard::fit {
 
-/// ln(red / green) and ln(blue / green) of the light above the sky, bin by bin. What scales all channels of a
-/// bin alike (exposure, the sheet's brightness, rays) does nothing to it. Data: photograph less the solved
-/// sky; model: its aurora.
+/// Compares ln(red / green) and ln(blue / green) of the light above the sky in each bin. A factor that is
+/// common to all channels of a bin (exposure, the sheet's brightness, rays) cancels. Data: photograph less
+/// the solved sky; model: its aurora.
 ///
-/// Noise: the relative errors of both channels in quadrature. Bins whose light above the sky (the mean of
-/// what lies at the profile's 5th percentile) is less than five of its standard deviations in either channel
-/// are left out. A logarithm
-/// of so noisy a number is low by half its relative variance on average: that of the photograph's own noise
-/// is added back. Below a fifth of the light that the photograph had above that, the logarithm
-/// goes on as its tangent, so that a sky that takes all the light away, or a model without any, has a
-/// residual too.
+/// Noise: the relative errors of both channels in quadrature. The sky is estimated as the mean of the values
+/// that are at most three standard errors above the profile's 5th percentile; bins whose light above it is
+/// less than five standard deviations in either channel are left out. The logarithm of such a noisy number is
+/// too low by half its relative variance on average; this bias by the photograph's own noise is added back.
+/// Below a fifth of that light the logarithm is continued by its tangent, so that residuals exist also if the
+/// sky takes all the light away or the model has none.
 class ColourStatistic : public Statistic {
  public:
   /// `sigma`: of the profile's values (fit/measure/noise_model.h). `weight` multiplies chi2.
@@ -33,7 +32,7 @@ class ColourStatistic : public Statistic {
   struct Channel {
     std::size_t value = 0;  ///< index into the profile
     double mean = 0.0;      ///< of the photograph, sky included
-    double darkest = 0.0;   ///< below which the logarithm is a straight line
+    double darkest = 0.0;   ///< the logarithm is replaced by its tangent below this
   };
   struct Ratio {
     Channel over, under;

@@ -1,5 +1,5 @@
-// One photograph beside a model of it: the statistics of both, at one resolution, and what is left between
-// them.
+// The comparison of one photograph with a model of it: the statistics of both at one resolution, and their
+// residuals.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,26 @@
 
 namespace vegard::fit {
 
-/// Statistics, noise and model of a photograph, as a search or a polish looks at them.
+/// Statistics, noise and model of a photograph at one resolution, for a search or for the final descent.
 class Comparison {
  public:
-  /// How much of the work is done.
+  /// The resolution, which decides how long an evaluation takes.
   struct Resolution {
-    double beams_share = 1.0;  ///< of the scene's beams
+    double beams_share = 1.0;  ///< fraction of the scene's beams that is used
     double smooth_rows = 0.0;  ///< standard deviation by which profiles are smoothed; 0: not at all
     int threads = 0;
-    /// Of statistics other than the profile, whose sigma is given; none: the scene's.
+    /// Model error of statistics other than the profile (the profile's sigma is given); none: the scene's.
     std::optional<Statistics::ModelError> model_error = {};
-    std::uint64_t sampling = 0;  ///< another draw of the beams (sim::BeamSampling)
-    double fineness = 1.0;       ///< of the mean over all draws, likewise
+    std::uint64_t sampling = 0;  ///< number of the random draw of beams (sim::BeamSampling)
+    double fineness = 1.0;       ///< fineness of the mean over all draws (sim::BeamSampling)
   };
 
-  /// `data` and `sigma` are the photograph's profile as this resolution sees it, and its noise; it has the
-  /// bins of profile_bins(), or its `grid` says which. Other statistics, if switched on, are taken from the
+  /// `data` and `sigma` are the photograph's profile at this resolution and its noise; its bins are those of
+  /// profile_bins(), or those of its `grid`. Other statistics that are switched on are computed from the
   /// photograph, which is not kept.
   Comparison(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
              const Resolution& resolution);
-  /// With what another compares, and a model laid out for `scene`.
+  /// Compares the same statistics as `like`, with a model laid out for `scene`.
   Comparison(const sim::Scene& scene, const Photo& photo, const Comparison& like,
              const Resolution& resolution);
 
@@ -45,21 +45,22 @@ class Comparison {
   Comparison& operator=(const Comparison&) = delete;
 
   int residuals() const { return statistics_->residuals(); }
-  /// Gains and sky terms that the residuals were made small with: none, if no linear statistic is compared.
+  /// Number of gains and sky terms that were solved to minimise the residuals: 0 if no linear statistic is
+  /// compared.
   int coefficients() const { return statistics_->linear_counts() ? linear().coefficients_in_use() : 0; }
 
   struct Point {
-    ModelProfile aurora;  ///< in the bins of all grids; derivatives, if any, by the free numbers that move
+    ModelProfile aurora;  ///< in the bins of all grids; derivatives, if any, by the free numbers that vary
     LinearSolution solution;
     double chi2 = 0.0;
-    /// Of all that is compared: linear statistics in the order of their bins, then the others.
+    /// Residuals of all that is compared: linear statistics in the order of their bins, then the others.
     const std::vector<double>& residual() const { return whitened; }
 
     std::vector<double> whitened;
     std::vector<double> jacobian_of_others;  ///< row-major [residual][moved]
   };
   Point at(const sim::Scene& scene);
-  /// With derivatives by what `motion` says.
+  /// As above, with derivatives by the numbers in `motion`.
   Point at(const sim::Scene& scene, const ParameterMap::Motion& motion);
 
   /// d residual / d free, row-major [residual][moved].
@@ -68,31 +69,30 @@ class Comparison {
   const Profile& data() const { return statistics_->profile(); }
   const std::vector<double>& sigma() const { return statistics_->profile_sigma(); }
   const GainLayout& gains() const { return gains_; }
-  /// Over the bins of all grids, of which the profile's are the first.
+  /// The linear part, over the bins of all grids; those of the profile come first.
   const LinearPart& linear() const { return statistics_->linear(); }
 
-  /// The profile's share of a point: residuals and the values that they are of. Both are empty if the profile
-  /// is not compared.
+  /// The part of a point that belongs to the profile. Both lists are empty if the profile is not compared.
   struct ProfilePart {
     std::vector<std::size_t> used;  ///< indices into the profile
     std::vector<double> residual;
   };
   ProfilePart profile_part(const Point& point) const;
-  /// fit::error_inflation() of a point: the correlation of residuals is the profile's to say, compared or
-  /// not, unless nothing has to do with its bins; how large they are, all statistics'.
+  /// fit::error_inflation() at a point. The correlation of residuals is estimated from the profile, compared
+  /// or not (unless no statistic uses its bins); their size is estimated from all statistics.
   Inflation error_inflation(const Point& point, int dof) const;
-  /// Model of the profile in the data's units, at all values.
+  /// The model of the profile in the data's units, for all values.
   std::vector<double> profile_model(const Point& point) const;
-  /// Held gains among the coefficients().
+  /// Number of held gains among the coefficients().
   int held_gains(const Point& point) const;
-  /// chi2 if there were no aurora and the sky were solved for again. Statistics that have no value without an
-  /// aurora stay as they are; infinity if nothing else is compared.
+  /// chi2 without aurora, with the sky solved again. Statistics that are not defined without an aurora keep
+  /// their residuals; infinity if no other statistic is compared.
   double chi2_without_aurora(const Point& point) const;
 
-  /// What statistics have solved for beside the coefficients.
+  /// Numbers that statistics have solved by themselves, other than the coefficients.
   std::vector<Statistic::Solved> solved_by_statistics(const sim::Scene& scene) const;
 
-  /// What each statistic has to do with a point's chi2, weight included.
+  /// The contribution of each statistic to a point's chi2, weight included.
   struct Share {
     std::string name;
     double weight = 1.0;

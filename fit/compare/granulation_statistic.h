@@ -1,4 +1,5 @@
-// Granulation: of what size the unevenness of the Sun's disc is, wherever each granule stands.
+// The granulation statistic: the sizes of the bright and dark structures on the Sun's disc, wherever each
+// granule is.
 #pragma once
 
 #include <array>
@@ -15,22 +16,23 @@
 
 namespace vegard::fit {
 
-/// Of the light in square cells of the region (at most 128 each way) the angular power spectrum
-/// (fit/measure/power_spectrum.h) under a window that falls to nothing at the region's edges and towards the
-/// limb (cos² from 0.8 to 0.95 radii of the photosphere). Residuals are ln P of the photograph less ln of the
-/// model's, band by band of wavenumber.
+/// Compares the angular power spectrum (fit/measure/power_spectrum.h) of the light in square cells of the
+/// region (at most 128 each way), under a window that falls to zero at the region's edges and towards the
+/// limb (cos² from 0.8 to 0.95 radii of the photosphere). Residuals are ln P of the photograph less ln P of
+/// the model, for each band of wavenumber.
 ///
-/// The model's is the mean over eight chromospheres that differ by their shift alone, drawn from the scene's
-/// seed: where a granule stands is nothing that is compared. A change of `chromosphere.scale` magnifies each
-/// about the place in the region's middle: about the Sun's middle, where the noise's lattice has its origin,
-/// it would be another chromosphere after a change of a few per cent. Gain and sky drop out, but for what the
-/// sky adds to the light: light is taken as solar all of it.
+/// The model's P is the mean over eight chromospheres that differ only by their shift, drawn from the scene's
+/// seed: the places of single granules are not compared. A change of `chromosphere.scale` magnifies each
+/// about the place in the region's middle. If it were magnified about the Sun's middle, where the lattice of
+/// the noise has its origin, a change by a few per cent would give an unrelated chromosphere. Gain and sky
+/// cancel, except for what the sky adds to the light: all light is taken as solar.
 ///
-/// Noise: sigma² = s (1 + 1/8) V + (2 model_error)², V the relative variance of Gaussian light under the
-/// window and s by how much ln P of sixteen of the start's chromospheres scatter more than that (at least 1):
-/// granules with edges are not Gaussian. The photograph's own noise (fit/measure/cell_noise.h) is added to
-/// the model's power; bands that it makes up more than half of are left out. Bands are taken as independent,
-/// which granules with edges are not: error bars come out too small by about 1.4 (docs/corona/fits.md).
+/// Noise: sigma² = s (1 + 1/8) V + (2 model_error)², where V is the relative variance for Gaussian light
+/// under the window, and s is the factor (at least 1) by which the variance of ln P among sixteen
+/// chromospheres of the start exceeds it: granules with edges are not Gaussian. The photograph's own noise
+/// (fit/measure/cell_noise.h) is added to the model's power; bands in which it is more than half of the power
+/// are left out. Bands are taken as independent, but granules with edges correlate them: error bars come out
+/// too small by about 1.4 (docs/corona/fits.md).
 class GranulationStatistic : public Statistic {
  public:
   /// `weight` multiplies chi2. Throws sim::Error(scene) with key "fit.granulation_weight" if the scene has no
@@ -44,9 +46,9 @@ class GranulationStatistic : public Statistic {
   bool is_of_the_profile() const override { return false; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
 
-  /// For tests and reports: of each residual.
+  /// The data of each residual, for tests and reports.
   struct Band {
-    std::size_t band = 0;  ///< of the spectrum
+    std::size_t band = 0;  ///< index in the spectrum
     double ln_power = 0.0, noise_power = 0.0, sigma = 0.0;
   };
   const std::vector<Band>& bands() const { return bands_; }

@@ -14,17 +14,18 @@ namespace vegard::fit {
 double correlated_residuals(const Profile& data, const std::vector<std::size_t>& used,
                             const std::vector<double>& residual);
 
-/// chi2 / dof of `residuals` values of which so many go together, with one standard error of it added, for
-/// it is a mean over residuals / together independent squares: sqrt(2 together / residuals) of itself. Below
-/// 1 where sigma, of which the model error is an estimate, is more than what was missed; not below 0.01, for
-/// a made picture may be met to its rounding.
+/// Returns chi2 / dof plus one standard error of it. `residuals` is the number of residuals, `together` the
+/// number of correlated ones per independent one: the mean over residuals / together independent squares has
+/// a relative standard error of sqrt(2 together / residuals). The result is below 1 where sigma, which
+/// includes an estimated model error, is too large; it is at least 0.01, for a synthetic picture may be
+/// fitted to within its rounding.
 double residual_scale(double chi2, int dof, double residuals, double together);
 
-/// How much wider error bars must be than independent residuals of size 1 would have them.
+/// The widening of error bars for residuals that are correlated or not of size 1.
 struct Inflation {
-  double scale = 1.0;     ///< residual_scale(): of the residuals' squares
+  double scale = 1.0;     ///< residual_scale(), for the residuals' squares
   double together = 1.0;  ///< correlated_residuals()
-  /// Of error bars: the square root of both. Below 1 where sigma was taken too large.
+  /// Factor on error bars: the square root of scale * together. Below 1 where sigma was too large.
   double factor() const;
 };
 

@@ -1,9 +1,9 @@
-// The linear part of a photograph's mean light, exposure gains and sky, is solved exactly at every
+// The linear part of a photograph's mean light (exposure gains and sky), which is solved exactly at every
 // evaluation.
 //
 // Variable projection with the full derivative (Golub and Pereyra 1973, doi:10.1137/0710036; Kaufman's
-// shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky
-// level + sky gradient * place, where the night sky's known lights (ModelProfile::offset) have no gain.
+// shortcut drops a term and fails the difference test): data = night sky + sum of gains * aurora + sky level
+// + sky gradient * place, where no gain multiplies the night sky's known lights (ModelProfile::offset).
 #pragma once
 
 #include <Eigen/Core>
@@ -17,23 +17,23 @@
 
 namespace vegard::fit {
 
-// Mean light in bins, of whatever statistics are linear in the gains and the sky.
+// Mean light in bins, of all statistics that are linear in the gains and the sky.
 
 struct LinearBins {
   std::vector<double> mean, sigma;  ///< [bin][channel]; a sigma of 0: not used
-  std::vector<int> band;            ///< [bin]: whose gain it has
-  std::vector<double> place;  ///< [bin]: down the picture, 0 top to 1 bottom, for the sky; of bands' own
-                              ///< skies, along the positions, 0 first to 1 last
-  int skies = 1;              ///< how many there are: one, or one per band, whose number is `band`
+  std::vector<int> band;            ///< [bin]: the band whose gain applies
+  std::vector<double> place;  ///< [bin]: coordinate of the sky terms: 0 top to 1 bottom of the picture; if
+                              ///< each band has its own sky, 0 first to 1 last position
+  int skies = 1;              ///< number of skies: one, or one per band, with the index `band`
 
-  /// A profile's bins after those that are there.
+  /// Appends the bins of a profile.
   void append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height);
-  /// Of a profile all of whose bands have a sky of their own. Nothing else may be there.
+  /// Appends the bins of a profile of which each band has its own sky. There must be no other bins.
   void append_with_skies(const Profile& data, const std::vector<double>& sigma_of_data);
 };
 
-/// Which gains there are. One over all; one per band (rays are uneven); one per channel, or per band and
-/// channel, where the white balance is unknown.
+/// The number of gains: one; one per band (rays are uneven); one per channel, or per band and channel, where
+/// the white balance is unknown.
 struct GainLayout {
   int bands = 1;
   bool per_band = false;
@@ -44,7 +44,7 @@ struct GainLayout {
   }
 };
 
-/// The solution for one aurora, and the whitened residuals it leaves.
+/// The solution for one model of the aurora, with its residuals in units of sigma.
 struct LinearSolution {
   /// Gains, then per sky term (level, gradient, curvature) 3 channels, sky after sky.
   std::vector<double> coefficients;
@@ -57,13 +57,13 @@ class LinearPart {
  public:
   /// `sky_terms`: 1 level, 2 and gradient, 3 and curvature. Values whose sigma is 0 are left out.
   LinearPart(LinearBins bins, const GainLayout& gains, int sky_terms);
-  /// Of one profile alone.
+  /// For one profile alone.
   LinearPart(const Profile& data, const std::vector<double>& sigma, const GainLayout& gains, int sky_terms,
              int picture_height);
 
   int residuals() const { return static_cast<int>(used_.size()); }
   int coefficients() const { return sky(0, 0, skies()); }
-  /// How many of the coefficients any value has a part in: a channel that is not used has no sky.
+  /// Number of coefficients on which any value depends: a channel that is not used has no sky.
   int coefficients_in_use() const;
   /// Index of a sky term of a channel among the coefficients.
   int sky(int term, int channel, int which = 0) const {
@@ -77,18 +77,19 @@ class LinearPart {
   LinearSolution solve(const ModelProfile& aurora) const;
 
   /// d residual / d parameter of solve(aurora), row-major [residual][parameter], the change of the
-  /// coefficients included. aurora must carry derivatives.
+  /// coefficients included. `aurora` must have derivatives.
   void jacobian(const ModelProfile& aurora, const LinearSolution& solution, std::vector<double>& out) const;
 
-  /// The first `values` values' light of the aurora and behind it, with slopes if aurora has derivatives.
+  /// Returns the first `values` values of the aurora's light and of the light behind it, with slopes if
+  /// `aurora` has derivatives.
   SolvedLight light(const ModelProfile& aurora, const LinearSolution& solution, std::size_t values) const;
 
-  /// Model in the data's units, at all values (also those not used).
+  /// The model in the data's units, for all values (also unused ones).
   std::vector<double> model(const ModelProfile& aurora, const LinearSolution& solution) const;
 
-  /// Variances of the coefficients: their own at fixed aurora, times inflation squared, and what they owe to
-  /// the free parameters' covariance [parameter][parameter]. 0 for a held gain and for a sky without data.
-  /// aurora must carry derivatives.
+  /// Variances of the coefficients: those at fixed aurora, times inflation squared, plus those from the free
+  /// parameters' covariance [parameter][parameter]. 0 for a held gain and for a sky without data. `aurora`
+  /// must have derivatives.
   std::vector<double> coefficient_variance(const ModelProfile& aurora, const LinearSolution& solution,
                                            double inflation,
                                            const std::vector<std::vector<double>>& covariance) const;
@@ -107,7 +108,7 @@ class LinearPart {
   int sky_terms_;
   std::vector<std::size_t> used_;
   struct Where {
-    int gain, level;            // coefficients; the level's fellow terms are 3 apart
+    int gain, level;            // indices of coefficients; the further sky terms follow at distances of 3
     std::array<double, 3> sky;  // the basis at this row
   };
   std::vector<Where> where_;  // of every used value

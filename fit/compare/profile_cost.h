@@ -1,4 +1,5 @@
-// The cost that Ceres minimises: whitened differences between photographs' statistics and a model's.
+// The cost function that Ceres minimises: differences between the statistics of photographs and of a model,
+// in units of sigma.
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -18,7 +19,7 @@
 
 namespace vegard::fit {
 
-/// Counts and the best point met, over all descents of a fit.
+/// Number of evaluations and the best point so far, over all descents of a fit.
 struct EvaluationLog {
   int residuals = 0, jacobians = 0;
   int limit = std::numeric_limits<int>::max();
@@ -29,64 +30,65 @@ struct EvaluationLog {
   bool exhausted() const { return residuals >= limit || (stop != nullptr && stop->load()); }
 };
 
-/// One photograph's share of a cost.
+/// The part of a cost that belongs to one photograph.
 struct CostTerm {
-  sim::Scene scene;  ///< with whatever is not free
+  sim::Scene scene;  ///< gives the values of all that is not free
   ParameterMap map;
   Comparison* comparison = nullptr;  ///< must outlive the cost
 };
 
-/// Some of a fit's free numbers, the others held. Residuals: the photographs' one after the other, then the
-/// priors' rows. The Jacobian is exact: tangents through the renderer, the linear part by variable
-/// projection, the map's and the transforms' slopes.
+/// The cost as a function of some of a fit's free numbers; the others are held. Residuals: those of each
+/// photograph in turn, then the rows of the priors. The Jacobian is exact: tangents through the renderer,
+/// variable projection for the linear part, and the derivatives of the parameter map and of the transforms.
 class ProfileCost : public ceres::CostFunction {
  public:
   struct Options {
-    /// Indices of the free numbers that move; empty: all.
+    /// Indices of the free numbers that vary; empty: all.
     std::vector<int> moved;
-    /// Values of all free numbers, of which those that do not move stay; may be empty if all move.
+    /// Values of all free numbers, of which the ones that do not vary are used; may be empty if all vary.
     std::vector<double> held;
-    /// Rows of free-form profiles (fit/parameters/spline_prior.h), beside the numbers' own priors. All are
-    /// taken times `prior_weight`: where the data's chi2 is to be divided by an inflation squared, rows times
-    /// the inflation make the sum of both right.
+    /// Prior rows of free-form profiles (fit/parameters/spline_prior.h), in addition to the numbers' own
+    /// priors. All prior rows are multiplied by `prior_weight`. Where the data's chi2 is divided by an
+    /// inflation squared only later, the weight must be the inflation: then the sum of both is right.
     SplinePrior prior;
     double prior_weight = 1.0;
-    /// Of the numbers that move. The solver's coordinate of a phase then is that of the phase in view.
+    /// Anchors of phases among the numbers that vary. The solver's coordinate of such a phase is that of the
+    /// phase in view.
     std::vector<PhaseAnchor> anchors = {};
   };
 
-  /// Log and comparisons must outlive the cost.
+  /// The log and the comparisons must outlive the cost.
   ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms, EvaluationLog& log,
               const Options& options);
   ProfileCost(const std::vector<FreeNumber>& free, const std::vector<CostTerm>& terms, EvaluationLog& log);
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
-  /// The free numbers that move, in the order of the coordinates.
+  /// The free numbers that vary, in the order of the coordinates.
   const std::vector<FreeNumber>& moved() const { return moved_; }
   const std::vector<CostTerm>& terms() const { return terms_; }
   const std::vector<PhaseAnchor>& anchors() const { return anchors_; }
   double prior_weight() const { return prior_weight_; }
-  /// Of the photographs alone.
+  /// Number of residuals of the photographs alone.
   int data_residuals() const { return data_residuals_; }
 
-  /// The values of what moves, from the solver's coordinates and back.
+  /// Converts the solver's coordinates to values of the varying numbers, and back.
   std::vector<double> values(double const* coordinates) const;
   std::vector<double> coordinates(const std::vector<double>& values) const;
 
-  /// The pieces behind an evaluation, for whoever needs more than residuals.
+  /// The intermediate results of an evaluation, for callers that need more than residuals.
   struct Point {
-    std::vector<double> values;  ///< of what moves
+    std::vector<double> values;  ///< of the varying numbers
     std::vector<Comparison::Point> of_photo;
-    double chi2 = 0.0;  ///< priors included; infinite where a tie leads beyond its parameter's limits
+    double chi2 = 0.0;  ///< priors included; infinite where a tied number is beyond its limits
   };
   Point at(const std::vector<double>& values, bool with_derivatives) const;
 
-  /// d residual / d value of the photographs, row-major [residual][moved], of a point with derivatives.
+  /// d residual / d value of the photographs, row-major [residual][moved], at a point with derivatives.
   void data_jacobian(const Point& point, std::vector<double>& out) const;
-  /// Rows of derivatives by values become rows of derivatives by the solver's coordinates.
+  /// Converts rows of derivatives by values to derivatives by the solver's coordinates.
   void by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const;
-  /// Residuals of the photographs one after the other, as the scene's fit.loss has them.
+  /// Residuals of each photograph in turn, with the robust loss fit.loss applied.
   std::vector<double> data_residual(const Point& point) const;
 
  private:
@@ -104,8 +106,9 @@ class ProfileCost : public ceres::CostFunction {
   PriorRows priors_;
 };
 
-/// That of all photographs: the means of their own factors' squares and of their residuals that go together,
-/// by their number of residuals. `unknowns` are all that were found from the data.
+/// Returns the inflation for all photographs together: the means of the squares of their own factors, and of
+/// their numbers of correlated residuals, weighted with their numbers of residuals. `unknowns` is the number
+/// of all unknowns that were found from the data.
 Inflation joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns);
 
 }  // namespace vegard::fit

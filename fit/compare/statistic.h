@@ -1,9 +1,9 @@
-// A statistic is a quantity other than mean light itself that is computed of a photograph and of a model,
-// and compared.
+// The interface of statistics: quantities other than mean light itself that are computed from the photograph
+// and from the model, and compared.
 //
-// Intensity in bins (profiles, a coarse image) is linear in the gains and the sky, and takes part in solving
-// for them (fit/compare/linear_part.h). A statistic takes what was solved: the gains and the sky are those
-// that minimise the chi2 of the linear ones at the same parameters, and its Jacobian has their change in it.
+// Intensity in bins (profiles, a coarse image) is linear in the gains and the sky, which are solved from it
+// (fit/compare/linear_part.h). A statistic uses the gains and the sky that minimise the chi2 of the linear
+// residuals at the same parameters, and its Jacobian includes their change.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@
 
 namespace vegard::fit {
 
-/// Light in the bins of the profile, indexed as in Profile; slopes [value index * free + parameter], empty if
-/// not asked for.
+/// Light in the bins of the profile, indexed as in Profile; slopes are indexed [value index * free +
+/// parameter], and empty if not requested.
 struct SolvedLight {
   std::vector<double> aurora;  ///< gain times the model's aurora
   std::vector<double> behind;  ///< the solved sky and the night sky's known lights
@@ -24,8 +24,9 @@ struct SolvedLight {
   std::vector<double> aurora_slope, behind_slope;
 };
 
-/// What a statistic is of. `numbers` are the scene's that move, for what follows from no bin: which they
-/// are and, row-major [number][parameter], d number / d parameter (empty: the identity).
+/// The input of a statistic. For statistics that are not computed from bins, `numbers` are the scene's
+/// numbers that vary, and `slopes` their derivatives d number / d parameter, row-major [number][parameter]
+/// (empty: the identity).
 struct StatisticInput {
   const SolvedLight& light;
   const sim::Scene& scene;
@@ -37,17 +38,19 @@ class Statistic {
  public:
   virtual ~Statistic() = default;
   virtual std::string name() const = 0;
-  /// How many; which ones is the photograph's matter, never the model's.
+  /// Number of residuals. It depends on the photograph only, never on the model.
   virtual std::size_t residuals() const = 0;
-  /// Writes (data - model) / sigma, of a standard deviation of 1 where the model is right. If `jacobian` is
-  /// not null, also d residual / d parameter, row-major [residual][parameter], and `light` must have slopes.
+  /// Writes (data - model) / sigma, which has a standard deviation of 1 where the model is right. If
+  /// `jacobian` is not null, `light` must have slopes, and d residual / d parameter is written too, row-major
+  /// [residual][parameter].
   virtual void evaluate(const StatisticInput& input, double* residual, double* jacobian) const = 0;
 
-  /// Whether its residuals go up and down together as far as the profile's do, whose bins it is made of.
+  /// Whether it is computed from the bins of the profile, so that its residuals are correlated over as many
+  /// rows and bands as the profile's.
   virtual bool is_of_the_profile() const { return true; }
 
-  /// What a statistic has solved for by itself, with its standard deviation for a scene that is right; 0:
-  /// none.
+  /// A number that a statistic has solved by itself, with its standard deviation if the scene is right; 0: no
+  /// standard deviation.
   struct Solved {
     std::string name;
     double value = 0.0, sigma = 0.0;

@@ -1,5 +1,5 @@
-// The statistics of one photograph that a scene's [fit] switches on, computed from the photograph. Nothing
-// here depends on the model.
+// The statistics of one photograph that a scene's [fit] switches on, computed from the photograph alone.
+// Nothing here depends on the model.
 #pragma once
 
 #include <memory>
@@ -15,14 +15,14 @@ namespace vegard::fit {
 
 class Statistics {
  public:
-  /// Share of a model's light that its errors are taken as, as in profile_sigma()
-  /// (fit/measure/noise_model.h).
+  /// Errors of the model as a fraction of its light, as in profile_sigma() (fit/measure/noise_model.h).
   struct ModelError {
     double share = 0.0, peak_share = 0.1;
   };
 
-  /// `data` and `sigma` are the profile, smoothed already; others are taken from the photograph here and
-  /// smoothed by `smooth_px` as it was. The photograph is not kept. `threads`: of statistics that render.
+  /// `data` and `sigma` are the profile, already smoothed; other statistics are computed here from the
+  /// photograph, smoothed likewise by `smooth_px`. The photograph is not kept. `threads` is for statistics
+  /// that render.
   Statistics(const sim::Scene& scene, const Photo& photo, Profile data, std::vector<double> sigma,
              double smooth_px, const ModelError& model_error, int threads = 0);
 
@@ -30,17 +30,17 @@ class Statistics {
   const std::vector<double>& profile_sigma() const { return sigma_; }
   bool profile_counts() const { return profile_counts_; }
 
-  /// Of the model's bins, one grid after the other; the profile's is the first.
+  /// The grids of the model's bins; the profile's is the first.
   const std::vector<std::shared_ptr<const BinGrid>>& grids() const { return grids_; }
   const LinearPart& linear() const { return *linear_; }
-  /// Whether the linear residuals are compared. If no linear statistic is switched on, they are the profile's
-  /// and only there to solve for the gains and the sky.
+  /// Whether the linear residuals are compared. If no linear statistic is switched on, they are the
+  /// profile's, and serve only to solve the gains and the sky.
   bool linear_counts() const { return linear_counts_; }
 
-  /// Whether anything that is compared has to do with the profile's bins.
+  /// Whether any compared statistic uses the profile's bins.
   bool looks_at_the_profile() const;
 
-  /// Those that mean light in bins makes up: values first to first + values of the bins'.
+  /// A statistic that consists of mean light in bins: `values` values of the bins, from `first` on.
   struct Linear {
     std::string name;
     double weight = 1.0;
@@ -54,7 +54,7 @@ class Statistics {
   };
   const std::vector<Other>& others() const { return others_; }
 
-  /// Of all that is compared.
+  /// Number of all residuals that are compared.
   int residuals() const { return residuals_; }
 
  private:

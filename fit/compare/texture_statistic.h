@@ -1,4 +1,4 @@
-// Texture: how unevenly an arc shines along itself, wherever each ray stands.
+// The texture statistic: the variation of light along an arc, wherever each ray is.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,31 +14,32 @@
 
 namespace vegard::fit {
 
-/// Autocovariances of the logarithm of the light along the brightest rows of each band.
+/// Compares autocovariances of the logarithm of the light along the brightest rows of each band.
 ///
 /// Data: green above the sky, averaged column by column over the rows in which the band has at least 0.7 of
-/// its peak; of its logarithm f, with a parabola along the band taken out, (1/n) sum f(x) f(x + lag) at lags
-/// of 0 to a third of the band. Model: the expectation of just that for rays of a contrast and a width
-/// (ray_log_covariance) where the sheet is in view (sheet_in_view), parabola and photon noise included.
+/// its peak. A parabola along the band is subtracted from its logarithm, which gives f; the autocovariances
+/// are (1/n) sum f(x) f(x + lag) at lags of 0 to a third of the band. Model: the expectation of the same
+/// quantity for rays of a contrast and a width (ray_log_covariance) where the sheet is in view
+/// (sheet_in_view), parabola and photon noise included.
 ///
-/// The rays' contrast and width are solved for at every evaluation, one of each over the picture, as gains
-/// are. So the statistic depends on distance and bearing only by how the scale changes across the picture,
-/// and what it is there for is the rays themselves (rays()). The scene's own ray_contrast and ray_width_km
-/// are not looked at.
+/// The rays' contrast and width are solved at every evaluation, as gains are; both are common to the whole
+/// picture. So the statistic depends on distance and bearing only through the change of scale across the
+/// picture; its purpose is to measure the rays themselves (solved()). The scene's own ray_contrast and
+/// ray_width_km are ignored.
 ///
-/// Noise: f is taken as Gaussian. Autocovariances are products of quadratic forms with f, whose covariance is
-/// 2 tr(B_k S B_l S); for S, the photograph's own autocovariance, pooled over bands, stands. Residuals are
-/// the combinations of lags that this makes independent and of variance 1.
+/// Noise: f is taken as Gaussian. Autocovariances are quadratic forms in f, whose covariance is 2 tr(B_k S
+/// B_l S), where S is the photograph's own autocovariance, pooled over bands. Residuals are the combinations
+/// of lags that are independent and of variance 1 under this covariance.
 ///
-/// One sheet is looked at: the first with ray_contrast above 0, else the first; other arcs than its first,
-/// and the change of scale along the sine, are not.
+/// Only one sheet is used: the first with ray_contrast above 0, else the first. Arcs other than its first
+/// one, and the change of scale along the sine, are neglected.
 class TextureStatistic : public Statistic {
  public:
-  /// `scene`: for the sheet's number and [fit]. `weight` multiplies chi2.
+  /// `scene` gives the sheet and [fit]. `weight` multiplies chi2.
   TextureStatistic(const sim::Scene& scene, const Photo& photo, const Region& region, double weight);
 
   std::string name() const override { return "texture"; }
-  /// None if the light along the bands is as even as its noise and the model error.
+  /// Number of residuals: 0 if the light along the bands is as even as its noise and the model error allow.
   std::size_t residuals() const override { return residuals_; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
   std::vector<Solved> solved(const sim::Scene& scene) const override;
@@ -50,8 +51,8 @@ class TextureStatistic : public Statistic {
   struct Stretch {
     double x_px = 0.0, y_px = 0.0;    ///< its middle
     std::vector<double> seen;         ///< autocovariance at each lag
-    std::vector<double> of_noise;     ///< what noise alone makes of it
-    std::vector<double> of_distance;  ///< what a covariance of 1 at a distance of pixels does, [lag][pixels]
+    std::vector<double> of_noise;     ///< contribution of noise to it
+    std::vector<double> of_distance;  ///< its response to a covariance of 1 at a distance, [lag][pixels]
     std::vector<double> whitening;    ///< [residual][lag]
     std::size_t pixels = 0, lags = 0, residuals = 0;
   };

@@ -1,8 +1,9 @@
-// The curtains of a map: the ridges of its energy flux, as curves with what stands along them.
+// Finds the curtains of a map: the ridges of its energy flux, as curves with the quantities along them.
 //
-// A ridge point is where the smoothed flux has its maximum along the direction in which it bends most
-// (Steger 1998, doi:10.1109/34.659930). Points are joined from the brightest on, in the direction across
-// that, as long as the next one is bright enough (hysteresis), and taken again every few kilometres.
+// A ridge point is where the smoothed flux has its maximum along the direction of its strongest curvature
+// (Steger 1998, doi:10.1109/34.659930). Points are joined at right angles to that direction, starting from
+// the brightest, as long as the next one is bright enough (hysteresis). The curve is then resampled every few
+// kilometres.
 #pragma once
 
 #include <vector>
@@ -20,13 +21,13 @@ struct WithError {
 struct CurtainPoint {
   sim::EastNorth foot_km;
   double distance_km = 0.0, azimuth_deg = 0.0;  ///< of the foot, from the site
-  double lateral_error_km = 0.0;                ///< standard error of the foot's place, across the curtain
-  double distance_error_km = 0.0;  ///< of the distance from the site, with that of the border's altitude
-  WithError flux_mw_m2;            ///< at the ridge, with the width given
+  double lateral_error_km = 0.0;                ///< standard error of the foot's position, across the curtain
+  double distance_error_km = 0.0;  ///< error of distance_km, that of the border's altitude included
+  WithError flux_mw_m2;            ///< peak flux at the ridge for the width given below
   WithError energy_kev;            ///< mean over the curtain's width
-  WithError width_km;              ///< standard deviation across, as the map has it: an upper limit
-  WithError lower_border_km;   ///< where the light of 557.7 nm, or of the scene's brightest line, has half of
-                               ///< its peak, below it
+  WithError width_km;              ///< standard deviation across the curtain in the map: an upper limit
+  WithError lower_border_km;   ///< where, below its peak, the light of 557.7 nm (or of the scene's brightest
+                               ///< line) is half of the peak
   bool border_in_view = true;  ///< its lower border is in a used part of a picture
 };
 
@@ -35,13 +36,15 @@ struct Curtain {
   double length_km = 0.0;
 };
 
-/// That which carries most energy first.
+/// Returns the curtains, by decreasing energy.
 std::vector<Curtain> find_curtains(const MapResult& result);
 
-/// Ridges that are no curtains since they are too faint: some are ghosts of the bright ones. Likewise sorted.
+/// Returns the ridges that are too faint for curtains, in the same order; some are artefacts of the bright
+/// ones.
 std::vector<Curtain> find_faint_curtains(const MapResult& result);
 
-/// Lower border of the light of electrons of an energy (Maxwellian), and its derivative by ln(energy), in km.
+/// Lower border of the light of Maxwellian electrons of an energy, and its derivative by ln(energy), both in
+/// km.
 struct LowerBorder {
   double altitude_km = 0.0, by_ln_energy = 0.0;
 };

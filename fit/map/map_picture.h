@@ -1,14 +1,14 @@
-// One photograph that a map of precipitation is to explain: its light in the cells of a film, their errors,
-// and what a map and a sky would put there.
+// One photograph that a map of precipitation must explain: its light in the cells of a film, the errors, and
+// the light that a map and a sky would give there.
 //
 // The model of channel c in a cell is
 //
-//     gain_c  sum over lines  colour[c][line]  blur(rayleighs of the line)  +  sum over j  sky_j
-//     f_j(direction)
+//     gain_c  sum over lines  colour[c][line]  blur(rayleighs of the line)
+//             +  sum over j  sky_j f_j(direction),
 //
-// linear in the map and in the sky, of which the sky is solved for whatever the map is: by weighted least
-// squares with a weak prior, so that no derivative by it is needed (variable projection, Golub and Pereyra
-// 1973, doi:10.1137/0710036). Where a channel was clipped at no light, it says only that the model is not
+// linear in the map and in the sky. The sky is solved for any given map by weighted least squares with a weak
+// prior, so that no derivative by it is needed (variable projection, Golub and Pereyra 1973,
+// doi:10.1137/0710036). Where a channel was clipped at no light, the data only require that the model is not
 // above it.
 #pragma once
 
@@ -30,10 +30,10 @@ namespace vegard::fit {
 using MapLight = std::vector<float>;
 
 struct MapPictureOptions {
-  int pixels_per_cell = 1;    ///< along either side of a film's cell
-  double model_error = 0.02;  ///< as a share of the light above the sky
+  int pixels_per_cell = 1;    ///< along each side of a film's cell
+  double model_error = 0.02;  ///< as a fraction of the light above the sky
   double lowest_elevation_deg = 3.0;
-  int margin_cells = 0;  ///< of the film about the picture; 0: as far as the blur reaches
+  int margin_cells = 0;  ///< margin of the film around the picture; 0: as far as the blur reaches
   int threads = 0;
 };
 
@@ -45,17 +45,18 @@ class MapPicture {
   const sim::Scene& scene() const { return scene_; }
   const sim::FilmGeometry& film() const { return film_; }
   std::size_t cells() const { return static_cast<std::size_t>(film_.rows) * film_.columns; }
-  /// Whose light is wanted: those that are used, and as far around them as the blur reaches.
+  /// Cells whose light must be computed: those that are used, and those around them as far as the blur
+  /// reaches.
   const std::vector<std::uint8_t>& wanted() const { return wanted_; }
-  std::size_t values() const { return values_; }  ///< how many there are of data
+  std::size_t values() const { return values_; }  ///< number of values in the data
 
   const MapLight& data() const { return data_; }
   const MapLight& sigma() const { return sigma_; }  ///< 0: not used
-  const MapLight& noise() const { return noise_; }  ///< of sigma, the share that is independent of the model
+  const MapLight& noise() const { return noise_; }  ///< the part of sigma that does not depend on the model
   void set_data(MapLight data) { data_ = std::move(data); }
   /// 1 / sigma², or 0 where a value is not used or left out.
   const MapLight& weight() const { return weight_; }
-  /// Leaves values out of the weights: one entry a cell, 1: left out. Empty: none.
+  /// Sets weights of the given cells to 0: one entry per cell, 1: left out. Empty: none is left out.
   void leave_out(const std::vector<std::uint8_t>& cells);
 
   /// Makes the forward operator for a grid.
@@ -70,16 +71,16 @@ class MapPicture {
   /// Solves for the sky of a model's light and returns chi2; `residual` becomes (light + sky - data) /
   /// sigma², whose adjoint is the gradient of chi2 / 2.
   double residual(const MapLight& light, MapLight& residual);
-  /// The sky's share of the weighted product W (light), as far as it takes it away: for curvatures.
+  /// Subtracts from the weighted product W (light) what the sky can explain of it: for curvatures.
   void take_sky_away(const MapLight& light, MapLight& weighted) const;
-  /// The sky that the last residual() has found.
+  /// The sky that the last residual() found.
   const MapLight& sky() const { return sky_; }
 
   /// The channel whose gain is that of the scene where the white balance is unknown: the first of G, R, B
   /// with data.
   int reference_channel() const { return reference_; }
 
-  /// Per channel; those of the first photograph's reference channel stay 1.
+  /// Gain of each channel; that of the first photograph's reference channel stays 1.
   std::array<double, 3> gain{1.0, 1.0, 1.0};
 
  private:
@@ -89,8 +90,8 @@ class MapPicture {
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
   void factor_sky();
-  /// The sky's numbers in a channel, by least squares: `weighted(i)` is the weight of a value times what the
-  /// sky is to explain of it.
+  /// The coefficients of the sky in a channel, by least squares: `weighted(i)` is the weight of value i times
+  /// the light that the sky must explain.
   template <class Value>
   std::vector<double> solve_sky(int channel, const Value& weighted) const;
   double sky_at(std::size_t cell, const std::vector<double>& sky) const;
@@ -98,7 +99,7 @@ class MapPicture {
   sim::Scene scene_;
   sim::FilmGeometry film_;
   int threads_, reference_ = 1;
-  bool clips_ = false;  ///< whether less than no light was stored as none
+  bool clips_ = false;  ///< whether negative light was stored as 0
   std::size_t values_ = 0;
   MapLight data_, sigma_, noise_, weight_, sky_;
   std::vector<std::uint8_t> wanted_;

@@ -1,4 +1,4 @@
-// A map on a linear grid of east and north: what is written, drawn, and searched for curtains.
+// A map on a linear grid of east and north, in which it is written, drawn, and searched for curtains.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace vegard::fit {
 
-/// Rows to the north, columns to the east: [row * columns + column]. Feet in the site's tangent plane.
+/// The grid: rows to the north, columns to the east, [row * columns + column]. Positions are those of feet in
+/// the site's tangent plane.
 struct MapRaster {
   double west_km = 0.0, south_km = 0.0;  ///< of the middle of the first pixel
   double step_km = 2.0;
@@ -20,10 +21,11 @@ struct MapRaster {
   }
 };
 
-/// Over all cells of a map's grid, and a little beyond.
+/// Returns a raster that covers all cells of a map's grid with a small margin.
 MapRaster raster_over(const MapResult& result);
 
-/// Means over pixels of a number per cell times its share of the pixel; 0 where there is no cell.
+/// Averages the values of cells over each pixel, weighted with the area that a cell covers; 0 where there is
+/// no cell.
 std::vector<double> rasterised(const MapResult& result, const MapRaster& raster,
                                const std::vector<double>& of_cell);
 
@@ -33,10 +35,10 @@ struct RasterFlux {
 };
 RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const std::vector<CellFlux>& cells);
 
-/// Where light at the lower border would be seen: 1, else 0.
+/// 1 where light at the lower border would be seen, else 0.
 std::vector<std::uint8_t> places_in_view(const MapResult& result, const MapRaster& raster);
 
-/// Gaussian of so many pixels; nothing beyond the edge.
+/// Smooths by a Gaussian with this standard deviation; values beyond the edge are taken as 0.
 std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<double>& values,
                                     double sigma_px);
 

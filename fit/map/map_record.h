@@ -1,4 +1,4 @@
-// A map's directory as a later fit reads it: its curtains, and what they were found in.
+// Reads a map's directory for a later fit: its curtains, and the photographs from which they were found.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace vegard::fit {
 
-/// Of map.json: a later vegard that writes it otherwise counts on.
+/// Version of the format of map.json; it grows when a later vegard writes the file differently.
 inline constexpr int kMapFormat = 1;
 
-/// Names of the tables of curtains in a map's directory.
+/// File names of the tables of curtains in a map's directory.
 inline constexpr const char* kCurtainTable = "curtains.csv";
 inline constexpr const char* kFaintCurtainTable = "faint_curtains.csv";
 
 struct MapRecord {
-  /// Of one photograph that was mapped.
+  /// Facts about one photograph that was mapped.
   struct Picture {
     std::string name;  ///< of its entry; empty if it is the only one
     int width_px = 0, height_px = 0;
@@ -28,20 +28,20 @@ struct MapRecord {
   std::string directory;
   std::vector<Picture> pictures;
   std::vector<InputFile> inputs;
-  std::vector<Ridge> curtains;  ///< those long enough for a curve: "curtain_1", "curtain_2": that which
-                                ///< carries most energy first
-  std::vector<Ridge> faint;     ///< "faint_1": ridges below the brightness limit, likewise
-  std::vector<std::string> decodings;  ///< of the photographs, as a report words them
+  std::vector<Ridge> curtains;         ///< those long enough for a curve, by energy: "curtain_1", "curtain_2"
+  std::vector<Ridge> faint;            ///< "faint_1": ridges below the brightness limit, in the same order
+  std::vector<std::string> decodings;  ///< of the photographs, in the words of a report
   double altitude_scale = 1.0;
-  std::string sha256;  ///< of all that was read
+  std::string sha256;  ///< of all files that were read
 };
 
-/// Throws sim::Error(unreadable_input) for what is no map's directory, one of another version or format of
-/// vegard, a map that was interrupted, files that are damaged, and a map without a curtain.
+/// Reads a map's directory. Throws sim::Error(unreadable_input) if it is not a map's directory, was written
+/// by another version of vegard or in another format, or holds an interrupted map, damaged files, or no
+/// curtain.
 MapRecord read_map_record(const std::string& directory);
 
-/// That a map is of these inputs (by the bytes of the photographs), decoded likewise, and of the scene's site
-/// and size. Throws sim::Error(scene).
+/// Checks that a map was made from these inputs (by the bytes of the photographs) with the same decodings,
+/// and for the scene's site and picture size. Throws sim::Error(scene) if not.
 void check_same_subject(const MapRecord& record, const sim::Scene& scene,
                         const std::vector<InputFile>& inputs, const std::vector<std::string>& decodings);
 

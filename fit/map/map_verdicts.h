@@ -13,15 +13,16 @@ namespace vegard::fit {
 struct QuantityVerdict {
   std::string quantity;  ///< "distance of the lower border"
   Trust trust = Trust::unconstrained;
-  std::string value;   ///< what was found, in words with errors
-  std::string reason;  ///< why so
+  std::string value;   ///< the result in words, with errors
+  std::string reason;  ///< the reason for `trust`
 };
 
-/// The picture, the distance, the energy and the energy flux of the curtains, and how much of the light has
-/// its lower border in view. A map that explains the picture but constrains no distance says so.
+/// Returns verdicts on the picture, on the distance, the energy and the energy flux of the curtains, and on
+/// how much of the light has its lower border in view. If a map explains the picture but constrains no
+/// distance, this is said.
 std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains);
 
-/// The worst of those that are not good, in one line.
+/// Returns the worst of the verdicts that are not good, in one line.
 std::string verdict_line(const std::vector<QuantityVerdict>& verdicts);
 
 /// Whether the sensor's scale is known, so that Q is absolute.

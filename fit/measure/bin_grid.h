@@ -1,7 +1,7 @@
 // A bin grid assigns pixels to the bins in which a photograph and a model are compared.
 //
-// A grid is drawn once, with the camera and the field of the scene at the fit's start, and stays where it is
-// while parameters move: data and model are averaged over the same pixels, whatever the pixels show.
+// A grid is computed once, with the camera and the field of the scene at the fit's start, and does not change
+// while the fit varies parameters: data and model are averaged over the same pixels.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace vegard::fit {
 
-/// What the positions or the groups of a grid are, where they are not rows of the picture and strips of its
-/// columns: equal steps of a quantity.
+/// The quantity, in equal steps, that the positions or the groups of a grid stand for, if they are not rows
+/// and strips of columns of the picture.
 struct BinAxis {
   std::string name;  ///< "distance across the loop"; empty: rows, or columns
   std::string unit;  ///< "px"
@@ -23,8 +23,9 @@ struct BinAxis {
   double edge(double which) const { return first + which * step; }
 };
 
-/// Groups of bins in a line: bands of vertical positions, strips of horizontal ones, rows of a coarse image's
-/// cells. A pixel belongs to one bin or to none, by its centre.
+/// Bins in groups; the bins of a group are numbered by position. For vertical profiles a group is a band, for
+/// horizontal ones a strip of rows, for a coarse image a row of its cells. A pixel belongs to one bin or to
+/// none, by its centre.
 struct BinGrid {
   /// Pixels begin to end - 1 of a row of the picture.
   struct Run {
@@ -33,14 +34,14 @@ struct BinGrid {
 
   Region region;
   int groups = 0, positions = 0;
-  std::vector<Run> runs;               ///< bin after bin, from the top and the left
-  std::vector<std::size_t> first_run;  ///< [bin], and the end of the last one's
-  std::vector<int> band;               ///< [bin]: whose gain it has, the band that its centre lies in
-  std::vector<double> row;             ///< [bin]: mean row of its pixels, counted from the region's top
-  int pooled = 0;            ///< positions to either side whose pixels give a bin's noise along with its own
-  double position_px = 1.0;  ///< from position to position; 0: neighbours are not to be smoothed together
+  std::vector<Run> runs;               ///< of all bins, bin by bin; each bin's from the top and the left
+  std::vector<std::size_t> first_run;  ///< [bin] index of a bin's first run; a last element ends the last bin
+  std::vector<int> band;               ///< [bin] the band in which its centre lies, whose gain it has
+  std::vector<double> row;             ///< [bin] mean row of its pixels, counted from the region's top
+  int pooled = 0;            ///< positions to either side whose pixels are added to estimate a bin's noise
+  double position_px = 1.0;  ///< distance between neighbouring positions; 0: they must not be smoothed
   int narrowest_px = 1;      ///< width of the narrowest bin
-  BinAxis along, across;     ///< what positions are, and what groups are
+  BinAxis along, across;     ///< the quantities of the positions and of the groups
 
   std::size_t bins() const { return static_cast<std::size_t>(groups) * positions; }
   std::size_t bin(int group, int position) const {
@@ -48,11 +49,11 @@ struct BinGrid {
   }
 };
 
-/// Of a pixel that belongs to no bin.
+/// The bin number of a pixel that belongs to no bin.
 inline constexpr int kNoBin = -1;
 
-/// Puts every pixel of the grid's region into the bin that bin_of(x, y) names, or into none; fills in the
-/// runs and the mean rows.
+/// Assigns every pixel of the grid's region to the bin bin_of(x, y), which may be kNoBin; fills in the runs
+/// and the mean rows.
 template <class BinOf>
 void gather(const BinOf& bin_of, BinGrid& grid) {
   struct Found {
@@ -91,15 +92,17 @@ void gather(const BinOf& bin_of, BinGrid& grid) {
   }
 }
 
-/// Band of every column of a region, counted from its left: as equal as they can be.
+/// Returns the band of every column of a region, counted from its left; the bands' widths differ by at most
+/// one pixel.
 std::vector<int> bands_of_columns(const Region& region, int bands);
 
-/// Horizontal profiles in `strips` equal strips of rows (at most one per row). The columns of each band are
-/// shared out evenly to bins of about eight pixels. `profiles`: for the bands.
+/// Returns the bins of horizontal profiles in `strips` equal strips of rows (at most one per row). The
+/// columns of each band are divided evenly into bins of about eight pixels. `profiles`: the grid that gives
+/// the bands.
 BinGrid horizontal_bins(const BinGrid& profiles, int strips);
 
-/// A coarse image: square cells from the region's upper left corner; what is left over at the right and the
-/// bottom belongs to no bin, unless the region is smaller than a cell.
+/// Returns the bins of a coarse image: square cells from the region's upper left corner. Pixels that fill no
+/// whole cell at the right and the bottom belong to no bin, unless the region is smaller than a cell.
 BinGrid image_bins(const BinGrid& profiles, int cell_px);
 
 }  // namespace vegard::fit

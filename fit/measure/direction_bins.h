@@ -18,8 +18,8 @@ struct TangentSteps {
   double step_km = 5.0;
 };
 
-/// Sectors of azimuth, `width_deg` about each of `azimuths_deg` (any number of turns), and of elevation every
-/// `step_deg` from `lowest_deg` up to 90.
+/// Sectors of azimuth, `width_deg` wide and centred on each of `azimuths_deg` (in any turn), divided into
+/// steps of elevation, `step_deg` each from `lowest_deg` up to 90.
 struct DirectionSectors {
   std::vector<double> azimuths_deg;
   double width_deg = 10.0;
@@ -31,22 +31,23 @@ struct DirectionSectors {
   std::optional<TangentSteps> tangent{};
 };
 
-/// `count` sectors all around that touch, the first to the north.
+/// Returns `count` adjacent sectors that cover all azimuths, the first centred on north.
 DirectionSectors even_sectors(int count);
 
-/// The smallest angle between two of the azimuths; 360 for one.
+/// Returns the smallest angle between two of the azimuths; 360 if there is only one.
 double min_spacing_deg(const std::vector<double>& azimuths_deg);
 
-/// Groups are the sectors in their order, positions the steps of elevation from the lowest up. A pixel
-/// belongs to a bin by its centre. Throws sim::Error(usage), with the option's key, unless 0 < step <= 90,
-/// -90 <= lowest < 90 and the sectors do not overlap; with tangent steps unless 0 < step and lowest < highest
-/// <= observer; and if no pixel of the region is in any of them.
+/// Returns the bins of the sectors: groups are the sectors in their order, positions the steps of elevation
+/// from the lowest up. A pixel belongs to a bin by its centre. Throws sim::Error(usage), with the option's
+/// key, unless 0 < step <= 90, -90 <= lowest < 90 and the sectors do not overlap; with tangent steps unless 0
+/// < step and lowest < highest <= observer; and if no pixel of the region is in any bin.
 BinGrid direction_bins(const sim::DirectionMap& map, const Region& region, const DirectionSectors& sectors);
 
-/// Elevation of the middle of a position.
+/// Returns the elevation of the middle of a position.
 double elevation_of_position_deg(const DirectionSectors& sectors, int position);
 
-/// Tangent altitude of the middle of a position; NaN without observer_km and from the horizontal upwards.
+/// Returns the tangent altitude of the middle of a position; NaN without observer_km, and for lines of sight
+/// that are horizontal or go upwards.
 double tangent_of_position_km(const DirectionSectors& sectors, int position);
 
 }  // namespace vegard::fit

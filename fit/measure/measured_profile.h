@@ -1,4 +1,4 @@
-// A photograph's profile with the noise that the scene says it has.
+// A photograph's profile with standard errors by the scene's setting fit.photo_noise.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace vegard::fit {
 
-/// extract_profile(); with fit.photo_noise = "sensor" the standard errors are those of photons, dark current,
-/// reading and rounding by [sensor] (sim::light_variance()), pixels taken as independent, in place of what
-/// neighbours differ by. Of a grey sensor (sensor.response = "grey") only the green channel is measured, the
-/// others have no pixels: equal channels would count three times.
+/// Returns extract_profile(). With fit.photo_noise = "sensor" the standard errors are not those of the
+/// differences of neighbours, but those of photon noise, dark current, readout and rounding by [sensor]
+/// (sim::light_variance()), pixels assumed independent. For a grey sensor (sensor.response = "grey") only the
+/// green channel is measured and the others have no pixels: three equal channels would count three times.
 Profile measured_profile(const sim::Scene& scene, const Photo& photo,
                          const std::shared_ptr<const BinGrid>& grid);
 

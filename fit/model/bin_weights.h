@@ -1,4 +1,4 @@
-// Bin weights: the share of each part of a film that falls into each bin of a profile.
+// Bin weights: the weight of each cell of a film in each bin of a profile.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace vegard::fit {
 
-/// The means over the usable pixels of the bins of some grids, one grid's after the other's, on a film whose
-/// cells are whole numbers of pixels high, with a cell border at the grids' region's upper left corner. A
-/// pixel's light is that of the cell that its centre lies in.
+/// Returns weights for means over the usable pixels of the bins of several grids, each grid's bins after
+/// those of the one before. The film's cells are whole numbers of pixels high, with a cell border at the
+/// upper left corner of the grids' region. A pixel has the light of the cell in which its centre lies.
 sim::CellWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
                              const sim::FilmGeometry& film);
 

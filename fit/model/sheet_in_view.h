@@ -9,14 +9,15 @@ namespace vegard::fit {
 
 struct SheetInView {
   double km_per_px = 0.0;  ///< along the sheet, from column to column
-  /// Variance along the sheet, km^2, over which a pixel smears: the blur of 557.7 nm (of the first line,
-  /// where that is missing), the pixel itself, and what stands before and behind: the layers' width and their
-  /// distance from each other, on average along the sine, seen at the angle of the line of sight.
+  /// Variance along the sheet, km^2, of what is averaged into one pixel: by the blur of 557.7 nm (of the
+  /// first line, where that is missing), by the pixel itself, and by the depth of the sheet: the layers'
+  /// width and their distance from each other, on average along the sine, projected at the angle of the line
+  /// of sight.
   double smear_km2 = 0.0;
 };
 
-/// At a place of the picture, of the sheet's first arc as a straight line in the tangent plane. None where
-/// the line of sight does not meet it before the observer.
+/// Returns the scale at a point of the picture, with the sheet's first arc taken as a straight line in the
+/// tangent plane. None where the line of sight does not meet that line in front of the observer.
 std::optional<SheetInView> sheet_in_view(const sim::Scene& scene, const sim::Sheet& sheet, double x_px,
                                          double y_px);
 

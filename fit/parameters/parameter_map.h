@@ -1,9 +1,9 @@
-// Maps the solver's numbers to the numbers of one photograph's scene.
+// Maps the free numbers of a fit to the numbers of one photograph's scene.
 //
-// Most free numbers are numbers of the scene themselves. Some are several of them at once (entries of
-// fit.free with one name), some are none and only stand in expressions, and some numbers of the scene follow
-// from others (fit.tied). The map is the one place that knows, and of several photographs it knows whose each
-// is, and of a station elsewhere (fit/parameters/photo_frame.h).
+// Most free numbers are single numbers of the scene. Some stand for several at once (entries of fit.free with
+// one name), some only occur in expressions, and some numbers of the scene follow from others (fit.tied). The
+// map resolves all of this in one place, including numbers that belong to one photograph alone and the frame
+// of a station elsewhere (fit/parameters/photo_frame.h).
 #pragma once
 
 #include <string>
@@ -18,39 +18,39 @@ namespace vegard::fit {
 
 class ParameterMap {
  public:
-  /// `free` must outlive the map; `scene` is any with the sheets and the fit.tied that the map is to be used
-  /// with. `photo` is the photograph's name, as entries of fit.free and fit.tied that belong to it alone say
-  /// it; those of another are left out.
+  /// `free` must outlive the map; `scene` may be any with the same sheets and fit.tied as the scenes to which
+  /// the map is applied. `photo` is the name by which entries of fit.free and fit.tied refer to the
+  /// photograph; entries of other photographs are left out.
   ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const std::string& photo = {});
-  /// The same for a photograph of a frame of its own.
+  /// For a photograph with a frame of its own.
   ParameterMap(const sim::Scene& scene, const std::vector<FreeNumber>& free, const PhotoFrame& frame);
 
-  /// Writes all values, in the order of `free`, into a scene, and what follows from them. What would follow
-  /// beyond the limits of its parameter is held at the limit, so that no nonsense is simulated;
-  /// false is returned then.
+  /// Writes all values, in the order of `free`, and the tied numbers that follow from them into a scene. A
+  /// tied number beyond the limits of its parameter is set to the limit, so that the scene stays valid; the
+  /// function then returns false.
   bool put(const std::vector<double>& values, sim::Scene& scene) const;
 
-  /// What changes in the scene when some of the free numbers (indices into `free`) do.
+  /// The numbers of the scene that change with some of the free numbers, and their derivatives.
   struct Motion {
     std::vector<sim::ParameterId> numbers;
     /// d number / d free, row-major [number][moved]; empty stands for the identity.
     std::vector<double> slopes;
-    std::size_t moved = 0;  ///< how many free numbers move
+    std::size_t moved = 0;  ///< how many free numbers vary
   };
-  /// `scene` is one with these values put into it.
+  /// `moved` are indices into `free`; `scene` must contain the values.
   Motion motion(const std::vector<double>& values, const std::vector<int>& moved,
                 const sim::Scene& scene) const;
 
-  /// Whether each free number is one number of this scene, and nothing follows from any.
+  /// Whether each free number is one number of this scene, and no number is tied.
   bool is_plain() const;
 
   /// A number of the scene that follows from free ones.
   struct Dependent {
     sim::ParameterId id;
-    std::string equals;          ///< an expression, or what it is the same as
-    std::vector<double> slopes;  ///< d number / d free, of all free numbers
+    std::string equals;          ///< an expression, or the path of the number that it equals
+    std::vector<double> slopes;  ///< d number / d free, by all free numbers
   };
-  /// All of them, in the order in which they are worked out.
+  /// All numbers that follow from free ones, in the order in which they are computed.
   std::vector<Dependent> dependents(const std::vector<double>& values, const sim::Scene& scene) const;
 
  private:
@@ -58,8 +58,8 @@ class ParameterMap {
     sim::ParameterId id;
     int number = 0;  ///< index into `free`
   };
-  /// An input of a tie, of which at most one holds: a free number that is no parameter of this photograph, a
-  /// place, an earlier tie; else the parameter is fixed.
+  /// An input of a tie: a free number (`number`), given by its name or by a parameter in `places_`, or an
+  /// earlier tie (`tie`); if both are -1, the parameter is fixed.
   struct Input {
     sim::ParameterId id;  ///< none for a number called by its name
     int number = -1, tie = -1;
@@ -67,7 +67,7 @@ class ParameterMap {
   struct Following {
     sim::Tie tie;
     std::vector<Input> inputs;
-    std::vector<bool> uses;  ///< by free number: whether it depends on it, through whatever else
+    std::vector<bool> uses;  ///< by free number: whether the tie depends on it, also through other ties
   };
 
   bool put_in_site_frame(const std::vector<double>& values, sim::Scene& scene) const;

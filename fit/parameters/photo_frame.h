@@ -1,8 +1,9 @@
-// The properties that one of several photographs has for itself: its own free numbers, and the place from
-// which it sees the sheets.
+// What belongs to one of several photographs alone: its own free numbers, and the frame in which it sees the
+// sheets.
 //
-// Free numbers of sheets are those of the scene's own frame. A photograph of another station has them carried
-// over (sim/scene/structs/station.h), and so has the chain rule.
+// Free numbers of sheets refer to the frame of the scene's own site. For a photograph from another station
+// they are carried over to its frame (sim/scene/structs/station.h), and so are their derivatives, by the
+// chain rule.
 #pragma once
 
 #include <string>
@@ -15,17 +16,19 @@
 namespace vegard::fit {
 
 struct PhotoFrame {
-  std::string name;  ///< the photograph's; empty: the shared scene itself, or a fit's only photograph
+  std::string name;  ///< name of the photograph; empty: the shared scene itself, or a fit's only photograph
   sim::Station station;
-  std::vector<sim::Sheet> sheets_at_home;  ///< of its scene before they were carried over
+  std::vector<sim::Sheet> sheets_at_home;  ///< sheets of its scene before they were carried over
 
-  /// Gives a scene's sheets the places that they have at home, for free numbers to be written into, and
-  /// carries them over again. Nothing happens to a photograph of the scene's own site.
+  /// to_site_frame() gives a scene's sheets their positions in the frame of the scene's site, so that free
+  /// numbers can be written into them; carry() carries them over again. Both do nothing for a photograph from
+  /// the scene's own site.
   void to_site_frame(sim::Scene& scene) const;
   void carry(sim::Scene& scene) const;
 
-  /// Replaces the numbers of sheets at home by those that the photograph sees; other numbers stay. slopes: d
-  /// number / d free, row-major [number][moved]; empty stands for the identity.
+  /// Replaces derivatives by numbers of sheets in the site's frame (`at_home`) by those in the photograph's
+  /// frame (`there`); other numbers are unchanged. `slopes`: d number / d free, row-major [number][moved];
+  /// empty stands for the identity.
   void carry(const sim::Scene& at_home, const sim::Scene& there, std::vector<sim::ParameterId>& numbers,
              std::vector<double>& slopes) const;
 
@@ -35,7 +38,7 @@ struct PhotoFrame {
                    const Take& take, const Give& give) const;
 };
 
-/// Of a photograph of `scene`: its scene and its frame.
+/// The scene of one photograph, and its frame.
 struct FramedScene {
   sim::Scene scene;
   PhotoFrame frame;

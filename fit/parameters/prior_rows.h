@@ -10,20 +10,20 @@ namespace vegard::fit {
 
 class PriorRows {
  public:
-  /// (value - mean) / sigma of every number that has a normal prior of its own, (ln value - ln mean) / sigma
-  /// of every one with a log-normal prior; a uniform prior is no row, since the transform keeps the limits;
-  /// how far ln(wavelength / twice the amplitude) of a sheet lies outside of its range, over its spread
-  /// (RatioPrior). All times `weight`.
+  /// Makes a row of (value - mean) / sigma for every number that has a normal prior of its own, of (ln value
+  /// - ln mean) / sigma for a log-normal prior, and for the ratio prior of a sheet (RatioPrior) of the
+  /// distance of ln(wavelength / twice the amplitude) from its range, over the spread. A uniform prior gives
+  /// no row, since the transform keeps the limits. All rows are multiplied by `weight`.
   explicit PriorRows(const std::vector<FreeNumber>& free, double weight = 1.0);
 
-  /// A row sum of factor * ln(value), of numbers above 0.
+  /// A row: the sum of factor * ln(value) over numbers above 0.
   struct LogTerm {
     int number = 0;
     double factor = 0.0;
   };
   void add_of_logarithms(const std::vector<LogTerm>& terms);
 
-  /// A row factor * (ln(constant + sum of weights * values) - target).
+  /// A row: factor * (ln(constant + sum of weights * values) - target).
   struct Weight {
     int number = 0;
     double weight = 0.0;
@@ -32,7 +32,7 @@ class PriorRows {
 
   std::size_t count() const { return rows_.size(); }
 
-  /// Residuals, and d residual / d value, row-major [row][number], where wanted.
+  /// Computes the residuals and, if `jacobian` is not null, d residual / d value, row-major [row][number].
   void evaluate(const std::vector<double>& values, std::vector<double>& residuals,
                 std::vector<double>* jacobian) const;
 
@@ -42,7 +42,7 @@ class PriorRows {
   struct Row {
     enum class Kind { of_number, of_logarithms, of_sum, of_range } kind = Kind::of_number;
     double factor = 0.0, target = 0.0, constant = 0.0;
-    double least = 0.0, most = 0.0;  // of a range of the sum of logarithms and the constant
+    double least = 0.0, most = 0.0;  // limits of the sum of logarithms and the constant (of_range)
     std::vector<LogTerm> terms;
   };
   std::vector<Row> rows_;

@@ -1,5 +1,5 @@
-// The prior of free-form height profiles: they are smooth, and their scale is fixed where free gains leave
-// it unconstrained.
+// The prior of free-form height profiles: profiles are smooth, and their scale is fixed where free gains
+// leave it unconstrained.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace vegard::fit {
 
-/// How much steeper ln(c) rises above a knot than below it, times the mean of the two intervals: sum of
-/// factor * ln(value). Without a bend, a profile is exponential in altitude.
+/// The change of the slope of ln(c) at a knot, times the mean of the two intervals beside it: sum of factor *
+/// ln(value). A profile without bends is exponential in altitude.
 struct Bend {
   int numbers[3];
   double factors[3];
 };
 
-/// Which of the free numbers are the coefficients of one line of one sheet, from the bottom up.
+/// The free numbers that are the coefficients of one line of one sheet, from the bottom up.
 struct SplineLine {
   int sheet = 0, line = 0;
   std::vector<int> knots;    ///< which knots are free
@@ -25,40 +25,40 @@ struct SplineLine {
 };
 std::vector<SplineLine> spline_lines(const sim::Scene& scene, const std::vector<FreeNumber>& free);
 
-/// Prior rows of a fit's free-form profiles, for its whole duration or one round of it.
+/// The prior of a fit's free-form profiles, for the whole fit or one round of it.
 ///
 /// Smoothness: every bend of ln(c) against altitude is normal about 0 with a standard deviation of 1 /
 /// smoothness. (Whittaker's graduation, 1922, doi:10.1017/S0013091500077853, of the logarithm: profiles that
-/// fall exponentially, as light does high up, cost nothing.)
+/// decrease exponentially, as light does at high altitude, are not penalised.)
 ///
-/// Scale: where gains are solved for, brighter coefficients with smaller gains are the same picture. Unless
-/// something that is not free gives the scale, the column of 557.7 nm (of the scene's first line, if that is
-/// not among them) stays at the start's, to kScaleError.
+/// Scale: where gains are solved for, brighter coefficients with smaller gains give the same picture. Unless
+/// the scale is given by something that is not free, the column of 557.7 nm (of the scene's first line, if
+/// 557.7 nm is not free) is held at its start value, to kScaleError.
 struct SplinePrior {
   static constexpr double kScaleError = 1e-3;
 
   std::vector<SplineLine> lines;
   std::vector<double> smoothness;  ///< per element of `lines`
   bool holds_scale = false;
-  double log_column = 0.0;  ///< of the line that holds the scale, over all sheets, times their energy flux
+  double log_column = 0.0;  ///< of the line that fixes the scale, over all sheets, times their energy flux
 
   bool any() const { return !lines.empty(); }
 };
 
-/// `smoothness` for all lines. The start's values are those of `free`.
+/// Returns the prior with the same `smoothness` for all lines; the start values are those of `free`.
 SplinePrior spline_prior(const sim::Scene& scene, const std::vector<FreeNumber>& free, double smoothness);
 
-/// Appends the rows, times `weight`. Where the data's chi2 is to be divided by an inflation squared, rows
-/// times the inflation make the sum of both right.
+/// Appends the rows, times `weight`. Where the data's chi2 is divided by an inflation squared only later, the
+/// weight must be the inflation: then the sum of both is right.
 void append_rows(const SplinePrior& prior, const sim::Scene& scene, double weight, PriorRows& rows);
 
-/// The smoothness that makes the data most probable, line by line, where the model is linear about the
-/// optimum `at` under `prior`: expectation-maximisation (Dempster, Laird and Rubin 1977), in which 1 / s^2 is
-/// the mean square of the bends, those of the optimum and what it leaves open. Coordinates are
-/// ln(value) of coefficients and anything of the others. Information, row-major, of the data alone and of
-/// priors other than this. `weight` is what append_rows() was given at the optimum, over the inflation by
-/// whose square `information` is divided. `determined`, if any, receives how many coordinates the data
-/// determine.
+/// Returns for each line the smoothness that maximises the probability of the data, with the model linearised
+/// about the optimum `at` under `prior`. Method: expectation-maximisation (Dempster, Laird and Rubin 1977),
+/// in which 1 / smoothness^2 is the mean square of the bends at the optimum plus their remaining variance.
+/// Coordinates must be ln(value) for coefficients; for the others any will do. The information matrices are
+/// row-major: `information` of the data alone, `other_information` of priors other than this one. `weight` is
+/// that of append_rows() at the optimum, divided by the inflation by whose square `information` is divided.
+/// `determined`, if not null, receives the number of coordinates that the data determine.
 std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std::vector<double>& information,
                                              const std::vector<double>& other_information,
                                              const std::vector<double>& at, double weight,

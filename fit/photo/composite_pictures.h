@@ -1,4 +1,4 @@
-// The pictures that a scene's [composite] names.
+// Reads the pictures (foreground, background, masks) that a scene's [composite] names.
 #pragma once
 
 #include <string>
@@ -9,13 +9,14 @@
 
 namespace vegard::fit {
 
-/// Reads them and fills them into the camera's frame; every picture of an animation can share them. Names are
-/// relative to the scene's file. A mask takes the place of the foreground's alpha; a mask without a
-/// foreground is a black one. Throws Error(unreadable_input) with the file and the scene's key; Error(scene)
-/// for a foreground that would hide the whole sky, having neither.
+/// Reads the pictures and scales them to the camera's frame; all pictures of an animation can share them.
+/// Names are relative to the scene's file. A mask replaces the foreground's alpha; a mask without a
+/// foreground picture makes a black foreground. Throws Error(unreadable_input) with the file and the scene's
+/// key; Error(scene) for a foreground with neither alpha nor mask, which would hide the whole sky.
 sim::CompositePictures read_composite_pictures(const sim::Scene& scene);
 
-/// The names of all files beside tables that the scene reads, those of volumes and of march.depth included.
+/// Returns the names of all files except tables that the scene reads, including those of volumes and of
+/// march.depth.
 std::vector<std::string> picture_files(const sim::Scene& scene);
 
 }  // namespace vegard::fit

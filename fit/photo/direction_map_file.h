@@ -1,4 +1,4 @@
-// Maps of directions in files.
+// Reads and writes direction maps (the azimuth and elevation of every pixel) as files.
 #pragma once
 
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace vegard::fit {
 
-/// The bytes of an EXR of channels "azimuth_deg", "elevation_deg"; NaN where a pixel looks nowhere. `name`:
-/// of the file, for messages.
+/// Returns the bytes of an EXR with channels "azimuth_deg" and "elevation_deg"; NaN for pixels without a
+/// direction. `name`: of the file, for messages.
 std::string encode_direction_map(const sim::DirectionMap& map, const std::string& name = {});
 
-/// The bytes of a FITS file for each, as imager teams have them: 32-bit floats in degrees, NaN where a pixel
-/// looks nowhere.
+/// The bytes of a FITS file for each angle, the form that imager teams use: 32-bit floats in degrees, NaN for
+/// pixels without a direction.
 struct FitsMaps {
   std::string azimuth, elevation;
 };
 FitsMaps encode_fits_maps(const sim::DirectionMap& map);
 
-/// One image of angles: of an EXR the channel of that name or its only one; of FITS (.fits, .fit, .fts) and
-/// of a TIFF of floats the first plane. Throws Error(unreadable_input).
+/// Reads one image of angles: from an EXR the channel of that name or its only one; from FITS (.fits, .fit,
+/// .fts) and from a TIFF of floats the first plane. Throws Error(unreadable_input).
 sim::Image read_angles(const std::string& file, const std::string& channel);
 
-/// From a file for each, which may be the same. Throws Error(unreadable_input).
+/// Reads a map from one file for each angle; both may be the same file. Throws Error(unreadable_input).
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// Fills keys that a scene leaves open from the metadata of its photograph.
+// Sets keys that a scene file does not give from the metadata of its photograph.
 #pragma once
 
 #include <set>
@@ -13,15 +13,16 @@ namespace vegard::fit {
 
 struct PhotoDefaults {
   sim::Scene scene;
-  std::vector<PhotoFact> taken;    ///< in the order of a scene file
-  std::vector<std::string> notes;  ///< what is worth knowing of it, in sentences without a full stop
+  std::vector<PhotoFact> taken;    ///< the keys that were set, in the order of a scene file
+  std::vector<std::string> notes;  ///< remarks for the user, in sentences without a full stop
 };
 
-/// The scene with those of photo_facts() that neither its file gives (Scene::lines) nor `also_given`, paths
-/// that have been set since. A field of view is taken by a pinhole only; one axis of a picture's size is not
-/// taken without the other, nor a latitude without its longitude; a size that the scene has anyway is none to
-/// take. A value outside of a key's limits is left, with a note. Nothing else is touched: not the magnetic
-/// field, which a note mentions where it is still the default's at a place that is not.
+/// Returns the scene with those values of photo_facts() that neither its file gives (Scene::lines) nor
+/// `also_given`, the paths of keys that were set after the file was read. A field of view is used for a
+/// pinhole camera only; width and height are set together or not at all, and so are latitude and longitude; a
+/// size that the scene already has is not counted as taken. A value outside of a key's limits is not used,
+/// and noted. No other keys change. The magnetic field does not either: a note says so if the field is the
+/// default one although the site is not the default site.
 PhotoDefaults with_photo_defaults(const sim::Scene& scene, const sim::PictureMetadata& metadata,
                                   const std::set<std::string>& also_given = {});
 

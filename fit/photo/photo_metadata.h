@@ -1,5 +1,5 @@
-// The metadata of a photograph: a file of its own with EXIF or FITS keywords, or a frame of an imager's file
-// with its own comments.
+// The metadata of a photograph: EXIF or FITS keywords of a file with one picture, or the comments of a frame
+// in an imager's file.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace vegard::fit {
 
-/// Of a picture's name (fit/photo/frames/frame_name.h). Where the file is an imager's by its name, what that
-/// says is taken for what the file leaves out, and where both have a time that cannot be one it is said.
-/// Throws sim::Error as read_picture_bytes() does.
+/// Returns the metadata of the picture with this name (fit/photo/frames/frame_name.h). If the file name is
+/// one of a known imager, it provides what the file does not give; if the times of the name and of the file
+/// contradict each other, PictureMetadata::contradiction says so. Throws sim::Error as read_picture_bytes()
+/// does.
 sim::PictureMetadata photo_metadata(const std::string& name);
 
-/// Of a frame.
+/// Returns the metadata of a frame in the file `file`, completed from the file's name in the same way.
 sim::PictureMetadata frame_metadata(const FrameHead& head, const ImagerWords& words, const std::string& file);
 
 }  // namespace vegard::fit

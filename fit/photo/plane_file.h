@@ -1,4 +1,4 @@
-// One plane of numbers out of a file: angles of pixels, brightnesses of a line.
+// Reads one plane of numbers from an image file: angles of pixels, brightnesses of a line.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace vegard::fit {
 
-/// One channel of an image.
+/// Returns one channel of an image.
 sim::Image one_channel(const sim::Image& image, int channel);
 
-/// Of an EXR the first of `channels` that it has, or its only channel; of FITS (.fits, .fit, .fts) and of a
-/// TIFF of floats the first plane. NaN where FITS knows no number. Throws Error(unreadable_input), which
-/// calls the numbers `what`: "angles".
+/// Reads from an EXR the first of `channels` that it has, or its only channel; from FITS (.fits, .fit, .fts)
+/// and from a TIFF of floats the first plane. Undefined values of FITS become NaN. Throws
+/// Error(unreadable_input), whose message calls the numbers `what`, such as "angles".
 sim::Image read_plane(const std::string& file, const std::vector<std::string>& channels,
                       const std::string& what);
 

@@ -1,5 +1,5 @@
-// The photographs that are looked at with a scene: one that is named, or those of its [[fit.photo]]; and what
-// one adds to the scene.
+// Reads the photographs that belong to a scene: one that the caller names, or those of [[fit.photo]]; and
+// completes the scene from a photograph's metadata.
 #pragma once
 
 #include <set>
@@ -13,28 +13,28 @@
 
 namespace vegard::fit {
 
-/// Whether large photographs are averaged while they are read (fit/photo/averaging.h).
+/// The pixels of a photograph: those of the file, or averaged by averaging_for_fit() (fit/photo/averaging.h).
 enum class PhotoPixels { of_file, for_fit };
 
-/// A decoding's word that is given, or where it is empty the scene's own. The scene's table of a curve is
-/// that of the scene; what is given stands where it says.
+/// Returns the decoding that `word` names, or scene.fit.decoding if `word` is empty. A curve's table in the
+/// scene's word is relative to the scene's file; one in another word is relative to the working directory.
 Decoding decoding_for(const sim::Scene& scene, const std::string& word);
 
-/// One photograph, a file or a frame of one, by a decoding's word and with a mask; both may be empty. Throws
-/// as read_photo(), decoding_of_word() and apply_mask() do.
+/// Reads one photograph, a file or a frame of one. `mask`: file of a mask, `decoding`: word of a decoding;
+/// both may be empty. Throws as read_photo(), decoding_of_word() and apply_mask() do.
 Photo photograph_for(const sim::Scene& scene, const std::string& file, const std::string& mask,
                      const std::string& decoding, PhotoPixels pixels = PhotoPixels::of_file);
 
-/// scene.fit.photos, read and masked, in their order; files are relative to the scene's. A decoding by the
-/// sensor goes by that of the photograph's own scene. Throws Error(unreadable_input) with the photograph's
-/// name.
+/// Reads and masks the photographs of scene.fit.photos, in their order; file names are relative to the
+/// scene's file. Decoding::sensor uses the sensor of the photograph's own scene. Throws
+/// Error(unreadable_input) with the photograph's name.
 std::vector<Photo> photographs_of(const sim::Scene& scene, PhotoPixels pixels = PhotoPixels::of_file);
 
-/// photo_metadata(), with the picture's size from its pixels where its head does not say it.
+/// Returns photo_metadata(); if they lack the picture's size, the picture is decoded to find it.
 sim::PictureMetadata metadata_with_size(const std::string& photo);
 
-/// with_photo_defaults() of a photograph's own words, checked as a whole. Throws Error(unreadable_input),
-/// Error(scene).
+/// Returns with_photo_defaults() for a photograph's metadata, after a check of the resulting scene. Throws
+/// Error(unreadable_input), Error(scene).
 PhotoDefaults taken_from_photograph(const sim::Scene& scene, const std::string& photo,
                                     const std::set<std::string>& also_given = {});
 

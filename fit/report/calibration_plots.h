@@ -1,4 +1,4 @@
-// A calibration to look at: its residuals as a plot, its stars on the picture.
+// Plots of a calibration: its residuals, and its stars on the picture.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace vegard::fit {
 
-/// Residuals as arrows over the frame, made longer by a factor that the title gives, and along and across the
-/// radius against the distance from the lens's centre.
+/// Returns a plot of the residuals as arrows over the frame, lengthened by a factor that the title gives, and
+/// of their radial and tangential components against the distance from the lens's centre.
 Plot residual_plot(const Calibration& calibration);
 
-/// The picture, 2 pixels for each, with a circle where each star was computed, a cross where it was seen, and
-/// its name; stars that were left out in red; the horizon, and circles of elevation every 30 degrees. The
-/// bytes of a PNG.
+/// Returns the bytes of a PNG: the picture enlarged twice, with a circle at each star's computed position, a
+/// cross at its measured one, and its name; stars that were left out in red; the horizon, and circles of
+/// elevation every 30 degrees.
 std::string star_overlay(const Calibration& calibration, const Photo& photo);
 
 }  // namespace vegard::fit

@@ -8,9 +8,9 @@
 
 namespace vegard::fit {
 
-/// The outline of the camera's picture, or of as much of it as looks at that altitude, walked once around. It
-/// goes by lines from one such pixel outwards: true for any lens whose picture of the sky has no bays that
-/// such a line leaves and enters again. Empty if no pixel looks there.
+/// Returns the closed outline of the camera's picture, or of the part of it that looks at that altitude. It
+/// is searched outwards along straight lines from one such pixel: right for any lens whose picture of the sky
+/// has no concave parts that such a line leaves and enters again. Empty if no pixel looks at that altitude.
 std::vector<GroundPoint> camera_footprint(const sim::Scene& scene);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// Every parameter against every other: where error bars come from, and what trades off against what.
+// A corner plot: every parameter against every other, with their error ellipses and correlations.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,30 @@ struct CornerParameter {
   std::string name;  ///< "energy_kev"
   std::string unit;
   double value = 0.0;
-  std::optional<double> sigma;  ///< none: only the samples, where there are any, say how wide
+  std::optional<double> sigma;  ///< none: the width is known from samples only, if there are any
 };
 
 struct CornerData {
   std::vector<CornerParameter> parameters;
-  std::vector<std::vector<double>> correlation;  ///< of the covariance
+  std::vector<std::vector<double>> correlation;  ///< by the covariance
   std::vector<double> samples;                   ///< of a chain, [sample][parameter]; may be empty
   std::vector<std::string> left_out;             ///< names of parameters with no width to show
 };
 
-/// What a result has to show: parameters with an error bar or a chain, coefficients of free-form profiles
-/// left out (they are shown as curves). With one sheet in the scene its name is left out of the names.
+/// Returns the data of a result: parameters with an error bar or a chain, without the coefficients of
+/// free-form profiles (they are shown as curves). If the scene has only one sheet, the parameters' names omit
+/// the sheet's name.
 CornerData corner_data(const FitResult& result);
 
-/// Indices, ascending, of the at most `most` parameters whose strongest correlation with another is
-/// strongest.
+/// Returns the ascending indices of at most `most` parameters: those whose largest correlation with any other
+/// is strongest.
 std::vector<std::size_t> most_correlated(const CornerData& data, std::size_t most);
 
-/// An SVG document as plot_svg() makes it. Below the diagonal: ellipses on which chi2 has risen by 1 and by 4
-/// as the covariance has it (they hold 39 % and 86 % of a normal distribution), dots of the chain, the
-/// correlation. On the diagonal: the normal distribution of that sigma, and the chain's histogram, both of
-/// area 1. Of more than ten parameters the ten of the strongest correlations. Empty for fewer than two.
+/// Returns an SVG document as plot_svg() does. Below the diagonal: ellipses on which chi2 has risen by 1 and
+/// by 4 according to the covariance (they contain 39 % and 86 % of a normal distribution), the chain's
+/// samples as dots, the correlation. On the diagonal: the normal distribution of that sigma, and the chain's
+/// histogram, both of area 1. Of more than ten parameters, the ten with the strongest correlations are shown.
+/// Empty for fewer than two.
 std::string corner_plot_svg(const CornerData& data);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// A small map of a fit: where the sheets' feet stand, from where they were seen, and how far off they may be.
+// A small map of a fit: the feet of the sheets with their errors, and the observers' sites.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace vegard::fit {
 
-/// A whole SVG document, north up at the site, in the projection of fit/report/plot/earth_map.h: latitude and
-/// longitude (from the site, where its longitude is not known; rings of distance, where the site is not known
-/// at all), the sites of all photographs, what their pictures see at 110 km altitude, each arc's line of feet
-/// with its sine where that can be seen, the 68 % band of the line across itself, and a scale. Folds and
-/// curls are left out. Empty without sheets.
+/// Returns a whole SVG document, north up at the site, in the projection of fit/report/plot/earth_map.h. It
+/// shows latitude and longitude (relative to the site, where its longitude is not known; rings of distance,
+/// where the site is not known at all), the sites of all photographs, the sky at 110 km altitude that their
+/// pictures show, each arc's line of feet (with its sine if that is large enough to see), the 68 % band of
+/// the line's position perpendicular to it, and a scale. Folds and curls are left out. Empty without sheets.
 std::string foot_map_svg(const FitResult& result);
 
 }  // namespace vegard::fit

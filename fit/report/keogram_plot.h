@@ -1,4 +1,4 @@
-// The picture of a keogram.
+// A plot of a keogram.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,21 @@
 
 namespace vegard::fit {
 
+/// How a keogram is drawn.
 struct KeogramLook {
-  std::optional<int> channel;          ///< one of three as a colour map; none: in colour
-  std::optional<double> black, white;  ///< linear light shown so. Default: as sRGB pictures have it, 0 and 1;
-                                       ///< of others what 0.5 % of the values lie below and above
+  std::optional<int> channel;  ///< a single channel, drawn with a colour map; none: in colour
+  std::optional<double> black,
+      white;  ///< linear light drawn as black and white. Default for sRGB pictures: 0 and 1; for others: the
+              ///< values that 0.5 % of the data are below and above
 };
 
-/// Time to the right, on one scale: what is between two pictures much further apart than the others (1.5
-/// times the median distance) stays grey. Elsewhere a picture reaches halfway to its neighbours; where
-/// several fall on one pixel of the plot their mean is shown. Light is encoded as sRGB; a colour map is so
-/// too.
+/// Returns the plot, with time to the right on one linear scale. A gap between two pictures longer than 1.5
+/// times the median interval stays grey. Elsewhere a picture's column reaches halfway to its neighbours;
+/// where several pictures fall on one pixel of the plot their mean is shown. Light is encoded as sRGB, also
+/// for a colour map.
 Plot keogram_plot(const Keogram& keogram, const KeogramLook& look = {});
 
-/// Where a picture's column of the plot begins and ends, for each.
+/// Where the column of one picture begins and ends on the time axis.
 struct TimeSpan {
   double begin = 0.0, end = 0.0;
 };

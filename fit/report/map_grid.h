@@ -1,4 +1,4 @@
-// A map's frame, its lines of latitude and longitude with their numbers, and its scale.
+// Draws a map's frame, its labelled lines of latitude and longitude, and its scale.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace vegard::fit {
 
-/// Which part of the ground is drawn, and where.
+/// The part of the ground that is drawn, and its place on the canvas.
 struct MapFrame {
   PlotRectangle area_px;
   GroundPoint center_km;
@@ -20,16 +20,16 @@ struct MapFrame {
     return {area_px.x + 0.5 * area_px.width + (p.x - center_km.x) / km_per_px,
             area_px.y + 0.5 * area_px.height - (p.y - center_km.y) / km_per_px};
   }
-  /// Of those that are somewhere.
+  /// The pixels of the points whose coordinates are finite.
   std::vector<PlotPoint> pixels(const std::vector<GroundPoint>& points) const;
   bool contains(PlotPoint pixel) const;
 };
 
-/// One line of the grid, in pixels, and its number.
+/// One line of the grid, in pixels, with its label.
 struct GridLine {
   std::vector<PlotPoint> points;
   std::string label;
-  bool is_meridian = false;  ///< its number stands below the map, others' to the left
+  bool is_meridian = false;  ///< its label is below the map; labels of others are to the left
 };
 
 struct MapGrid {
@@ -37,17 +37,17 @@ struct MapGrid {
   std::string note;  ///< what the lines are
 };
 
-/// Latitudes and longitudes on the sphere about the scene's site, in steps of 1, 2 or 5 times a power of ten
-/// degrees, finer than a fifth of the map. Longitudes count from the site where its own is not given; where
-/// not even its latitude is, there are rings of distance on the ground instead.
+/// Returns lines of latitude and longitude on the sphere, in steps of 1, 2 or 5 times a power of ten degrees,
+/// smaller than a fifth of the map. Longitudes are relative to the site where its own is not given; where not
+/// even its latitude is given, the lines are rings of distance on the ground.
 MapGrid map_grid(const MapFrame& frame, const sim::Scene& scene);
 
 void draw_grid_lines(const MapFrame& frame, const MapGrid& grid, PlotCanvas& canvas);
 
-/// The frame and the numbers where lines leave it, but none upon another.
+/// Draws the frame and the labels where lines leave it, without overlaps.
 void draw_grid_labels(const MapFrame& frame, const MapGrid& grid, PlotCanvas& canvas);
 
-/// A bar of a round number of kilometres, and north.
+/// Draws a scale bar of a round number of kilometres, and an arrow to the north.
 void draw_scale(const MapFrame& frame, PlotCanvas& canvas);
 
 }  // namespace vegard::fit

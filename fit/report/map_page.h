@@ -1,4 +1,4 @@
-// A map of precipitation as one page that needs nothing else: report.html.
+// The report of a map of precipitation as one self-contained page: report.html.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace vegard::fit {
 
-/// What is reported of a run beside its result.
+/// Facts about a run that are reported in addition to its result.
 struct MapRunFacts {
   std::string command;
   std::vector<InputFile> inputs;
   std::vector<PhotoFact> from_photograph;
-  std::vector<std::pair<std::string, std::string>> decodings;  ///< of each photograph: its name, and how
+  std::vector<std::pair<std::string, std::string>> decodings;  ///< photographs' names and decodings
   std::vector<Curtain> faint;  ///< find_faint_curtains(): for a fit that may add them
-  bool netcdf = false;         ///< precipitation.nc beside the FITS file (fit/report/netcdf)
+  bool netcdf = false;  ///< whether precipitation.nc is written beside the FITS file (fit/report/netcdf)
 };
 
-/// The same result gives the same bytes.
+/// Returns the page. The same result gives the same bytes.
 std::string map_page(const MapResult& result, const std::vector<Curtain>& curtains,
                      const std::vector<QuantityVerdict>& verdicts, const MapRunFacts& facts);
 

@@ -1,5 +1,5 @@
-// A map of precipitation as a directory: map.json, precipitation.fits, curtains.csv, faint_curtains.csv,
-// model.exr, residual.exr, report.html, and precipitation.nc if it is asked for. Of several photographs:
+// The directory of a map of precipitation: map.json, precipitation.fits, curtains.csv, faint_curtains.csv,
+// model.exr, residual.exr, report.html, and precipitation.nc if requested. With several photographs:
 // model-NAME.exr and residual-NAME.exr for each.
 #pragma once
 
@@ -12,23 +12,23 @@
 
 namespace vegard::fit {
 
-/// Throws as write_map_run() would, without writing: to be asked before the long work.
+/// Throws as write_map_run() would, without writing; to be called before the long work.
 void check_map_directory(const std::string& directory, bool overwrite);
 
 /// Whether the directory holds a map that was interrupted, which --resume may replace.
 bool is_interrupted_map(const std::string& directory);
 
-/// Writes all of it; the directory appears whole or not at all, and the same map gives the same bytes. Throws
+/// Writes the directory, completely or not at all; the same map gives the same bytes. Throws
 /// sim::Error(existing_output), sim::Error(unwritable_output).
 ///
-/// precipitation.fits: 32-bit floats on linear axes EAST and NORTH, km in the site's tangent plane, of feet
+/// precipitation.fits: 32-bit floats on linear axes EAST and NORTH, km in the site's tangent plane, for feet
 /// at 110 km altitude, in five planes: energy flux in mW m^-2, E0 in keV, relative standard error of the
-/// flux, standard error of ln(E0), sensitivity. NaN where no picture constrains it: where light at the lower
-/// border would be out of view, and the energy where there is no flux.
+/// flux, standard error of ln(E0), sensitivity. NaN where no picture constrains a value, because light at the
+/// lower border would be out of view; the energy is also NaN where there is no flux.
 void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
                    const std::vector<Curtain>& curtains, const MapRunFacts& facts);
 
-/// curtains.csv, and faint_curtains.csv.
+/// The text of curtains.csv, and of faint_curtains.csv.
 std::string curtains_csv(const std::vector<Curtain>& curtains);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The picture of a photograph's vertical profiles.
+// A plot of a photograph's vertical profiles.
 #pragma once
 
 #include "fit/measure/profile.h"
@@ -8,10 +8,10 @@
 
 namespace vegard::fit {
 
-/// Brightness to the right and height upwards (elevation if the camera is known, else the row, as in the
-/// image), R, G and B in their colours (one alone, where the others have no pixels, without a name) with one
-/// standard error shaded. One panel per band; more than six bands are averaged into six panels of neighbours,
-/// and rows of a tall region into at most 500, which the note says.
+/// Returns the plot: brightness to the right and height upwards (elevation if the camera is known, else the
+/// row, as in the image); R, G and B in their colours with one standard error shaded (a single line without a
+/// name if only one channel has pixels). There is one panel per band; more than six bands are averaged into
+/// six panels of neighbours, and the rows of a tall region into at most 500, which the note says.
 Plot profile_plot(const Photo& photo, const Profile& profile,
                   const ElevationOfPixel& elevation_of_pixel = {});
 

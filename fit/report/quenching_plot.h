@@ -5,9 +5,9 @@
 
 namespace vegard::fit {
 
-/// Two panels, altitude upwards: the share of the excited atoms that shine before a collision takes their
-/// energy, tau/T, and their mean life tau in seconds (its decimal logarithm). One curve per line whose atoms
-/// are not prompt; lines from the same state share one.
+/// Two panels, altitude upwards: tau/T, the fraction of the excited atoms that radiate before a collision
+/// de-excites them, and the decimal logarithm of their mean life tau in seconds. There is one curve per line
+/// that is not prompt; lines from the same upper state share one.
 Plot quenching_plot();
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// A fit as one page that needs nothing else: report.html.
+// The report of a fit as one self-contained page: report.html.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace vegard::fit {
 
-/// A photograph of the fit as the page shows it; what it points to must outlive the call.
+/// A photograph of the fit for the page; the objects behind its pointers must outlive the call.
 struct ShownPhoto {
   const FittedPhoto* fitted = nullptr;
   const Photo* photo = nullptr;
@@ -19,8 +19,8 @@ struct ShownPhoto {
   ElevationOfPixel elevation_of_pixel;
 };
 
-/// The whole page: pictures as data URIs, plots as inline SVG, no script. Of several photographs each has its
-/// own sections. The same result gives the same bytes.
+/// Returns the whole page: pictures as data URIs, plots as inline SVG, no script. Each of several photographs
+/// has its own sections. The same result gives the same bytes.
 std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& photos);
 
 }  // namespace vegard::fit

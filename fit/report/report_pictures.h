@@ -10,14 +10,14 @@
 namespace vegard::fit {
 
 struct ReportPictures {
-  std::string photo;  ///< with the region of interest and its bands drawn in, of which the first and the
-                      ///< last have their numbers where they are no columns; what is not used is dimmed
+  std::string photo;  ///< with the region of interest and its bands drawn; if these are not columns, the
+                      ///< first and the last are numbered; unused parts are dimmed
   std::string model;
   std::string residual;  ///< mid-grey is zero
-  std::string misfit;    ///< residual / sigma, rows down, bands across, the three channels (of a grey sensor
-                         ///< one) side by side; empty if none
-  double brightness = 1.0;      ///< what photograph and model were multiplied by to be seen
-  double residual_scale = 1.0;  ///< linear light at which the residual's picture is black or white
+  std::string misfit;  ///< residual / sigma, rows downwards, bands to the right, the three channels (one of a
+                       ///< grey sensor) side by side; empty if there is none
+  double brightness = 1.0;      ///< factor on photograph and model for display
+  double residual_scale = 1.0;  ///< linear light at which the picture of the residual is black or white
 };
 
 ReportPictures report_pictures(const FittedPhoto& fitted, const Photo& photo, const ModelPicture& model);

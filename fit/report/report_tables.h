@@ -7,14 +7,14 @@
 
 namespace vegard::fit {
 
-/// Cards with what follows from the parameters and is what people publish; empty if there is nothing.
+/// Cards with the derived numbers for publication; empty if there are none.
 std::string derived_cards(const FitResult& result);
 
-/// The numbers that a reader wants first, in a sentence: up to three of those that are good, else of those
-/// that are doubtful. A fit that is not good and determines none has a sentence that says so.
+/// The most important numbers in a sentence: up to three that are good, else up to three that are doubtful.
+/// If the fit is not good and determines none, the sentence says so.
 std::string answer_sentence(const FitResult& result);
 
-/// What has no card: details, and what is unconstrained, with the reason; empty if there is nothing.
+/// Derived numbers without a card: details, and unconstrained ones with the reason; empty if there are none.
 std::string derived_table(const FitResult& result);
 
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
@@ -32,7 +32,7 @@ std::string photos_table(const FitResult& result);
 /// Coloured cells; empty for fewer than two parameters.
 std::string correlation_table(const FitResult& result);
 
-/// chi2 and the other numbers of the fit, each with a sentence that says what it means.
+/// chi2 and the other statistics of the fit, each with a sentence that explains it.
 std::string statistics_table(const FitResult& result);
 
 /// Version, seed, command, inputs with their hashes, decoding.

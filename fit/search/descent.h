@@ -1,4 +1,4 @@
-// One way downhill: Levenberg-Marquardt from one start.
+// One local minimisation of chi2 (a descent) by the Levenberg-Marquardt method.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace vegard::fit {
 
-/// One evaluation that was accepted, or the best of a stage.
+/// An accepted step, or the best evaluation of a stage.
 struct TraceRow {
   std::string stage;   ///< "scan", "descent 2", "polish"
   int evaluation = 0;  ///< residual evaluations so far
@@ -17,25 +17,25 @@ struct TraceRow {
 };
 
 struct Descent {
-  std::vector<double> values;  ///< where it ended
-  double chi2 = 0.0;           ///< there; infinity if nothing was evaluated
+  std::vector<double> values;  ///< of the free parameters at the end
+  double chi2 = 0.0;           ///< at the end; infinity if nothing was evaluated
   double chi2_initial = 0.0;
   bool converged = false;  ///< by Ceres' tests of the cost, the step or the gradient, or two negligible steps
-  std::string termination;  ///< in words, Ceres' own after ours
+  std::string termination;  ///< why it ended: vegard's words, then Ceres' message
 };
 
-/// "stopped by the user" or "stopped: the evaluations ran out".
+/// Returns "stopped by the user" or "stopped: the evaluations ran out".
 std::string words_for_stop(const EvaluationLog& log);
 
-/// Of what the cost moves. Runs Ceres (dense QR, of many parameters normal equations; one thread) from
-/// `start` for at most `iterations`. Every accepted step goes to `trace`. A log that is exhausted ends the
-/// descent after the step under way, or before the first.
+/// Minimises the cost over its free parameters by Ceres (dense QR, or normal equations for many parameters;
+/// one thread) from `start`, with at most `iterations` iterations. Every accepted step is added to `trace`.
+/// An exhausted log ends the descent after the current step, or before the first.
 Descent descend(const ProfileCost& cost, const std::vector<double>& start, int iterations,
                 const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace);
 
-/// The same; where it ends with numbers at limits that it did not start from, it goes on once more with these
-/// a step inside. At a limit a coordinate has next to no slope left, so that one long step towards it may be
-/// the last. The better of both ends.
+/// Like descend(). If parameters end at limits at which they did not start, a second descent starts with
+/// these a step inside their limits, and the better of the two is returned. Reason: the slope by a coordinate
+/// nearly vanishes at a limit, so that a parameter stays there after one long step.
 Descent descend_off_limits(const ProfileCost& cost, const std::vector<double>& start, int iterations,
                            const std::string& stage, EvaluationLog& log, std::vector<TraceRow>& trace);
 

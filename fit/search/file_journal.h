@@ -10,25 +10,27 @@
 
 namespace vegard::fit {
 
-/// What a journal is of, as pairs of a name in words ("the scene") and a value, such as a SHA-256. All that
-/// the fit's result depends on has to be among them.
+/// The inputs of the fit to which a journal belongs, as pairs of a name ("the scene") and a value, such as a
+/// SHA-256. They must include everything on which the fit's result depends.
 using JournalSubject = std::vector<std::pair<std::string, std::string>>;
 
 enum class JournalMode {
-  fresh,     ///< refuse one that has steps
-  resume,    ///< go on with one that is of the same subject; begin one if there is none
-  overwrite  ///< discard one, whatever it is of
+  fresh,     ///< refuse a journal that has steps
+  resume,    ///< continue a journal of the same subject; begin a new one if there is none
+  overwrite  ///< discard any journal
 };
 
-/// One line for what it is of, then one line a step, each with a checksum and flushed to the disk. A last
-/// line that a kill has torn is dropped, with whatever is behind a damaged one: those steps are done again.
+/// A journal in a file: one line for its subject, then one line per step, each with a checksum and flushed to
+/// the disk. An incomplete last line (of a killed process) is dropped, and so are a damaged line and all
+/// lines after it: their steps are computed again.
 class FileJournal final : public Journal {
  public:
   /// Opens or makes the file, with missing folders, and locks it against other processes for the journal's
   /// lifetime. Throws sim::Error(existing_output) for a journal that the mode refuses, one of another
-  /// subject, one in use, and for a file that is no journal; sim::Error(unwritable_output).
+  /// subject, one in use, and for a file that is not a journal; sim::Error(unwritable_output).
   FileJournal(const std::string& file, const JournalSubject& subject, JournalMode mode);
-  /// Leaves the file, unless there is no step in it; folders made for it go with it, unless they are in use.
+  /// Keeps the file if it has steps. Otherwise removes it, with the folders that were made for it, if these
+  /// are empty.
   ~FileJournal() override;
   FileJournal(const FileJournal&) = delete;
   FileJournal& operator=(const FileJournal&) = delete;
@@ -36,16 +38,16 @@ class FileJournal final : public Journal {
   /// Steps found in the file when it was opened.
   int found() const { return found_; }
 
-  /// Lines that were found and cannot be used, and why: "line 7 does not have the checksum that it gives";
-  /// those behind the first such are not looked at. A last line without an end, as a kill leaves it, is none
-  /// of them.
+  /// Number of unusable lines, and why: "line 7 does not have the checksum that it gives". All lines after
+  /// the first unusable one are unusable. An incomplete last line is not counted.
   int dropped() const { return dropped_; }
   const std::string& why_dropped() const { return why_dropped_; }
 
-  /// Why steps could not be stored (full disk), in words; empty if they could. The fit goes on all the same.
+  /// Why steps could not be stored (full disk), in words; empty if they could. The fit continues
+  /// nevertheless.
   const std::string& problem() const { return problem_; }
 
-  /// The work is done: the file goes.
+  /// Removes the file after the fit has finished.
   void remove();
 
  private:
@@ -59,14 +61,14 @@ class FileJournal final : public Journal {
   const std::string file_;
   std::vector<std::string> made_folders_;  ///< innermost first
   int descriptor_ = -1;
-  long long end_ = 0;  ///< of the last whole line, bytes
+  long long end_ = 0;  ///< offset of the end of the last complete line, bytes
   int found_ = 0, dropped_ = 0;
   std::string why_dropped_;
   std::map<std::string, StepOutput> steps_;
   std::string problem_;
 };
 
-/// Where the journal of a run's directory stands: "runs/mine.part" for "runs/mine" and "runs/mine/".
+/// Returns the name of the journal of a run directory: "runs/mine.part" for "runs/mine" and "runs/mine/".
 std::string journal_file(const std::string& run_directory);
 
 }  // namespace vegard::fit

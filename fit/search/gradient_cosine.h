@@ -10,14 +10,14 @@
 
 namespace vegard::fit {
 
-/// Largest |cos| of the angle between the residuals and a column of the Jacobian. Its square is the share of
-/// chi2 that moving this one coordinate would take away, were the model linear: 0 at a minimum, 1 where one
-/// coordinate could remove all. Columns without effect, and those of `left_out`, do not count; NaN if none is
-/// left, or the cost cannot be evaluated.
+/// Returns the largest |cos| of the angle between the residuals and a column of the Jacobian. Its square is
+/// the share of chi2 that a change of this one coordinate would remove if the model were linear: 0 at a
+/// minimum, 1 if one coordinate could remove all of chi2. Columns that are 0, and those marked in `left_out`,
+/// are ignored; NaN if none remains, or if the cost cannot be evaluated.
 double gradient_cosine(const ceres::CostFunction& cost, const std::vector<double>& coordinates,
                        const std::vector<bool>& left_out = {});
 
-/// The same of a fit's cost at some values; parameters at a limit are left out, which press against it.
+/// Returns it for a fit's cost at these values, without the parameters that are at a limit.
 double gradient_cosine(const ProfileCost& cost, const std::vector<double>& values);
 
 }  // namespace vegard::fit

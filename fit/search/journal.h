@@ -1,8 +1,8 @@
-// Finished steps of a fit, so that long work that was cut off goes on where it was.
+// Journals: records of the finished steps of a fit, from which an interrupted fit is resumed.
 //
-// A fit is the same logic whether steps are computed or answered from a journal: a step is a pure function of
-// the fit's inputs and of the steps before it, with a name of its own. So what a resumed fit finds has the
-// same bytes as what an uninterrupted one does.
+// A step has a unique name and is a pure function of the fit's inputs and of the steps before it. A fit runs
+// the same code whether a step is computed or read from a journal. So a resumed fit gives the same result, to
+// the last bit, as an uninterrupted one.
 #pragma once
 
 #include <functional>
@@ -15,33 +15,33 @@
 
 namespace vegard::fit {
 
-/// What a step has found, and what it has done to the fit's books.
+/// The result of a step, and the fit's counters and trace after it.
 struct StepOutput {
-  std::map<std::string, std::vector<double>> numbers;  ///< kept to the last bit, NaN and infinity too
+  std::map<std::string, std::vector<double>> numbers;  ///< stored exactly, NaN and infinity too
   std::map<std::string, std::string> words;            ///< UTF-8
   std::map<std::string, bool> flags;
   std::vector<TraceRow> trace;  ///< rows that the step has added
-  /// The books after the step: those of EvaluationLog that change.
+  /// The members of EvaluationLog that a step changes, as they are after the step.
   struct Counters {
     int residuals = 0, jacobians = 0;
     double best_chi2 = 0.0;
     bool best_is_full = false;
     std::vector<double> best_values;
   } counters;
-  bool whole = true;    ///< false: the user cut it short. Such an output is handed on and never stored
-  std::string kept_in;  ///< the journal that it was read from; empty of one that was just worked out
+  bool whole = true;    ///< false: the user stopped the step. Such an output is used but never stored
+  std::string kept_in;  ///< name of the journal from which it was read; empty if it was computed
 
-  /// What is kept under a key. A line of a journal can have the right checksum and yet be no work of ours:
-  /// these throw sim::Error(existing_output), with the journal's name, if there is no such key or not `count`
-  /// numbers.
+  /// These return what is stored under a key. They throw sim::Error(existing_output), with the journal's
+  /// name, if there is no such key or not `count` numbers: a line of a journal may have the right checksum
+  /// and yet not be written by vegard.
   const std::vector<double>& numbers_at(const std::string& key) const;
   const std::vector<double>& numbers_at(const std::string& key, std::size_t count) const;
   double number_at(const std::string& key) const { return numbers_at(key, 1)[0]; }
   const std::string& words_at(const std::string& key) const;
   bool flag_at(const std::string& key) const;
-  /// A number that counts something. Throws the same of one that is no whole number from 0 to `most`.
+  /// Converts a number to a count. Throws like refuse() unless it is a whole number from 0 to `most`.
   std::size_t count_of(double number, const std::string& key, std::size_t most) const;
-  /// Throws that error about what is kept under the key.
+  /// Throws sim::Error(existing_output) about the key.
   [[noreturn]] void refuse(const std::string& key) const;
 };
 
@@ -49,8 +49,8 @@ class Journal {
  public:
   virtual ~Journal() = default;
 
-  /// The stored output of the step of that name; else that of `work`, which is then stored. To ask for one
-  /// name twice is a programmer's mistake.
+  /// Returns the stored output of the step `name`; if there is none, calls `work`, stores its output and
+  /// returns it. Each name may be used only once (else it is a programming error).
   StepOutput step(const std::string& name, const std::function<StepOutput()>& work);
 
  private:
@@ -60,21 +60,22 @@ class Journal {
   std::set<std::string> asked_;
 };
 
-/// Stores nothing.
+/// A journal that stores nothing.
 class NullJournal final : public Journal {
  private:
   const StepOutput* stored(const std::string&) const override { return nullptr; }
   void store(const std::string&, const StepOutput&) override {}
 };
 
-/// A step that evaluates: `work` counts in `log` and writes into `trace`. Both are afterwards as if the work
-/// had been done now, wherever the output comes from; `work` need not fill in the output's trace and books.
-/// While log.stop is raised nothing is stored. Without a journal (null) the work is done. Points in the books
-/// and the trace have `free` numbers, or the journal is refused as StepOutput::refuse() does.
+/// Does a step that evaluates the cost: `work` counts evaluations in `log` and adds rows to `trace`; it need
+/// not fill in the output's trace and counters. If the output comes from the journal, `log` and `trace` are
+/// updated as if `work` had been called. Nothing is stored once log.stop is set. If `journal` is null, `work`
+/// is always called. Points in the counters and the trace must have `free` numbers, otherwise this throws
+/// like StepOutput::refuse().
 StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t free, EvaluationLog& log,
                          std::vector<TraceRow>& trace, const std::function<StepOutput()>& work);
 
-/// A descent as a step's output, and back: its values are `free` numbers.
+/// Convert a descent to a step's output, and back; its values must be `free` numbers.
 StepOutput output_of(const Descent& descent);
 Descent descent_of(const StepOutput& output, std::size_t free);
 

@@ -8,21 +8,21 @@
 namespace vegard::fit {
 
 struct Settled {
-  Descent descent;          ///< the last
-  SplinePrior prior;        ///< with the smoothness in force
-  double inflation = 1.0;   ///< with which the prior's rows are weighted (see append_rows)
-  double determined = 0.0;  ///< how many of the free numbers the data determine
+  Descent descent;          ///< the last one
+  SplinePrior prior;        ///< with the final smoothness
+  double inflation = 1.0;   ///< error inflation by which the prior's rows are weighted (see append_rows)
+  double determined = 0.0;  ///< effective number of free parameters that the data determine
 };
 
 /// Weight of the prior's rows for a first descent, before any residuals are known.
 inline constexpr double kFirstPriorWeight = 10.0;
 
-/// Smoothness for a first descent: the user's, or one that lets second differences be about 1.
+/// Returns the smoothness for a first descent: the user's, or one for which second differences are about 1.
 double first_smoothness(const sim::Scene& scene);
 
-/// Descents from `from`, with inflation and smoothness (unless fit.profile_smoothness says) taken again
-/// before each, until neither changes by more than a tenth, or five times. For fits with priors or free-form
-/// profiles. Every round is a step of `journal`.
+/// Repeats descents from `from`, each with newly estimated inflation and smoothness (unless
+/// fit.profile_smoothness gives it), until neither changes by more than a tenth, but at most five times. For
+/// fits with priors or free-form profiles. Every descent is a step of `journal`.
 Settled settle(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                const std::vector<CostTerm>& terms, const Descent& from, EvaluationLog& log,
                std::vector<TraceRow>& trace, Journal* journal = nullptr);

@@ -1,14 +1,14 @@
-// The search: from a start that is some way off to the bottom of the right valley.
+// The search for the global minimum of chi2 from a start that need not be near it.
 //
-// The landscape is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents
-// that start with the wavelength a few per cent off end in wrong places. So, with a coarse model (fewer
-// beams, profiles smoothed down the rows, so that a lower border is felt from afar): (1) *overall* trials and
-// descents of what shapes the profile as a whole, (2) the sheets' *lateral offsets* in the bands
-// (fit/search/lateral_offsets.h), or, where it does not show, a *scan* of wavelengths, each with its best
-// amplitude and phase, (3) descents of everything from the best distinct trials, those of footprints nearer
-// and farther among them (fit/parameters/volume_starts.h), (4) of several sheets each one's sine *exchange*,
-// with the others as they were found; then (5) *polish* with the full model. Coefficients of free-form
-// profiles only take part in the polish.
+// chi2 is smooth in distance, energy and bearing, and periodic in wavelength and phase: descents that start
+// with the wavelength a few per cent wrong end in wrong minima. The stages (1) to (4) use a coarse model
+// (fewer beams, profiles smoothed along the rows, so that chi2 depends on a lower border also far from the
+// right one): (1) *overall*: trials and descents of the parameters that shape the profile as a whole; (2) the
+// sheets' *lateral offsets* in the bands (fit/search/lateral_offsets.h) or, if the bands do not show a sheet,
+// a *scan* of wavelengths, each with its best amplitude and phase; (3) descents of all parameters from the
+// best distinct trials, including those with footprints nearer and farther (fit/parameters/volume_starts.h);
+// (4) for several sheets, an *exchange* of the sine of each one while the others are kept. Then (5) *polish*:
+// descents with the full model. Coefficients of free-form profiles are varied in the polish only.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 
 namespace vegard::fit {
 
-/// What the search works on: the same photographs twice.
+/// The photographs' terms of the cost, with the coarse and with the full model.
 struct SearchModels {
   std::vector<CostTerm> coarse, full;
 };

@@ -8,12 +8,12 @@
 namespace vegard::fit {
 
 struct SearchOutcome {
-  Descent best;                 ///< of the full model
-  std::vector<Descent> others;  ///< ends of the other polished descents, best first; for the verdict
+  Descent best;                 ///< with the full model
+  std::vector<Descent> others;  ///< the other polished descents, best first; for the verdict
   double chi2_initial = 0.0;    ///< of the full model at the user's start
 };
 
-/// As the output of a step, and back.
+/// Convert an outcome to a step's output, and back.
 StepOutput output_of(const SearchOutcome& outcome);
 SearchOutcome search_outcome_of(const StepOutput& output, std::size_t free);
 

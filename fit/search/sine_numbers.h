@@ -1,4 +1,4 @@
-// The free numbers of a sheet's sine, and how a sine that was found becomes theirs.
+// The free parameters of a sheet's sine, and their values for a sine that was found from lateral offsets.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace vegard::fit {
 
-/// Indices among the free numbers; -1 for what is not free.
+/// Indices among the free numbers; -1 for a number that is not free.
 struct SineNumbers {
   int wavelength = -1, phase = -1, thickness = -1;
 };
 SineNumbers sine_numbers(const std::vector<FreeNumber>& free, int sheet);
 
-/// Puts a sine found from a sheet's lateral offsets into the values of its free numbers: wavelength,
-/// amplitude and phase, and the line that it goes about into centre and bearing. `start` is the scene in
-/// whose frame the numbers are.
+/// Sets `values` of the free numbers to a sine found from a sheet's lateral offsets: its wavelength,
+/// amplitude and phase, and its straight line as centre and bearing. `start` is the scene that the free
+/// numbers change.
 void take_sine(const sim::Scene& start, const std::vector<FreeNumber>& free, const SineThroughOffsets& found,
                int sheet, std::vector<double>& values);
 

@@ -9,17 +9,18 @@
 
 namespace vegard::fit {
 
-/// SHA-256 of the text, a space, the text, a line's end. The text has no line's end of its own.
+/// Returns a line of the SHA-256 of the text, a space, the text and a newline. The text must not contain a
+/// newline.
 std::string checked_line(const std::string& text);
 
-/// The text of a line given without its end; none if it is torn or damaged.
+/// Returns the text of a line, given without its newline; none if the line is incomplete or damaged.
 std::optional<std::string> checked_text(const std::string& line);
 
-/// A step as JSON on one line. Doubles stand as their 64 bits in hexadecimal digits, those of a vector one
-/// after the other, so that they come back to the last bit.
+/// Returns a step as JSON on one line. Doubles are written as the hexadecimal digits of their 64 bits, those
+/// of a vector one after the other, so that they are restored exactly.
 std::string step_text(const std::string& name, const StepOutput& output);
 
-/// Back again; none if the text is no step.
+/// Inverse of step_text(); none if the text is not a step.
 std::optional<std::pair<std::string, StepOutput>> step_of_text(const std::string& text);
 
 }  // namespace vegard::fit

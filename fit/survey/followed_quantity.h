@@ -1,4 +1,4 @@
-// The quantities of a survey that are followed through a night.
+// The quantities of a survey whose evolution through a night is followed (plotted and smoothed).
 #pragma once
 
 #include <optional>
@@ -14,20 +14,21 @@ enum class FollowedKind {
   flux,            ///< energy flux
   distance,        ///< of a curtain, or of a border if it is 105 km high
   altitude,        ///< of the lower border of a line's light
-  border,          ///< elevation of the border where it is highest
-  border_azimuth,  ///< of that place
+  border,          ///< largest elevation of the border
+  border_azimuth,  ///< azimuth of the border's highest point
   sheet_azimuth,   ///< of a sheet's nearest point
-  velocity,        ///< of a distance, of what vegard survey smooth has written
+  velocity,        ///< of a distance, as written by vegard survey smooth
 };
 
-/// By the words that fit/answer and fit/survey name numbers by; none for all others. Of a border it is the
-/// brightest trace's, of a map the curtain's that carries most.
+/// Returns the kind of a quantity, recognised by the name that fit/answer and fit/survey give it; none if it
+/// is not followed. For a border only the brightest trace is followed, for a map only the curtain with most
+/// energy.
 std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity& quantity);
 
-/// "main", of "distance of the main sheet"; empty if nothing is named.
+/// Returns the owner in a quantity's name: "main" for "distance of the main sheet"; empty if there is none.
 std::string owner_of_quantity(const std::string& name);
 
-/// The border's altitude whose distance is followed.
+/// The assumed altitude of a border for which its distance is followed.
 inline constexpr double kFollowedBorder_km = 105.0;
 
 }  // namespace vegard::fit

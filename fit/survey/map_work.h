@@ -10,18 +10,18 @@
 
 namespace vegard::fit {
 
-/// Perturbed solutions, from which error bars follow: half as many as `vegard map` takes. Their spread tells
-/// an error to a quarter of it.
+/// Number of perturbed solutions for error bars, half as many as `vegard map` uses. With eight, an error bar
+/// is known to a quarter.
 inline constexpr int kSurveyReplicates = 8;
-/// Curtains of which numbers are kept, those that carry most energy.
+/// Number of curtains, those with most energy, whose numbers are stored.
 inline constexpr int kSurveyCurtains = 4;
 
-/// Item 0, the map: power (MW), its mean E0 (keV, by energy flux), share of the energy flux whose lower
-/// border is in view, chi2 per value, number of curtains. Items 1, 2, ..., curtains: length, and of the point
-/// nearest to the site whose lower border is in view distance, azimuth, latitude (where the site has one),
-/// E0, energy flux and lower border. The verdict is "good" if all of the map's are (fit/map/map_verdicts.h),
-/// else "doubtful"; its words are theirs. None if options.stop was raised. The options' journal is not for
-/// this. Throws as map_photos().
+/// Computes the map of a frame. The answer's item 0 is the map: power (MW), mean E0 (keV, weighted by energy
+/// flux), share of the energy flux whose lower border is in view, chi2 per value, number of curtains. Items
+/// 1, 2, ... are curtains: their length; and for the point nearest to the site whose lower border is in view,
+/// its distance, azimuth, latitude (if the site has one), E0, energy flux and lower border. The verdict is
+/// "good" if all verdicts of the map are (fit/map/map_verdicts.h), else "doubtful"; WorkAnswer::words has
+/// their words. None if options.stop was set. The options' journal is not used. Throws as map_photos().
 std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene, const MapOptions& options);
 
 }  // namespace vegard::fit

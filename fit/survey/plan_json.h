@@ -1,4 +1,4 @@
-// Plans of surveys as files (JSON): docs/file_formats.md has what is in them.
+// Reads and writes plans of surveys as JSON files, whose format docs/file_formats.md describes.
 #pragma once
 
 #include <string>
@@ -7,13 +7,15 @@
 
 namespace vegard::fit {
 
-/// A line a block. The same plan gives the same bytes; every number comes back exactly.
+/// Returns a plan as JSON, with one line per block. The same plan gives the same bytes; all numbers are
+/// restored exactly.
 std::string plan_json(const SurveyPlan& plan);
 
-/// Throws sim::Error(unreadable_input) that names `file` for what is no plan, or one of another format.
+/// Parses a plan. Throws sim::Error(unreadable_input) with the name `file` if the text is not a plan, or one
+/// of another version of the format.
 SurveyPlan plan_of_json(const std::string& json, const std::string& file);
 
-/// The same of a file.
+/// Reads a plan from a file. Throws as plan_of_json().
 SurveyPlan read_plan(const std::string& file);
 
 }  // namespace vegard::fit

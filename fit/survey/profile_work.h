@@ -8,15 +8,17 @@
 
 namespace vegard::fit {
 
-/// Strips side by side of the scene's region, from the left; the items of their numbers are 1, 2, ...
+/// Number of adjacent strips into which the scene's region is divided; their items are 1, 2, ... from the
+/// left.
 inline constexpr int kSurveyStrips = 5;
 
-/// Of each strip whose light stands out of its noise: azimuth and elevation of the brightest place in a
-/// channel (deg), its brightness and that of the strip's darkest place (of white), how far below and above it
-/// half of what is between them is reached (deg), and red and blue over green of what is above the darkest,
-/// all of profiles smoothed by two pixels. The error of a brightness is that of the pixels' noise; where a
-/// camera or JPEG has smoothed that, it is too small (extract_profile()). The verdict is "good", or "none" if
-/// no strip has such light. Throws sim::Error(scene) if the frame's size is not the camera's.
+/// Measures each strip whose light is significant above its noise, in profiles smoothed by two pixels:
+/// azimuth and elevation (deg) of the brightest point in a channel; its brightness and that of the strip's
+/// darkest point (as fractions of white); the angles (deg) below and above the brightest point at which half
+/// of the difference is reached; and the ratios of red and of blue to green for the light above the darkest
+/// point. The error of a brightness is that of the pixels' noise; if a camera or JPEG has smoothed the noise,
+/// the error is too small (extract_profile()). The verdict is "good", or "none" if no strip has such light.
+/// Throws sim::Error(scene) if the frame's size is not the camera's.
 WorkAnswer profile_answer(const Photo& photo, const sim::Scene& scene, int channel);
 
 }  // namespace vegard::fit

@@ -1,9 +1,9 @@
-// A SQLite database as a file: the front of the library, which is compiled in sqlite_file.cpp alone.
+// A SQLite database in a file: a wrapper of the SQLite library, which is included in sqlite_file.cpp alone.
 //
-// One writer and any number of readers, which may be killed at any time. The journal is the old one beside
-// the file, no write-ahead log: that needs memory shared between all who read and write, which network file
-// systems do not have, and surveys of clusters lie on such. Each transaction is on the disk, with the
-// folder's entry, before the next begins.
+// A database has one writer and any number of readers, each of which may be killed at any time. It uses the
+// rollback journal (a file beside the database), not a write-ahead log: the latter needs memory that all
+// processes share, which network file systems lack, and surveys on clusters use such file systems. Each
+// transaction is on the disk, with the folder's entry, before the next begins.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace vegard::fit {
 
 class SqliteFile;
 
-/// A prepared statement. Places of `bind` and columns are counted from 0, in the order of the statement. A
-/// column that has another type than is asked for is damage: Error(unreadable_input).
+/// A prepared statement. Parameters (`place` of bind()) and columns are counted from 0, in the order of the
+/// statement. A column whose type is not the requested one is damage and throws Error(unreadable_input).
 class SqliteStatement {
  public:
   SqliteStatement(const SqliteFile& file, const std::string& sql);
@@ -35,16 +35,16 @@ class SqliteStatement {
     return value ? bind(place, *value) : bind_null(place);
   }
 
-  /// The next row; false after the last, and the statement may be bound and stepped again.
+  /// Moves to the next row. Returns false after the last; then the statement may be bound and stepped again.
   bool step();
-  /// step() of what gives no row.
+  /// Executes a statement that returns no rows.
   void run();
-  /// Gives up the rows that are left.
+  /// Discards the remaining rows.
   void reset();
 
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
-  double number(int column) const;  ///< a whole number is one as well
+  double number(int column) const;  ///< accepts integers too
   std::string text(int column) const;
   std::optional<double> number_or_none(int column) const;
   std::optional<std::int64_t> integer_or_none(int column) const;
@@ -65,22 +65,23 @@ class SqliteFile {
  public:
   enum class Opening {
     write,  ///< an empty or new file becomes a database
-    read,   ///< what a killed writer has left is put right first, where the file may be written to
-    make,   ///< a new file that nobody else sees yet, and that is thrown away if this fails: no journal, no
-            ///< waiting for disks
+    read,   ///< rolls back the unfinished transaction of a killed writer first, if the file is writable
+    make,   ///< a new file that no other process uses yet and that is discarded on failure: no journal, no
+            ///< waiting for the disk
   };
 
-  /// Throws sim::Error: (unreadable_input) for what is no database or cannot be read, (unwritable_output) for
-  /// what cannot be written, (existing_output) while another process keeps it.
+  /// Throws sim::Error: (unreadable_input) for a file that is not a database or cannot be read,
+  /// (unwritable_output) for one that cannot be written, (existing_output) while another process locks it.
   SqliteFile(const std::string& file, Opening opening);
 
-  /// One statement or several, without rows.
+  /// Executes one or several statements that return no rows.
   void run(const std::string& sql);
 
-  /// The first column of the only row.
+  /// Returns the first column of the only row of a query.
   std::int64_t integer(const std::string& sql) const;
 
-  /// All of `call`, or nothing of it. The file's readers wait no longer than for its end.
+  /// Calls `call` within a transaction: either all of its changes are made or none. Readers wait at most
+  /// until it ends.
   template <typename Call>
   void transaction(const Call& call) {
     run("BEGIN IMMEDIATE");
@@ -97,7 +98,7 @@ class SqliteFile {
 
  private:
   friend class SqliteStatement;
-  /// Throws what a result of the library means for whoever uses the file.
+  /// Throws the sim::Error that corresponds to an error code of the library.
   [[noreturn]] void fail(int code, const std::string& words) const;
   void commit();
   void roll_back() noexcept;
@@ -110,7 +111,7 @@ class SqliteFile {
   std::unique_ptr<sqlite3, Closer> database_;
 };
 
-/// Of the library, as "3.40.1".
+/// Returns the version of the library, such as "3.40.1".
 std::string sqlite_version();
 
 }  // namespace vegard::fit

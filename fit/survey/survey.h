@@ -1,4 +1,4 @@
-// A survey: many frames of several cameras, and what is to be done with each.
+// A survey: many frames of several cameras, and the analysis (work) of each.
 #pragma once
 
 #include <array>
@@ -10,23 +10,23 @@
 namespace vegard::fit {
 
 /// What can be done with a frame. Their order is that in which it is done.
-/// What the filter lets pass is done the rest with.
+/// If the filter finds no arc in a frame, the other work is not done.
 enum class SurveyWork { filter, border, profile, fit, map };
 inline constexpr std::array kSurveyWorks = {SurveyWork::filter, SurveyWork::border, SurveyWork::profile,
                                             SurveyWork::fit, SurveyWork::map};
 
-/// "filter", "border", "profile", "fit", "map", as surveys and results have it.
+/// Returns the name in survey files and results: "filter", "border", "profile", "fit", "map".
 const char* survey_work_name(SurveyWork work);
 std::optional<SurveyWork> survey_work_of(const std::string& name);
 
-/// Seconds since 1970 in UTC; the end is no part of it.
+/// A period of time, in seconds since 1970 in UTC, without its end.
 struct SurveyPeriod {
   double from_s = -std::numeric_limits<double>::infinity();
   double until_s = std::numeric_limits<double>::infinity();
   bool has(double time_s) const { return time_s >= from_s && time_s < until_s; }
 };
 
-/// Where a camera pointed during some time.
+/// The pointing of a camera during a period.
 struct SurveyCalibration {
   SurveyPeriod period;
   std::string file;  ///< as vegard calibrate writes it; empty: the scene has the camera
@@ -35,48 +35,48 @@ struct SurveyCalibration {
 
 struct SurveyCamera {
   std::string name;
-  int line = 0;                      ///< in the survey's file
-  std::string scene;                 ///< of its frames; empty: the calibration's file is the scene
-  std::vector<std::string> changes;  ///< "path=value", as --set takes them
+  int line = 0;       ///< in the survey's file
+  std::string scene;  ///< file of its frames' scene; empty: the calibration's file is the scene
+  std::vector<std::string> changes;  ///< changes to the scene, "path=value" as in --set
   std::vector<std::string> frames;   ///< folders, lists (.txt) and single files
   std::vector<std::string> endings;  ///< of the files in folders that are frames, lower case: ".png"
   std::string decoding;              ///< a word of --decoding; empty: the scene's
-  int channel = 1;                   ///< that a border is traced in: 0, 1, 2 for red, green, blue
-  std::string filter;                ///< trees of its own (fit/survey/filter); empty: those built in
+  int channel = 1;                   ///< in which borders are traced: 0, 1, 2 for red, green, blue
+  std::string filter;                ///< file of decision trees (fit/survey/filter); empty: the built-in ones
   std::vector<SurveyCalibration> calibrations;
 };
 
-/// Frames that are left out.
+/// Frames that are not analysed.
 struct SurveySkip {
   std::string camera;  ///< empty: of every camera
   SurveyPeriod period;
-  std::string list;  ///< names them one by one; empty: all of the period
+  std::string list;  ///< file with the names of the frames; empty: all frames of the period
   std::string reason;
 };
 
-/// All names of files are relative to the survey's folder, and may be absolute.
+/// All names of files are relative to the folder of the survey's file, or absolute.
 struct Survey {
   std::string file;  ///< where it was read
   std::string sha256;
   std::string name;
   std::vector<SurveyWork> work;
-  int block_frames = 50;        ///< at most, in a row of frames of which each starts where the last ended
-  double gap_s = 300.0;         ///< after a longer one a frame starts by itself
-  double shard_minutes = 30.0;  ///< of work, at least, for one task of a cluster
-  int max_shards = 1000;        ///< tasks of an array
-  std::array<double, kSurveyWorks.size()> cost_s{};  ///< of a frame, by work: what shards are sized by
+  int block_frames = 50;  ///< largest number of frames of a block, whose fits start at the previous result
+  double gap_s = 300.0;   ///< after a longer gap in time a new block begins
+  double shard_minutes = 30.0;  ///< least computing time for one task (shard) of a cluster
+  int max_shards = 1000;        ///< largest number of tasks of a job array
+  std::array<double, kSurveyWorks.size()> cost_s{};  ///< [work] seconds per frame, to estimate a shard's time
   std::vector<SurveyCamera> cameras;
   std::vector<SurveySkip> skips;
 
-  /// A file's name as it may be opened.
+  /// Returns a file's name with which it can be opened.
   std::string place(const std::string& name) const;
 };
 
-/// Seconds that a frame takes on one core of a machine of 2020, where a survey does not say it: measured on
-/// pictures of 720 x 480 pixels.
+/// Defaults of Survey::cost_s: seconds per frame on one core of a machine of 2020, measured on pictures of
+/// 720 x 480 pixels.
 inline constexpr std::array<double, kSurveyWorks.size()> kSurveyCost_s = {0.02, 0.3, 0.1, 2.0, 120.0};
 
-/// Endings of files that are taken for frames, where a survey does not say it.
+/// Defaults of SurveyCamera::endings.
 const std::vector<std::string>& picture_endings();
 
 /// A frame's name: a file, or one of several frames in a file, "night.pgm.gz#7", counted from 0.
@@ -86,8 +86,8 @@ struct FrameReference {
 };
 FrameReference frame_reference(const std::string& text);
 
-/// Whether it may be the name of a survey or of a camera: 1 to 64 letters, digits, _ and -. Names become
-/// parts of columns, messages and scripts.
+/// True for a valid name of a survey or a camera: 1 to 64 letters, digits, _ and -. Names become parts of
+/// columns, messages and scripts.
 bool is_plain_name(const std::string& name);
 
 }  // namespace vegard::fit

@@ -11,32 +11,32 @@
 
 namespace vegard::fit {
 
-/// A number with its error and whether to believe it.
+/// A number with its error and its trust.
 struct SurveyQuantity {
-  int item = 0;      ///< of several of a kind, from 1: a border's trace; 0: there is one
+  int item = 0;      ///< number from 1 among several of a kind (a border's traces); 0: there is only one
   std::string name;  ///< "lowest elevation", "sheet.main.energy_kev"
   std::string unit;
-  std::optional<double> value;  ///< none where it is unconstrained
+  std::optional<double> value;  ///< none if it is unconstrained
   std::optional<double> sigma;
-  std::optional<std::string> trust;   ///< as fit/answer/trust.h names it; none where it was not assessed
-  std::optional<std::string> reason;  ///< why there is no value, or why it is not to be trusted
+  std::optional<std::string> trust;   ///< a name of fit/answer/trust.h; none if it was not assessed
+  std::optional<std::string> reason;  ///< why there is no value, or why it is not trusted
 };
 
 struct WorkAnswer {
   SurveyWork work = SurveyWork::border;
-  /// Of a filter: what is seen, as fit/survey/filter/sky_trees.h names it. Of a fit: "good", "doubtful",
-  /// "failed". Of a border and of profiles: "good", or "none" if there is none. Of a map: "good", "doubtful".
-  /// "refused": the work could not be done, `words` says why.
+  /// For a filter: the sky's class (fit/survey/filter/sky_trees.h). For a fit: "good", "doubtful", "failed".
+  /// For a border and for profiles: "good", or "none" if nothing was found. For a map: "good", "doubtful".
+  /// For any work: "refused" if it could not be done; `words` has the reason.
   std::string verdict;
   std::optional<std::string> words;
-  std::optional<std::string> start;  ///< of a fit: "full", "warm"
+  std::optional<std::string> start;  ///< of a fit: "full" (a search) or "warm" (from the previous frame)
   std::optional<double> chi2_per_dof;
   std::optional<std::int64_t> seed;
-  std::vector<double> free_values;  ///< of a fit, exactly: where the next frame starts
+  std::vector<double> free_values;  ///< of a fit, exact; the next frame's fit starts there
   std::vector<SurveyQuantity> quantities;
 };
 
-/// `filtered`: the filter has found no arc in it, and nothing else was done.
+/// `filtered`: the filter found no arc in the frame, so that no other work was done.
 enum class FrameStatus { done, skipped, missing, unreadable, filtered };
 inline constexpr std::array kFrameStatuses = {FrameStatus::done, FrameStatus::skipped, FrameStatus::missing,
                                               FrameStatus::unreadable, FrameStatus::filtered};
@@ -44,12 +44,12 @@ inline constexpr std::array kFrameStatuses = {FrameStatus::done, FrameStatus::sk
 const char* frame_status_name(FrameStatus status);
 
 struct FrameAnswer {
-  int frame = 0, block = 0;  ///< numbers of the plan, from 0
+  int frame = 0, block = 0;  ///< numbers in the plan, from 0
   std::string camera;
   std::string file;  ///< as the plan has it
   double time_s = 0.0;
   FrameStatus status = FrameStatus::done;
-  std::optional<std::string> reason;  ///< of any other status
+  std::optional<std::string> reason;  ///< of a status other than done
   std::optional<std::string> sha256, decoding;
   std::vector<WorkAnswer> works;  ///< of a frame that is done, or filtered
 };

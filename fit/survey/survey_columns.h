@@ -1,4 +1,4 @@
-// The columns that a survey's frames need in a table.
+// The columns of a table with one row per frame of a survey.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace vegard::fit {
 
-/// A number that frames have; of several items of a kind it is the first: a border's brightest trace, a map's
-/// first curtain; of profiles the middle strip.
+/// A quantity of frames. If a frame has several items of a kind, the column is for the first: a border's
+/// brightest trace, a map's first curtain; for profiles it is for the middle strip.
 struct SurveyColumn {
   SurveyWork work = SurveyWork::border;
   std::string name, unit;
@@ -19,18 +19,18 @@ struct SurveyColumn {
 
 struct SurveyColumns {
   int frames = 0;
-  std::map<SurveyWork, std::set<std::string>> verdicts;  ///< that frames have, of each work
+  std::map<SurveyWork, std::set<std::string>> verdicts;  ///< that occur, for each work
   std::set<SurveyColumn> columns;
-  std::set<SurveyColumn> with_trust;  ///< those of which somebody says whether to trust them
+  std::set<SurveyColumn> with_trust;  ///< columns of quantities that have a trust
 };
 
-/// Reads all frames once.
+/// Finds the columns; reads all frames once.
 SurveyColumns survey_columns(const SurveyReader& reader);
 
-/// The work of a frame; null if it was not done.
+/// Returns the answer of a frame's work; null if the work was not done.
 const WorkAnswer* work_in(const FrameAnswer& answer, SurveyWork work);
 
-/// The column's number; null if there is none, or no work.
+/// Returns the column's quantity; null if `work` is null or does not have it.
 const SurveyQuantity* quantity_in(const WorkAnswer* work, const SurveyColumn& column);
 
 }  // namespace vegard::fit

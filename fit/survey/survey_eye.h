@@ -16,18 +16,18 @@ namespace vegard::fit {
 struct SurveyEye {
   sim::Scene scene;  ///< with the camera of the calibration
   Decoding decoding;
-  std::string mask;                           ///< a file's name as it may be opened; empty: none
-  int channel = 1;                            ///< that a border is traced in
-  std::shared_ptr<const FrameFilter> filter;  ///< null where the work is without
+  std::string mask;                           ///< name with which the file can be opened; empty: none
+  int channel = 1;                            ///< in which borders are traced
+  std::shared_ptr<const FrameFilter> filter;  ///< null if the work does not include the filter
 };
 
-/// What keeps the work from being done with any frame: nothing to fit, for instance. Throws sim::Error(scene,
-/// unreadable_input).
+/// Checks that the work is possible, which does not depend on the frame: for instance that there is something
+/// to fit. Throws sim::Error(scene) or (unreadable_input) if it is not.
 void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work);
 
-/// Of all that the answers depend on: the scene with its tables and files, whatever their names, the mask,
-/// the curve of the decoding, the channel, and the filter's trees. `decoding`: the word that eye.decoding was
-/// made of.
+/// Returns a hash of everything on which the answers depend: the contents of the scene and of its tables and
+/// files, the mask, the curve of the decoding, the channel, and the filter's trees. `decoding`: the word for
+/// eye.decoding.
 std::string eye_sha256(const SurveyEye& eye, const std::string& decoding);
 
 }  // namespace vegard::fit

@@ -15,17 +15,17 @@ namespace vegard::fit {
 
 struct FrameTask {
   const SurveyPlan* plan = nullptr;
-  int block = 0, number = 0;  ///< of the frame, inside of its block
+  int block = 0, number = 0;  ///< the block, and the frame's number within it
   const WorkAnswer* before =
-      nullptr;  ///< the fit of the last frame of the block that has one; null: there is none
+      nullptr;  ///< the latest fit of an earlier frame of the block; null if there is none
 };
 
-/// The frames of a survey, one after another. Of a file of many it keeps its hash, and where it has come to
-/// in it: it is read once and not once for each of its frames.
+/// Reads the frames of a survey, one after another. For a file with many frames it keeps the hash and the
+/// position in the file, so that the file is read once and not once for each frame.
 class SurveyPictures {
  public:
-  /// `sha256`: of the file as it stands there; set before what cannot be read is thrown. Throws as
-  /// PictureSeries does.
+  /// Reads a frame. Sets `sha256` to the hash of the file as stored, also if an error is thrown because the
+  /// frame cannot be read. Throws as PictureSeries does.
   PictureBytes read(const std::string& name, std::string& sha256);
 
  private:
@@ -33,9 +33,9 @@ class SurveyPictures {
   std::string hashed_, sha256_;
 };
 
-/// Opens the frame and does the plan's work with it. Whatever is wrong with it is in the answer. None if
-/// options.stop was raised meanwhile. The same frame, eye and answer before give the same answer, for every
-/// number of threads. `eye` may be null for a frame that is skipped.
+/// Reads the frame and does the plan's work with it. Errors of the frame are reported in the answer. None if
+/// options.stop was set meanwhile. The answer depends only on the frame, `eye` and FrameTask::before, not on
+/// the number of threads. `eye` may be null for a frame that is skipped.
 std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* eye,
                                         const FitOptions& options, SurveyPictures& pictures);
 

@@ -10,15 +10,15 @@
 namespace vegard::fit {
 
 struct ListedFrame {
-  std::string file;     ///< as frame_reference() takes it, relative to the survey's folder, or absolute
+  std::string file;     ///< for frame_reference(), relative to the survey's folder, or absolute
   double time_s = 0.0;  ///< since 1970 in UTC
-  std::string skip;     ///< why it is left out; empty: it is not
+  std::string skip;     ///< why it is not analysed; empty: it is
 };
 
-/// What a list or a folder has given, beside its frames: for the plan.
+/// A list or a folder from which frames come, with its hash for the plan.
 struct FrameSource {
-  std::string name;    ///< as the survey has it
-  std::string sha256;  ///< of a list's bytes; of a folder's names of frames
+  std::string name;    ///< as in the survey
+  std::string sha256;  ///< of a list's bytes; for a folder, of the names of its frames
 };
 
 struct ListedFrames {
@@ -26,16 +26,16 @@ struct ListedFrames {
   std::vector<FrameSource> sources;
 };
 
-/// A folder gives all files in it and in folders in it whose ending is one of the camera's, hidden ones left
-/// out; links to folders are not followed. A list (.txt) gives a line "FRAME" or "FRAME TIME" for each, TIME
-/// in ISO 8601 (UTC or with a zone), names relative to the list; empty lines and those that begin with # are
-/// left out. A file with many frames gives each of them, "night.pgm.gz#7", unless a list gives a time with
-/// it; of a damaged one those before the damage, and one more that stands for what is behind it. Times that
-/// are not given are those that the frames of such files have, else those of the names
-/// (fit/photo/frames/imager_name.h, sim/base/utc_time.h), taken for UTC. What is skipped is marked by the
-/// first of the survey's skips that has it. Throws sim::Error(unreadable_input) for a folder, list or file
-/// that is not there, a line that cannot be understood, a frame that has no time; and (scene) for a camera
-/// without a frame.
+/// Lists the frames of a camera. A folder stands for all files in it and in its subfolders that have one of
+/// the camera's endings, except hidden ones; links to folders are not followed. A list (.txt) has a line
+/// "FRAME" or "FRAME TIME" for each frame, TIME in ISO 8601 (UTC or with a zone), names relative to the list;
+/// empty lines and lines that begin with # are ignored. A file with many frames stands for each of them,
+/// "night.pgm.gz#7", unless a list gives a time with it; a damaged one stands for the frames before the
+/// damage, and one more for the rest. Times that are not given in a list are those in the metadata of such
+/// files, else those in the file names (fit/photo/frames/imager_name.h, sim/base/utc_time.h), assumed to be
+/// UTC. A frame to be skipped has the reason of the first of the survey's skips that applies. Throws
+/// sim::Error(unreadable_input) for a folder, list or file that does not exist, an invalid line, a frame
+/// without a time; and (scene) for a camera without frames.
 ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The databases of many shards as one.
+// Merges the databases of many shards into one.
 #pragma once
 
 #include <string>
@@ -9,19 +9,20 @@ namespace vegard::fit {
 struct SurveyMerge {
   int databases = 0;
   int plans = 0, versions = 0;
-  int frames = 0;   ///< that the merged database has
-  int lacking = 0;  ///< of all frames of its plans
+  int frames = 0;   ///< in the merged database
+  int lacking = 0;  ///< frames of its plans that are not in it
 };
 
-/// Writes `output`, whole or not at all. What it holds, to the last byte, depends on what the databases have,
-/// not on their number or order, nor on how the work was cut into shards; databases that were merged before
-/// do as well. Of a block that several have, the one with most frames is taken. One row at a time is held, of
-/// the blocks some numbers.
+/// Writes `output`, completely or not at all. Its bytes depend only on the answers in the databases, not on
+/// the databases' number or order, nor on the division of the work into shards; databases may be results of
+/// earlier merges. If several databases have the same block, the one with most frames of it is used. Memory
+/// is needed for one row, and some numbers per block.
 ///
-/// Different plans or versions are refused unless `mixed`: then frames and blocks are numbered through, plan
-/// after plan by name and hash, and of a block that several versions have, the newest's is taken. Throws
-/// sim::Error: (usage) for that, and for no database at all; (unreadable_input) for what is none, and for two
-/// that have different answers for the same frame, of the same plan and version; and as WholeFile does.
+/// Different plans or versions are refused unless `mixed` is set. Then frames and blocks are numbered
+/// consecutively, with the plans ordered by name and hash, and if several versions have the same block, that
+/// of the newest is used. Throws sim::Error: (usage) for different plans or versions, and if there are no
+/// databases; (unreadable_input) for a file that is not a survey's database, and for two with different
+/// answers for the same frame, plan and version; and as WholeFile does.
 SurveyMerge merge_surveys(const std::vector<std::string>& databases, const std::string& output, bool mixed,
                           bool overwrite);
 

@@ -7,24 +7,25 @@
 namespace vegard::fit {
 
 struct SurveyMotionOptions {
-  double gap_s = 300.0;        ///< after a longer one a track ends
-  double false_alarms = 1e-4;  ///< share of sound frames that either question flags (track_smoother.h)
+  double gap_s = 300.0;        ///< a longer gap in time ends a track
+  double false_alarms = 1e-4;  ///< share of sound frames that each of the two tests flags (track_smoother.h)
   std::vector<std::string> quantities;  ///< names of further numbers to follow
 };
 
 struct SurveyMotion {
   int tracks = 0;
-  int used = 0;  ///< numbers that the tracks are of
+  int used = 0;  ///< numbers that were used for the tracks
   int outliers = 0, breaks = 0;
 };
 
-/// Writes a copy of the database with three more tables (docs/surveys.md): track, velocity, flag. Followed
-/// are distances and altitudes of lower borders (fit/survey/followed_quantity.h), of a border its brightest
-/// trace, as far as they have an error and their work's verdict is good or doubtful: one track for each
-/// camera and number, until the camera's frames have a gap. Velocities of what is in km are in m/s, of all
-/// else in the unit per second; of a distance they are positive if it grows. `output` appears whole or not at
-/// all; the same rows and options give the same bytes. Holds one track of each number at a time. Throws
-/// sim::Error (usage) for an option out of range, and as SurveyReader and sim::WholeFile do.
+/// Writes a copy of the database with three more tables (docs/surveys.md): track, velocity, flag. It follows
+/// distances and altitudes of lower borders (fit/survey/followed_quantity.h), for a border those of its
+/// brightest trace, if they have an error and their work's verdict is good or doubtful. There is one track
+/// for each camera and number; it ends at a gap of the camera's frames. The velocity of a number in km is in
+/// m/s, of other numbers in their unit per second; that of a distance is positive if the distance increases.
+/// `output` is written completely or not at all; the same rows and options give the same bytes. Memory is
+/// needed for one track of each number. Throws sim::Error (usage) for an option out of range, and as
+/// SurveyReader and sim::WholeFile do.
 SurveyMotion smooth_survey(const std::string& database, const std::string& output,
                            const SurveyMotionOptions& options, bool overwrite);
 

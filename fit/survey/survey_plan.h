@@ -1,5 +1,5 @@
-// The plan of a survey: every frame with its place in a block, so that what is done with it does not depend
-// on how the work is cut into shards.
+// The plan of a survey: it assigns every frame to a block, so that the results do not depend on how the work
+// is divided into shards.
 #pragma once
 
 #include <string>
@@ -10,22 +10,22 @@
 namespace vegard::fit {
 
 struct PlannedFrame {
-  std::string file;     ///< as frame_reference() takes it, relative to SurveyPlan::folder, or absolute
+  std::string file;     ///< for frame_reference(), relative to SurveyPlan::folder, or absolute
   double time_s = 0.0;  ///< since 1970 in UTC
-  std::string skip;     ///< why nothing is done with it; empty: something is
+  std::string skip;     ///< why it is not analysed; empty: it is
 };
 
-/// Consecutive frames of one camera and one calibration. A frame starts where the one before it has ended,
-/// the first by itself: a block is done by one process, from its beginning.
+/// Consecutive frames of one camera and one calibration. The fit of a frame starts at the result of the frame
+/// before it, the first one without such a start; therefore one process does a block from its beginning.
 struct PlannedBlock {
   int camera = 0;
   int calibration = -1;  ///< of the camera; -1: there is none for this time, and all frames are skipped
   int first_frame = 0;   ///< its number among all frames of the plan
-  double seconds = 0.0;  ///< that it takes, as estimated
+  double seconds = 0.0;  ///< estimated computing time
   std::vector<PlannedFrame> frames;
 };
 
-/// Something that the answers depend on, with its hash when the plan was made.
+/// An input on which the answers depend, with its hash at the time the plan was made.
 struct PlanInput {
   std::string what;  ///< "the survey", "the setup of gill, calibration 1", "frames/list.txt"
   std::string sha256;
@@ -36,10 +36,10 @@ struct SurveyPlan {
   std::string folder;   ///< of the survey, relative to the plan's, or absolute
   std::string version;  ///< of the program that made it
   std::vector<SurveyWork> work;
-  std::vector<SurveyCamera> cameras;  ///< without what they were listed from
+  std::vector<SurveyCamera> cameras;  ///< without the sources of their frames (SurveyCamera::frames, endings)
   std::vector<PlanInput> inputs;
   std::vector<PlannedBlock> blocks;
-  int shards = 1;  ///< tasks that the work is to be cut into, as the survey wants them to be long
+  int shards = 1;  ///< number of tasks, by the survey's shard_minutes and max_shards
 
   // Not in the file.
   std::string file;    ///< where it was read
@@ -47,25 +47,26 @@ struct SurveyPlan {
 
   int frames() const;
   double seconds() const;
-  /// A file's name of the plan as it may be opened.
+  /// Returns a name with which a file of the plan can be opened.
   std::string place(const std::string& name) const;
-  /// The hash of the input; empty if there is none.
+  /// Returns the hash of an input (PlanInput::what); empty if there is none.
   std::string sha256_of(const std::string& what) const;
 };
 
-/// "the setup of gill, calibration 1": what PlanInput calls all that a camera's frames are worked out by.
+/// Returns "the setup of gill, calibration 1": PlanInput::what of a camera's setup, on which the analysis of
+/// its frames depends.
 std::string setup_words(const SurveyCamera& camera, int calibration);
 
-/// Lists all frames and makes blocks of them: by camera, in the order of time, cut where the calibration
-/// changes, after gaps, and after block_frames. `setups`: an input for each camera and calibration. `folder`
-/// of the plan is left empty. Throws as survey_frames() does.
+/// Lists all frames and divides them into blocks: by camera, in the order of time, with a new block when the
+/// calibration changes, after gaps, and after block_frames frames. `setups`: an input for each camera and
+/// calibration. The plan's `folder` is left empty. Throws as survey_frames() does.
 SurveyPlan plan_survey(const Survey& survey, const std::vector<PlanInput>& setups);
 
-/// How many tasks of at least this length there are, one at least.
+/// Returns the number of shards, at least one, that take at least `min_seconds` each.
 int shard_count(const std::vector<PlannedBlock>& blocks, double min_seconds, int max_shards);
 
-/// Whole blocks, one after the other, [begin, end): shard `shard` from 1 to `shards`, all about as long as
-/// estimated. The shards have each block once; there may be empty ones where there are fewer blocks.
+/// The consecutive blocks [begin, end) of shard `shard`, from 1 to `shards`. All shards have about the same
+/// estimated time. Every block is in exactly one shard; a shard may be empty if there are few blocks.
 struct BlockRange {
   int begin = 0, end = 0;
 };

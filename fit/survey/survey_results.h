@@ -12,7 +12,8 @@
 
 namespace vegard::fit {
 
-/// Which program has worked out answers: others may differ in the last digits, or in more.
+/// The versions of the program and libraries that computed answers: with others the results may differ, in
+/// the last digits or more.
 struct SurveyVersions {
   std::string vegard, ceres, eigen, opencv;
   bool operator==(const SurveyVersions& o) const {
@@ -23,7 +24,7 @@ struct SurveyVersions {
 };
 SurveyVersions survey_versions();
 
-/// A plan that answers are of.
+/// A plan whose answers are in a database.
 struct AnsweredPlan {
   std::string sha256, name;
   int frames = 0, blocks = 0;
@@ -31,27 +32,27 @@ struct AnsweredPlan {
 };
 AnsweredPlan answered_plan(const SurveyPlan& plan);
 
-/// A block that is there, at least in part.
+/// A block that is in a database, at least in part.
 struct AnsweredBlock {
-  int block = 0, first_frame = 0;  ///< of the plan
-  int frames = 0;                  ///< that it has
-  int done = 0;                    ///< frames that are there: the first so many
-  int origin = 0;                  ///< SurveyReader::origins() of it
+  int block = 0, first_frame = 0;  ///< numbers in the plan
+  int frames = 0;                  ///< of the whole block
+  int done = 0;                    ///< number of its frames, from the first, that are in the database
+  int origin = 0;                  ///< index into SurveyReader::origins()
 };
 
 /// Makes the tables in an empty database.
 void make_survey_tables(SqliteFile& file);
 
 /// Throws sim::Error(unreadable_input) unless the tables are those that this version makes, with or without
-/// those of motion.
+/// the tables of motion.
 void check_survey_tables(const SqliteFile& file);
 
-/// The tables of fit/survey/survey_motion.h: whether they are there; makes them, and removes them again.
+/// Test for, make and remove the tables of motion (fit/survey/survey_motion.h).
 bool has_motion(const SqliteFile& file);
 void make_motion_tables(SqliteFile& file);
 void drop_motion_tables(SqliteFile& file);
 
-/// Rows, as they are; for merging, which numbers them again.
+/// Writes rows with the numbers given by the caller; for merging, which renumbers them.
 class SurveyWriter {
  public:
   explicit SurveyWriter(SqliteFile& file);
@@ -64,7 +65,7 @@ class SurveyWriter {
   SqliteStatement plan_, input_, origin_, block_, frame_, result_, quantity_;
 };
 
-/// A database of a survey that is read, whoever made it.
+/// Reads a survey's database, whether of a shard or merged.
 class SurveyReader {
  public:
   struct Origin {
@@ -77,10 +78,11 @@ class SurveyReader {
   const std::vector<AnsweredPlan>& plans() const { return plans_; }
   const std::vector<Origin>& origins() const { return origins_; }
 
-  /// In their order; `done` counted.
+  /// Returns the blocks in their order.
   std::vector<AnsweredBlock> blocks() const;
 
-  /// All frames whose numbers lie in [first, end), in their order, with works and quantities in theirs.
+  /// Calls `take` for all frames with numbers in [first, end), in their order, each with its works and
+  /// quantities in their order.
   void frames(int first, int end, const std::function<void(const FrameAnswer& answer)>& take) const;
 
  private:
@@ -89,37 +91,37 @@ class SurveyReader {
   std::vector<Origin> origins_;
 };
 
-/// A shard's database, which grows frame by frame and is gone on with after whatever has ended it.
+/// A shard's database, to which frames are added one by one; an interrupted run can be continued.
 class ShardResults {
  public:
-  /// Makes it, or goes on with it. Throws sim::Error(existing_output) for one of another plan or of other
-  /// versions, and as SqliteFile and check_survey_tables() do.
+  /// Makes the database, or opens an existing one. Throws sim::Error(existing_output) for one of another plan
+  /// or of other versions, and as SqliteFile and check_survey_tables() do.
   ShardResults(const std::string& file, const SurveyPlan& plan);
 
-  /// How many frames of the block are there: the first so many.
+  /// Returns how many frames of the block, from its first one, are in the database.
   int done(int block) const;
 
-  /// The fit of the last frame of the block that has one; none if none has.
+  /// Returns the last fit among the frames of the block; none if there is no fit.
   std::optional<WorkAnswer> last_fit(int block) const;
 
-  /// The next frames of blocks, in one transaction; none of them is there if the disk is full
-  /// (Error(unwritable_output)). What another process has added meanwhile stays: a task that its cluster
-  /// believed dead, and began again elsewhere, finds the same answers.
+  /// Adds the next frames of blocks in one transaction; none of them is added if the disk is full
+  /// (Error(unwritable_output)). Frames that another process has added meanwhile are kept: a task that the
+  /// cluster considered dead and started again elsewhere computes the same answers.
   void add(const std::vector<FrameAnswer>& answers);
 
-  /// A frame that could not be had.
+  /// A frame that was missing or unreadable.
   struct Lost {
-    int frame = 0;  ///< of the plan
+    int frame = 0;  ///< number in the plan
     FrameStatus status = FrameStatus::missing;
-    std::string sha256;  ///< of the file as it was; empty: there was none
+    std::string sha256;  ///< of the file at that time; empty: there was none
   };
-  /// Those of the block, in their order.
+  /// Returns the missing and unreadable frames of the block, in their order.
   std::vector<Lost> lost(int block) const;
 
-  /// The block's frames from this one of the plan on were never done. How many were.
+  /// Removes the block's frames from `from_frame` (number in the plan) on. Returns how many were removed.
   int forget(int block, int from_frame);
 
-  /// How many frames were there already when they were to be added.
+  /// Returns how many frames were not added because another process had added them.
   int frames_of_others() const { return others_; }
 
   const std::string& name() const { return file_.name(); }
@@ -131,10 +133,10 @@ class ShardResults {
   int others_ = 0;
 };
 
-/// Frames of a database by their status, in the order of FrameStatus.
+/// Counts the frames of a database by status, in the order of FrameStatus.
 std::vector<int> count_by_status(const SqliteFile& file);
 
-/// False for what a run leaves that ended before its first transaction: a database without tables.
+/// False for a database without tables, which a run leaves that ended before its first transaction.
 bool is_begun(const SqliteFile& file);
 
 }  // namespace vegard::fit

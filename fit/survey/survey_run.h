@@ -1,4 +1,4 @@
-// Doing a shard's work: blocks of frames, one after the other, kept as they are finished.
+// Does a shard's work: analyses blocks of frames one after the other and stores the answers.
 #pragma once
 
 #include <functional>
@@ -13,26 +13,26 @@ namespace vegard::fit {
 
 struct SurveyRunOptions {
   int threads = 1;                          ///< the answers do not depend on it
-  const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: the frame at hand is given up
-  /// The eye of a camera during one of its calibrations; asked for as blocks come.
+  const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: the current frame is abandoned
+  /// Returns the eye of a camera during one of its calibrations; called when a block needs it.
   std::function<SurveyEye(int camera, int calibration)> eye;
-  /// Called after every frame, and once before the first with what an earlier call has done.
+  /// Called after every frame, and once before the first with the number of frames done in earlier runs.
   std::function<void(int frames_done, int frames_of_shard)> progress;
 };
 
-/// Does what is not yet done of these blocks. False if it was stopped. Frames are kept in transactions of
-/// about a second, or of one frame where that takes longer, and at the end of a block. Throws as
-/// ShardResults::add() and options.eye do.
+/// Analyses the frames of these blocks that are not in `results`. Returns false if it was stopped. Answers
+/// are stored about once per second of work, or after each frame if that takes longer, and at the end of a
+/// block. Throws as ShardResults::add() and options.eye do.
 bool run_shard(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results,
                const SurveyRunOptions& options);
 
-/// Forgets what was done of these blocks from the first frame on that was missing and is there now, or that
-/// could not be read and is another file: run_shard() then does it as if it had been there from the
-/// beginning, with all that follows it in its block. How many frames are to be done again. Throws as
-/// ShardResults does.
+/// Removes from each of these blocks the answers from the first frame on that was missing and now exists, or
+/// that was unreadable and whose file has changed. run_shard() then analyses this frame and all later ones of
+/// its block, as if the file had been there from the beginning. Returns the number of frames removed. Throws
+/// as ShardResults does.
 int discard_outdated_results(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& results);
 
-/// "shard-0003-of-0120.sqlite".
+/// Returns "shard-0003-of-0120.sqlite".
 std::string shard_name(int shard, int shards);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// Surveys as files (TOML): docs/surveys.md has the keys.
+// Reads surveys from TOML files; docs/surveys.md describes the keys.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace vegard::fit {
 
-/// Throws sim::Error(unreadable_input) if there is no such file, and (scene), with file, line, key, what was
-/// expected and a hint, for what is no survey. Files that it names are not looked at.
+/// Reads a survey. Throws sim::Error(unreadable_input) if the file does not exist, and (scene), with file,
+/// line, key, what was expected and a hint, if it is not a valid survey. Files that the survey names are not
+/// opened.
 Survey read_survey(const std::string& file);
 
-/// The same of a text; `file` stands for it in messages and in Survey::place().
+/// Like read_survey(), for a text; `file` is its name in messages and for Survey::place().
 Survey parse_survey(const std::string& text, const std::string& file);
 
 }  // namespace vegard::fit

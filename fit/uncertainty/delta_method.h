@@ -1,5 +1,5 @@
-// Error bars of numbers that follow from a fit's free ones, to first order: sigma^2 = g^T C g, g the slopes
-// by the free numbers and C their covariance (the delta method; JCGM 100:2008, "GUM", 5.2.2).
+// Error bars of numbers that are derived from a fit's free ones, to first order: sigma^2 = g^T C g, with g
+// the derivatives by the free numbers and C their covariance (the delta method; JCGM 100:2008, "GUM", 5.2.2).
 #pragma once
 
 #include <functional>
@@ -12,20 +12,21 @@
 
 namespace vegard::fit {
 
-/// What the error bars of derived numbers are made from, in the free numbers' own units.
+/// The uncertainty of the free numbers, in their own units.
 struct ValueUncertainty {
-  std::vector<std::vector<double>> covariance;    ///< inside what the data determine
-  std::vector<std::vector<double>> undetermined;  ///< directions in which they say nothing
+  std::vector<std::vector<double>> covariance;    ///< within the directions that the data determine
+  std::vector<std::vector<double>> undetermined;  ///< directions that the data do not determine
 };
 
-/// The error bar of a number with these slopes by the free numbers; none if it would change along an
-/// undetermined direction, or does not depend on any.
+/// Returns the error bar of a number with the derivatives `slopes` by the free numbers; none if the number
+/// changes along an undetermined direction, or depends on no free number.
 std::optional<double> combined_sigma(const std::vector<double>& slopes, const ValueUncertainty& known);
 
-/// Numbers of a scene with their error bars. Slopes are central differences over a tenth of a standard
-/// deviation to either side: wide enough for height profiles, whose samples are floats, and short enough that
-/// what bends on the scale of a whole standard deviation is off by less than a hundredth. At a limit the step
-/// goes to one side only. What it is given must outlive it.
+/// Computes derived numbers of a scene with their error bars. Derivatives are central differences over a
+/// tenth of a standard deviation to either side: wide enough for height profiles, whose samples are floats,
+/// and short enough that the error is below a hundredth for numbers that are curved on the scale of a
+/// standard deviation. At a limit the difference is one-sided. The constructor's arguments must outlive the
+/// object.
 class DeltaMethod {
  public:
   DeltaMethod(const sim::Scene& best, const std::vector<FreeNumber>& free, const std::vector<double>& values,
@@ -34,17 +35,17 @@ class DeltaMethod {
   struct Estimate {
     double value = 0.0;
     std::optional<double> sigma;
-    bool moves = false;  ///< with any of the free numbers
-    /// Where there is no sigma because of undetermined directions: what it is if all places along each of
-    /// them are alike likely between the limits of the free numbers. None where no limit bounds one.
+    bool moves = false;  ///< it depends on at least one of the free numbers
+    /// If undetermined directions leave no sigma: the sigma for a uniform distribution along each of these
+    /// directions between the limits of the free numbers. None if no limit bounds one of the directions.
     std::optional<double> within_limits{};
-    /// Of each free number, slope² × its variance over the variance of this number: as if all others were
-    /// known. Of numbers that are correlated these do not add up to 1. Empty without an error bar.
+    /// For each free number, slope² × its variance over the variance of this number: its share if all others
+    /// were known. For correlated numbers the shares do not add up to 1. Empty without an error bar.
     std::vector<double> share{};
   };
   using Numbers = std::function<std::vector<double>(const sim::Scene&)>;
 
-  /// All of `numbers` at once; it must give as many of any scene.
+  /// Estimates all of `numbers` at once, which must return the same count for every scene.
   std::vector<Estimate> operator()(const Numbers& numbers) const;
 
  private:

@@ -10,19 +10,20 @@
 
 namespace vegard::fit {
 
-/// Walkers of a chain.
+/// Number of walkers of a chain.
 inline constexpr int kWalkersOfChain = 4;
 
-/// Steps that are thrown away before so many are kept: a quarter as many, and no more than 200.
+/// Returns the number of burn-in steps that are discarded before `steps` are kept: a quarter as many, at most
+/// 200.
 int burn_in_of_chain(int steps);
 
-/// The chain in the numbers' own coordinates. Its density is exp(-chi2 / 2), chi2 of the data over the
-/// inflation squared and that of priors, times the coordinates' share in the values' volume; a number
-/// without a prior is alike likely everywhere between its limits (validated_values.h), and no angle leaves
-/// the half turn to either side of the answer. Nine moves in ten are proposed by a surrogate of chi2
-/// (surrogate_cost.h), which takes two Jacobians for each number to make and is made again by a fit that is
-/// resumed. Every twenty steps are a step of the journal. With `stop` raised
-/// it comes back unfinished.
+/// Computes the chain in the numbers' own coordinates. Its density is exp(-chi2 / 2), with chi2 the data's
+/// chi2 over the inflation squared plus that of priors, times the Jacobian determinant of the change from
+/// values to coordinates. The prior of a number without one of its own is flat between its limits
+/// (validated_values.h); angles stay within half a turn of the answer. Nine of ten moves are proposed by a
+/// surrogate of chi2 (surrogate_cost.h), which needs two Jacobians for each number; a resumed fit computes it
+/// again. Every twenty steps of the chain are one step of the journal. Returns an unfinished chain if `stop`
+/// is set.
 sim::EnsembleState chain_of_fit(const ConvergedFit& fit, int steps, const std::atomic<bool>* stop,
                                 Journal& journal, const std::function<void(double share)>& progress);
 

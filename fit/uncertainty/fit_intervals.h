@@ -10,13 +10,13 @@
 
 namespace vegard::fit {
 
-/// Of number j, in the numbers' own coordinates. chi2 of the data counts over the inflation squared, priors
-/// as they are. The walk goes no further than half a turn from an angle's answer. A walk that falls
-/// below its beginning begins again from there; `better` only tells of falls worth half a standard deviation
-/// (0.25 of chi2). With `stop` raised it ends early.
+/// Returns the profile of number j, in the numbers' own coordinates. chi2 is the data's chi2 over the
+/// inflation squared plus that of priors. For an angle the walk stays within half a turn of the answer. If
+/// chi2 falls below its value at the answer, the walk starts again from there; `better` is set only for a
+/// fall by at least 0.25 (half a standard deviation). Ends early if `stop` is set.
 LikelihoodProfile interval_of_fit(const ConvergedFit& fit, std::size_t j, const std::atomic<bool>* stop);
 
-/// As a step's output, and back; of `better` only its place and its rise.
+/// Convert a profile to a step's output, and back; of `better` only the position and the rise are kept.
 StepOutput output_of(const LikelihoodProfile& profile);
 LikelihoodProfile likelihood_profile_of(const StepOutput& output, std::size_t free);
 

@@ -1,6 +1,6 @@
-// Intervals from the profile likelihood: what chi2 says of one coordinate when all others give way as best
-// they can. Where chi2 is no parabola, such an interval is lopsided or open, as it should be; where it is
-// one, the interval is the covariance's.
+// Intervals from the profile likelihood: chi2 as a function of one coordinate, with all others fitted anew.
+// If chi2 is not a parabola, such an interval is correctly asymmetric or open; if it is, the interval agrees
+// with the covariance.
 //
 // Source: S. S. Wilks, "The large-sample distribution of the likelihood ratio for testing composite
 // hypotheses", Annals of Mathematical Statistics 9 (1938) 60, doi:10.1214/aoms/1177732360: a rise of chi2 by
@@ -14,27 +14,27 @@
 
 namespace vegard::fit {
 
-/// chi2, the least that it can be with coordinate j held at `fixed`. Where priors share in it, give chi2 of
-/// the data over the inflation squared plus the priors' terms, and leave `inflation` at 1: so the covariance
-/// weighs them. `point` is all coordinates, a guess with
-/// point[j] == fixed on the way in, and where the least was found on the way out.
+/// Returns the smallest chi2 with coordinate j fixed at `fixed`. If there are priors, it must return the
+/// data's chi2 over the inflation squared plus the priors' terms, with `inflation` left at 1, which is the
+/// weighting of the covariance. `point` has all coordinates: on entry a guess with point[j] == fixed, on
+/// return the position of the minimum.
 using MinimisedChi2 = std::function<double(std::size_t j, double fixed, std::vector<double>& point)>;
 
 struct ProfileLikelihoodOptions {
-  double inflation = 1.0;             ///< rises are counted in units of its square (see uncertainty.h)
+  double inflation = 1.0;             ///< rises of chi2 are in units of its square (see uncertainty.h)
   double first_step = 1.0;            ///< about a standard deviation of the coordinate, inflated
-  std::optional<double> least, most;  ///< the walk ends there
-  double max_steps = 20.0;     ///< and so many first_steps from the answer: beyond, the data bound nothing
-  double tolerance = 0.01;     ///< of the square root of the rise at an end of an interval
+  std::optional<double> least, most;  ///< limits of the walk
+  double max_steps = 20.0;  ///< limit of the walk in first_steps; an interval that is not closed here is open
+  double tolerance = 0.01;  ///< of the square root of the rise at an end of an interval
   int max_minimisations = 30;  ///< on each side
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// One minimisation on the way outwards.
+/// The result of one minimisation.
 struct ProfilePoint {
   double fixed = 0.0;
   double rise = 0.0;          ///< of chi2, in units of the inflation squared
-  std::vector<double> point;  ///< all coordinates: how the others give way is the trade-off
+  std::vector<double> point;  ///< all coordinates; the change of the others shows the trade-off
 };
 
 struct OpenInterval {
@@ -45,14 +45,15 @@ struct LikelihoodProfile {
   std::size_t coordinate = 0;
   OpenInterval interval68, interval95;  ///< rises of 1 and of 4
   std::vector<ProfilePoint> path;       ///< ordered by `fixed`, the answer among them
-  /// A point with less chi2 than the answer, by more than a hundredth of the unit: the answer was none. The
-  /// walk on that side ends there, and the fit should be taken up again from this point.
+  /// A point whose chi2 is below the answer's by more than 0.01 (in units of the inflation squared): the
+  /// answer was not the minimum. The walk on this side ends here, and the fit should be continued from this
+  /// point.
   std::optional<ProfilePoint> better;
-  bool whole = true;  ///< false: stopped, or `max_minimisations` did not do
+  bool whole = true;  ///< false: stopped, or `max_minimisations` were not enough
 };
 
-/// Walks from `answer`, where chi2 is `min_chi2`, to both sides. A minimisation that gives no finite number
-/// counts as a wall: the walk does not go beyond it.
+/// Walks from `answer`, where chi2 is `min_chi2`, to both sides. The walk does not go beyond a point at which
+/// the minimisation returns no finite number.
 LikelihoodProfile profile_likelihood(std::size_t j, const std::vector<double>& answer, double min_chi2,
                                      const MinimisedChi2& minimised, const ProfileLikelihoodOptions& options);
 

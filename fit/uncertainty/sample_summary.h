@@ -1,4 +1,4 @@
-// Mean, spread and percentiles of samples of several numbers at once: of a chain, of a bootstrap.
+// Mean, standard deviation and percentiles of samples of several numbers, from a chain or a bootstrap.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@ struct SampleSummary {
   std::vector<std::vector<double>> correlation;                   ///< 0 where a number does not vary
 };
 
-/// `samples` is [sample][number]. Empty for fewer than two samples.
+/// Summarises `samples`, [sample][number]. The result is empty for fewer than two samples.
 SampleSummary summary_of_samples(const std::vector<double>& samples, std::size_t numbers);
 
-/// The value below which a share of `sorted` lies, on the straight line between neighbours (Hyndman and Fan
-/// 1996, doi:10.2307/2684934, definition 7).
+/// Returns the value below which a share (0 to 1) of `sorted` lies, interpolated linearly between neighbours
+/// (Hyndman and Fan 1996, doi:10.2307/2684934, definition 7).
 double percentile(const std::vector<double>& sorted, double share);
 
 }  // namespace vegard::fit

@@ -8,9 +8,9 @@
 
 namespace vegard::fit {
 
-/// Row-major [residual][coordinate], by the solver's coordinates with these anchors: one for each of twelve
-/// seeds where beams are drawn, since of one alone the Monte-Carlo noise of a finite number of beams would
-/// pass for information; else one, of a finer quadrature.
+/// Returns Jacobians, row-major [residual][coordinate], by the solver's coordinates with these anchors. If
+/// beams are random there is one for each of twelve seeds, since in a single one the Monte-Carlo noise of a
+/// finite number of beams would look like information; otherwise there is one, by a finer quadrature.
 std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation>& observations,
                                                    const std::vector<FreeNumber>& free,
                                                    const std::vector<double>& values,

@@ -1,5 +1,5 @@
-// A sum of squares that costs microseconds: residuals expanded about an answer, to stand in for the model in
-// what asks it very often (surrogate_transition.h) and does not rely on it.
+// A fast approximation of chi2, from residuals expanded about an answer: it takes microseconds. It replaces
+// the model where chi2 is needed very often and need not be exact (surrogate_transition.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -9,45 +9,45 @@
 
 namespace vegard::fit {
 
-/// With x = answer + L y, L the root of the covariance, residuals are taken as
+/// With x = answer + L y, L the root of the covariance, residuals are approximated by
 ///
 ///   r(x) ≈ r0 + K y + ½ Σ H_kl y_k y_l + ½ w Σ_k≠l T_kkl y_k² y_l + ⅙ Σ T_kkk y_k³,
 ///
-/// Taylor's series with a weight w. K = J L is exact. H and T come from central differences of exact
-/// Jacobians kStep standard deviations from the answer along each column of L, two of them for each
-/// coordinate: the differences of first order are H, those of second order the T that they determine. They
-/// carry the roughness of the model's quadrature: nearer steps make T useless (at half a standard deviation a
-/// sixth of the moves by it are accepted; with no T at all three quarters; so, five sixths). The sum of
-/// squares is a quadratic form in the monomials of y, of which the matrix (the Gram matrix of the columns
-/// above) is worked out once, so that its cost does not depend on how many residuals there are.
+/// a Taylor series with a weight w. K = J L is exact. H and T come from central differences of exact
+/// Jacobians kStep standard deviations from the answer to both sides along each column of L: first
+/// differences give H, second differences the elements of T that they determine. The differences include the
+/// numerical noise of the model's quadrature, which makes T useless for smaller steps (with steps of half a
+/// standard deviation a sixth of the proposed moves are accepted; without T three quarters; with kStep five
+/// sixths). The sum of squares is a quadratic form in the monomials of y, whose matrix (the Gram matrix of
+/// the columns above) is computed once, so that its cost does not depend on the number of residuals.
 class SurrogateCost {
  public:
   static constexpr double kStep = 2.5;        ///< in standard deviations
-  static constexpr double kMixedShare = 0.5;  ///< w: a T of two coordinates is only determined by one of them
-  /// Coordinates beyond which only monomials of a single coordinate are kept: the others' number grows with
-  /// the square.
+  static constexpr double kMixedShare = 0.5;  ///< w: a T of two coordinates is determined by one of them only
+  /// Largest number of coordinates for which monomials of several coordinates are used, since their number
+  /// grows with the square.
   static constexpr int kMaxForPairs = 14;
 
-  /// Residuals at a place and d residual / d coordinate, row-major [residual][coordinate]; false where there
-  /// are none.
+  /// Computes the residuals at `at` and d residual / d coordinate, row-major [residual][coordinate]; returns
+  /// false if they cannot be computed.
   using Residuals = std::function<bool(const std::vector<double>& at, std::vector<double>& residuals,
                                        std::vector<double>& jacobian)>;
 
-  /// Along a column of L on whose way there are no residuals, steps are halved, and in the end the expansion
-  /// is linear. With `stop` raised it comes back unfinished.
+  /// If the residuals cannot be computed along a column of L, the step is halved repeatedly, and finally the
+  /// expansion is linear in this direction. Returns unfinished if `stop` is set.
   SurrogateCost(const Residuals& residuals, const std::vector<double>& answer,
                 const std::vector<std::vector<double>>& covariance, const std::atomic<bool>* stop = nullptr);
 
-  /// The expansion's sum of squares, less that of the answer itself; 0 everywhere if there are no residuals
-  /// at the answer.
+  /// Returns the expansion's sum of squares less that of the answer; 0 everywhere if the residuals cannot be
+  /// computed at the answer.
   double rise(const std::vector<double>& at) const;
-  /// |y|²: how far from the answer a place is, in squares of standard deviations.
+  /// Returns |y|², the squared distance from the answer in standard deviations.
   double square(const std::vector<double>& at) const;
 
  private:
   Eigen::VectorXd whitened(const std::vector<double>& at) const;
 
-  /// y to the powers that the (up to three) indices say; -1: none.
+  /// The product of up to three components of y with these indices; -1: no factor.
   struct Monomial {
     int k = -1, l = -1, m = -1;
   };

@@ -15,7 +15,7 @@ namespace vegard::fit {
 struct ReportedValues {
   const std::vector<FreeNumber>& free;
   std::vector<double> answer;  ///< coordinates
-  std::vector<double> values;  ///< values of the answer as the result has them: an angle may be turns away
+  std::vector<double> values;  ///< values as the result reports them: an angle may differ by whole turns
 
   double value(std::size_t j, double coordinate) const;
 };
@@ -24,10 +24,10 @@ ProfiledInterval in_values(const LikelihoodProfile& profile, const ReportedValue
 BootstrapErrors in_values(const BandBootstrap& bootstrap, const ReportedValues& reported);
 ChainErrors in_values(const sim::EnsembleState& state, int burn_in, const ReportedValues& reported);
 
-/// Logarithm of the density, in coordinates, of a prior that is flat between a number's limits in its value,
-/// or in the value's logarithm for a logarithmic number; 0 (and no density that could be normed) for a number
-/// with an open side. A chain must have it beside -chi2 / 2: flat in coordinates, where the limits lie at
-/// infinity, walkers would run away along whatever the data do not bound.
+/// Returns the logarithm of the density, in coordinates, of a prior that is flat between a number's limits in
+/// its value, or in the value's logarithm for a logarithmic number; 0 (an improper prior) for a number with
+/// an open side. A chain must add it to -chi2 / 2: limits are at infinity in coordinates, so that with a flat
+/// density in coordinates walkers would diverge along all directions that the data do not bound.
 double log_flat_prior(const std::vector<FreeNumber>& free, const std::vector<double>& coordinates);
 
 }  // namespace vegard::fit

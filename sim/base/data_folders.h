@@ -1,4 +1,4 @@
-// The places of the files of data/ that are read at run time.
+// Finds the files of data/ that are read at run time.
 #pragma once
 
 #include <string>
@@ -6,13 +6,12 @@
 
 namespace vegard::sim {
 
-/// The folders that may hold what data/ does, in the order in which to look: the environment's VEGARD_DATA if
-/// it is set; share/vegard/data beside the running program's own folder, wherever it was installed; where
-/// this build installs it; where Debian's package does; the sources it was built from. None of them needs to
-/// exist.
+/// Returns the folders that may contain the files of data/, in the order of search: the environment variable
+/// VEGARD_DATA if it is set; share/vegard/data beside the folder of the running program; the installation
+/// folder of this build; that of Debian's package; the source folder. They need not exist.
 std::vector<std::string> data_folders();
 
-/// The first of data_folders() that has this file, as a path to it; empty if none has.
+/// Returns the path of this file in the first of data_folders() that has it; empty if none has.
 std::string find_data_file(const std::string& name);
 
 }  // namespace vegard::sim

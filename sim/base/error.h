@@ -1,7 +1,7 @@
-// What goes wrong because of the user's input, reported once and completely.
+// Error: the exception for problems with the user's input, with a complete message.
 //
-// Programmer's mistakes are assertions; numerical trouble in a fit is a verdict in its result. Neither is an
-// Error.
+// Programming mistakes are assertions, and numerical problems in a fit are a verdict in its result; neither
+// is an Error.
 #pragma once
 
 #include <exception>
@@ -9,10 +9,10 @@
 
 namespace vegard::sim {
 
-/// What kind of trouble it is; the command line turns this into its documented exit code.
+/// The kind of the error, from which the command line derives its documented exit code.
 enum class ErrorKind {
-  usage,              ///< wrong words on the command line
-  scene,              ///< a scene file (or a --set) that cannot be used
+  usage,              ///< invalid command line
+  scene,              ///< an invalid scene file (or --set)
   existing_output,    ///< an output that is already there and may not be overwritten
   unreadable_input,   ///< a photograph, mask or table that is missing, truncated or not what it claims to be
   unwritable_output,  ///< an output that cannot be written (full disk, no permission)
@@ -21,14 +21,14 @@ enum class ErrorKind {
 /// The parts of a message. Only `problem` is required; empty parts are left out of the text.
 struct ErrorDetails {
   std::string problem;   ///< what is wrong, "unknown key 'widht'"
-  std::string file;      ///< the user's file it is in
+  std::string file;      ///< the user's file with the problem
   int line = 0;          ///< 1-based line in that file, 0 if none
   std::string key;       ///< the key or option, "camera.width"
   std::string expected;  ///< what would have been right, "a number above 0"
   std::string hint;      ///< what to do, "did you mean 'width'?"
 };
 
-/// "file:line: key: problem (expected …). Hint.", with what it quotes made safe to show (shown_text.h).
+/// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h).
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, ErrorDetails details);

@@ -1,4 +1,4 @@
-// A linear, floating-point image that says what its channels are.
+// Image: a linear, floating-point image with named channels.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 namespace vegard::sim {
 
 /// Row-major, channels interleaved: value(x, y, c) = data[(y * width + x) * channels() + c]. x to the right,
-/// y down, the centre of the first pixel at (0.5, 0.5). Values are linear light; what they count is in the
-/// channel names and in the words of whoever made the image ("630.0" with rayleighs, "R" with a sensor's
-/// linear units).
+/// y down, the centre of the first pixel at (0.5, 0.5). Values are linear light; their quantity and unit
+/// follow from the channel names and the function that made the image ("630.0" with rayleighs, "R" with a
+/// sensor's linear units).
 struct Image {
   int width = 0;
   int height = 0;
@@ -33,16 +33,16 @@ struct Image {
   float at(int x, int y, int c) const { return data[index(x, y, c)]; }
 };
 
-/// "640 x 480"
+/// Returns "640 x 480".
 inline std::string size_text(long long width, long long height) {
   return std::to_string(width) + " x " + std::to_string(height);
 }
 
-/// The numbers of a picture that comes with a scene: a photograph behind the aurora, a foreground, a mask.
+/// The values of a picture file that a scene uses: a background, a foreground, a mask.
 struct PictureFile {
   Image image;            ///< R, G, B, or Y if it is grey, then A if it has an alpha; integers as 0 to 1
-  bool floating = false;  ///< floats, which are taken for linear light; else integers, for sRGB
-  bool colour_times_alpha = false;  ///< the colour has been multiplied by the alpha, as the numbers stand
+  bool floating = false;  ///< true: floats, taken as linear light; false: integers, taken as sRGB
+  bool colour_times_alpha = false;  ///< the stored colours are multiplied by alpha
 };
 
 }  // namespace vegard::sim

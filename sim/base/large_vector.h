@@ -10,18 +10,19 @@
 namespace vegard::sim {
 
 namespace large_memory {
-/// Throws std::bad_alloc. Large blocks lie in large pages where the system has them on request: to hand out a
-/// film in pages of 4 KiB takes about as long as to fill it with light.
+/// Allocates memory. Throws std::bad_alloc. Large blocks use large pages if the system offers them on
+/// request: to map a film in pages of 4 KiB takes about as long as to fill it with light.
 void* allocate(std::size_t bytes);
 void release(void* memory);
 
-/// The same with every byte 0: fresh from the system, which hands out zeros, so that nobody writes them
-/// twice.
+/// The same with every byte 0, directly from the system, which returns zeroed pages, so that they are not
+/// zeroed twice.
 void* allocate_zeroed(std::size_t bytes);
 void release_zeroed(void* memory, std::size_t bytes);
 }  // namespace large_memory
 
-/// resize() leaves new numbers as they are in memory, unlike a plain vector's; assign() fills them.
+/// An allocator with which resize() leaves new numbers uninitialised, unlike in std::vector; assign() sets
+/// them.
 template <class T>
 struct LargeAllocator {
   using value_type = T;
@@ -52,7 +53,7 @@ struct LargeAllocator {
 template <class T>
 using LargeVector = std::vector<T, LargeAllocator<T>>;
 
-/// An array that begins as zeros.
+/// An array of numbers that are initially 0.
 template <class T>
 class LargeZeros {
  public:
@@ -66,7 +67,7 @@ class LargeZeros {
   }
   ~LargeZeros() { large_memory::release_zeroed(memory_, size_ * sizeof(T)); }
 
-  /// So many zeros, whatever it was before.
+  /// Makes the array `size` zeros.
   void reset(std::size_t size) {
     if (size == size_) {
       std::fill_n(data(), size_, T(0));

@@ -6,13 +6,13 @@
 
 namespace vegard::sim {
 
-/// The number of threads that a request of 0 (= all cores) or more gets: never more than there are cores, so
-/// that what is kept per thread is kept for those only that can run.
+/// Returns the number of threads for a request of 0 (= all cores) or more: never more than there are cores,
+/// so that no memory per thread is wasted.
 int thread_count(int requested);
 
 /// Calls body(i, slot) for every i in [0, count), on up to n = thread_count(threads) threads. `slot` in [0,
-/// n) is never used by two calls at once. The order of the calls is not defined: whatever is reduced must not
-/// depend on it (integer sums), or be stored per i and reduced afterwards in the order of i.
+/// n) is never used by two calls at once. The order of the calls is undefined: reductions must not depend on
+/// it (integer sums), or values must be stored per i and reduced afterwards in the order of i.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t i, int slot)>& body);
 
 }  // namespace vegard::sim

@@ -1,12 +1,11 @@
-// libpng, libjpeg, libtiff, OpenCV, LibRaw and OpenVDB write to the terminal what they think of a file. What
-// is to be known of it is in the Error that is thrown; beside it their words are noise, and no library of
-// ours prints.
+// Silences decoders: libpng, libjpeg, libtiff, OpenCV, LibRaw and OpenVDB print messages about a file on the
+// terminal. The Error that is thrown has the necessary information, and vegard's libraries do not print.
 #pragma once
 
 namespace vegard::sim {
 
-/// While there is one of these, in whatever thread, what the process writes to its standard error is lost. To
-/// be held around the call of a decoder and no longer.
+/// While an object of this class exists, in any thread, the standard error of the process is discarded.
+/// Create it only around the call of a decoder.
 class QuietDecoder {
  public:
   QuietDecoder();
@@ -15,7 +14,8 @@ class QuietDecoder {
   QuietDecoder& operator=(const QuietDecoder&) = delete;
 };
 
-/// Where words for standard error go at this moment, past a decoder that is silenced. A signal handler may ask.
+/// Returns the file descriptor of the real standard error, even while it is discarded. Safe in signal
+/// handlers.
 int error_stream();
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// Times of day and calendar as cameras write them: the proleptic Gregorian calendar, minutes of 60 seconds
-// (a leap second is the 61st), offsets from UTC in minutes.
+// Dates and times as cameras write them: the proleptic Gregorian calendar, minutes of 60 seconds (a leap
+// second is the 61st), offsets from UTC in minutes.
 #pragma once
 
 #include <optional>
@@ -10,48 +10,48 @@ namespace vegard::sim {
 
 struct CivilTime {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
-  std::string subsecond;  ///< digits after the point; empty: none were given
+  std::string subsecond;  ///< digits after the point; may be empty
 };
 
-/// Of a month from 1 to 12.
+/// Returns the number of days of a month from 1 to 12.
 int days_in_month(int year, int month);
 
-/// A day of the calendar, from the year 1 to 9999, and a time of that day.
+/// True for a valid date, from the year 1 to 9999, with a valid time of day.
 bool is_possible(const CivilTime& time);
 
-/// "2019-03-01T00:16:30.922622", of a time that is possible.
+/// Returns a possible time as "2019-03-01T00:16:30.922622".
 std::string iso_text(const CivilTime& time);
 
-/// The other way round, a blank for the T allowed; nothing for what is no possible time of that form.
+/// The inverse of iso_text(), also with a blank for the T; nothing for an impossible time or another form.
 std::optional<CivilTime> civil_time(const std::string& iso_text);
 
-/// Of "Z", "+05:30", "-0700", "+01", at most 14 hours, east positive; nothing for anything else.
+/// Parses "Z", "+05:30", "-0700", "+01", at most 14 hours, east positive; nothing for any other text.
 std::optional<int> offset_minutes(const std::string& text);
 
-/// `minutes` later, or earlier if negative; less than a month.
+/// Returns the time `minutes` later, or earlier if negative; less than a month.
 CivilTime minutes_later(CivilTime time, int minutes);
 
-/// Whether a text is like `form`, with some digit for each 0 in it: "0000-00-00".
+/// True if a text matches `form`, in which each 0 stands for any digit: "0000-00-00".
 bool has_form(const std::string& text, const std::string& form);
 
-// Moments in Coordinated Universal Time, as text and as seconds.
+// Times in UTC as text and as seconds.
 
-/// Seconds since 1970-01-01T00:00:00Z, leap seconds not counted, of "2015-10-07T08:23:51.743Z": a T or a
-/// blank between, seconds, fractions and the Z may be missing; or, instead of the Z, a zone's offset from UTC
-/// as above: "2019-03-01T22:10:00+01:00" is 21:10 in UTC. None for any other text and for a date that no
-/// calendar has (proleptic Gregorian).
+/// Parses "2015-10-07T08:23:51.743Z" to seconds since 1970-01-01T00:00:00Z, without leap seconds. A blank may
+/// replace the T; seconds, fractions and the Z may be missing; instead of the Z there may be an offset from
+/// UTC as above: "2019-03-01T22:10:00+01:00" is 21:10 in UTC. Nothing for any other text and for an invalid
+/// date.
 std::optional<double> utc_seconds(std::string_view iso);
 
-/// A time of the form above in UTC: one with a zone's offset as utc_text() writes it, any other text as it
-/// is.
+/// Converts a time of this form with an offset to UTC, in the form of utc_text(); returns any other text
+/// unchanged.
 std::string in_utc(const std::string& iso);
 
-/// The first moment in a picture's name: date and time as runs of 8 and 6 digits, with at most one character
-/// (one of T, _, -, a blank) between, and a fraction after a full stop ("PKR_DASC_0558_20151007_082351.743"),
-/// or as ISO has them with -, _ or : for the colons ("2015-10-07T08-23-51"). None if there is none.
+/// Finds the first time in a picture's name: date and time as 8 and 6 digits, with at most one character (T,
+/// _, - or a blank) between, and a fraction after a full stop ("PKR_DASC_0558_20151007_082351.743"), or in
+/// ISO form with -, _ or : for the colons ("2015-10-07T08-23-51"). Nothing if there is none.
 std::optional<double> utc_seconds_in_name(std::string_view file_name);
 
-/// "2015-10-07T08:23:51.743Z": to the millisecond, fractions only if there are any.
+/// Returns "2015-10-07T08:23:51.743Z": to the millisecond, without a fraction of zero.
 std::string utc_text(double seconds);
 
 }  // namespace vegard::sim

@@ -1,14 +1,14 @@
-// The versions of vegard and of what the simulator is built from, for files' headers and `vegard --version`.
+// The versions of vegard and of Eigen, for file headers and `vegard --version`.
 #pragma once
 
 #include <string>
 
 namespace vegard::sim {
 
-/// "0.1.0"
+/// Returns the version of vegard, "0.1.0".
 std::string version();
 
-/// "3.4.0"
+/// Returns the version of Eigen, "3.4.0".
 std::string eigen_version();
 
 }  // namespace vegard::sim

@@ -1,4 +1,5 @@
-// Light in two colours between two altitudes, in the place of the electrons' own: what a painter wants.
+// Artistic colouring of the aurora: two chosen colours at two altitudes replace the colours that the
+// electrons excite.
 //
 // Source: "Rendering volume nebulae and aurorae" (Gaia Sky), whose aurora has a base colour and a high colour
 // from a file (row G17 of docs/volumes.md). Here the film is in rayleighs per emission line, so that a colour
@@ -13,24 +14,25 @@
 
 namespace vegard::sim {
 
-/// Amounts, none below 0, of lines whose colours are `of_line`, that make `colour` or come closest to it in
-/// the sum of squares. A colour inside the cone of the lines' colours comes out exactly. At most three
-/// amounts are not 0; of several ways the one with the least light is taken.
+/// Returns the non-negative amounts of lines with the colours `of_line` whose sum is `colour`, or is closest
+/// to it in the sum of squares. A colour inside the cone of the lines' colours is reproduced exactly. At most
+/// three amounts are not 0; of several solutions the one with the least light is returned.
 std::vector<double> line_amounts(const std::vector<std::array<double, 3>>& of_line,
                                  const std::array<double, 3>& colour);
 
-/// The two colours as amounts of lines, and the altitudes between which one passes linearly into the other.
+/// The two colours as amounts of lines. Between the altitudes low_km and high_km the colour changes linearly
+/// from `low` to `high`.
 struct ColourLadder {
   std::vector<double> low, high;  ///< [line]
   double low_km = 110.0, high_km = 220.0;
 };
 
-/// A profile with all its light, summed over the lines, left at its altitude and shared out among the lines
-/// by the ladder: total and vertical shape are the usual profile's, colours the ladder's. Only the ratios of
-/// a colour's channels count. Where its amounts are all 0 it is dark.
+/// Returns a profile with the total light (the sum over the lines) of `usual` at each altitude, divided among
+/// the lines as the ladder says: total and vertical shape are those of `usual`, the colours are the ladder's.
+/// Only the ratios of a colour's amounts matter. The profile is dark where the amounts are all 0.
 HeightProfile colours_profile(const HeightProfile& usual, const ColourLadder& ladder);
 
-/// The same of every entry of a table.
+/// Applies colours_profile() to every entry of a table.
 ProfileTable colours_table(const ProfileTable& usual, const ColourLadder& ladder);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// An electron on its way down: how fast it is and how often it collides.
+// An electron that falls into the atmosphere: its speed and its number of collisions.
 //
 // Source: Baranoski et al. 2000, section 3.2; docs/physics.md row B12.
 #pragma once
@@ -9,26 +9,26 @@
 
 namespace vegard::sim {
 
-/// Relativistic speed of an electron of this kinetic energy: 58 455 km/s at 10 keV, which the source rounds
-/// to 60 000.
+/// Returns the relativistic speed of an electron of this kinetic energy: 58 455 km/s at 10 keV, which the
+/// source rounds to 60 000.
 double electron_speed_km_s(double energy_kev);
 
-/// Collisions before it is halted: 300 at 10 keV, as the source has it, and in proportion to the energy. That
-/// is one per 33 eV, near the 35 eV that an ion pair costs.
+/// Returns the number of collisions that stop an electron: 300 at 10 keV (the source's number), and
+/// proportional to the energy. That is one per 33 eV, near the 35 eV that an ion pair costs.
 double mean_collisions(double energy_kev);
 
-/// The source's threshold d_t for electrons of this energy, 1 / mean_collisions: 1/300 at 10 keV.
+/// Returns the source's threshold d_t for electrons of this energy, 1 / mean_collisions: 1/300 at 10 keV.
 double path_step_of(double energy_kev);
 
-/// Deflection points per metre of a path whose steps are uniform between 0 and path_step of it: the mean step
-/// is half the largest.
+/// Returns the number of deflection points per metre of a path whose steps are distributed uniformly between
+/// 0 and the fraction path_step of the path: the mean step is half the largest.
 double deflections_per_metre(double path_step, double path_km);
 
-// The energies of a sheet's electrons, by the kind of its profile.
+// Energies of a sheet's electrons; they depend on the kind of its profile.
 
-/// Mean energy by number: twice energy_kev, which is E0, of Maxwellian electrons (and of a form's, whose
-/// lines are theirs); energy_kev of mono-energetic ones; that of the Gaussian. None where the profile does
-/// not come from electrons.
+/// Returns the mean energy per electron: 2 E0, twice energy_kev, for a Maxwellian spectrum and for auroral
+/// forms, whose line ratios are Maxwellian; energy_kev for mono-energetic electrons;
+/// gaussian_mean_energy_kev() for a Gaussian. None if the profile does not come from electrons.
 std::optional<double> mean_energy_kev(const Sheet& sheet);
 
 }  // namespace vegard::sim

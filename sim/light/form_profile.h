@@ -1,4 +1,5 @@
-// The light of an auroral form against altitude: a measured intensity curve in place of the electrons' own.
+// The height profile of an auroral form: a measured intensity curve replaces the one that electrons would
+// give.
 //
 // Source: Baranoski et al. 2000, sections 3.3 and 3.4 (after Vegard and Krogness 1920 and Hargreaves 1992);
 // docs/physics.md row B19.
@@ -10,27 +11,29 @@
 
 namespace vegard::sim {
 
-/// Where a form's light is brightest, and how far below and above that it has fallen to a tenth.
+/// The altitude at which a form's light is brightest, and the distances below and above it at which the light
+/// has fallen to a tenth.
 struct FormCurve {
   double peak_km = 110.0;
   double lower_km = 4.0;
   double upper_km = 20.0;
 };
 
-/// Total light at an altitude, 1 at the peak. Below: exp(-ln 10 ((peak - h) / lower)^2), so that it is 1 % at
-/// sqrt(2) lower, "a kilometre or two below" the tenth. Above: (1 + x) exp(-x), level at the peak and
-/// exponential far up. The shapes are ours; the source has them as a figure only.
+/// Returns the total light at an altitude, 1 at the peak. Below the peak: exp(-ln 10 ((peak - h) / lower)^2),
+/// so that it is 1 % at sqrt(2) lower, "a kilometre or two below" the tenth. Above: (1 + x) exp(-x), level at
+/// the peak and exponential far above. The formulas are vegard's; the source shows the curves as a figure
+/// only.
 double form_intensity(const FormCurve& curve, double altitude_km);
 
-/// The profile of Maxwellian electrons with its total light moved to where the form's curve has it. Total is
-/// the sum of the photons of 630.0, 557.7 and 427.8 nm, whichever lines are asked for. At each altitude the
-/// ratios of the lines are those of the tables (or of their floor); over all altitudes the total is that of
-/// the tables. The slope is that of maxwellian_profile().
+/// Returns the profile of Maxwellian electrons with its total light redistributed in altitude to follow the
+/// form's curve. The total is the sum of the photons of 630.0, 557.7 and 427.8 nm, whatever lines are in
+/// `wavelengths_nm`. At each altitude the ratios of the lines are those of the tables (or of their floor);
+/// the total over all altitudes is that of the tables. The slope is that of maxwellian_profile().
 HeightProfile form_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                            double energy_kev, const FormCurve& curve, double energy_flux_mw_m2 = 1.0,
                            SlopeBy by = SlopeBy::log_energy);
 
-/// d rate / d one of the curve's numbers, as HeightProfile::rate.
+/// Returns d rate / d one of the curve's numbers, indexed as HeightProfile::rate.
 std::vector<float> form_slope(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                               double energy_kev, const FormCurve& curve, double energy_flux_mw_m2,
                               double FormCurve::*number);

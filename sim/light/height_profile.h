@@ -8,8 +8,8 @@ namespace vegard::sim {
 struct EmissionSource;  // sim/light/tables/emission_tables.h
 
 /// Volume emission rates (photons cm^-3 s^-1) for an energy flux of 1 mW m^-2, sampled every kStepKm from
-/// kBottomKm up, linear in between. One row per altitude, `stride` floats long: the lines in the order they
-/// were asked for, zeros behind, so that a row is one vector load.
+/// kBottomKm up, linear in between. One row per altitude, `stride` floats long: the lines in the caller's
+/// order, then zeros, so that a row is one vector load.
 struct HeightProfile {
   static constexpr double kBottomKm = 80.0;  ///< the tables begin here
   static constexpr double kTopKm = 640.0;    ///< and end here
@@ -24,35 +24,36 @@ struct HeightProfile {
   static constexpr double altitude_km(double row) { return kBottomKm + row * kStepKm; }
 };
 
-/// Rayleighs of a line seen from straight below, per mW m^-2: 0.1 times the integral of its rate over the
-/// kilometres from the profile's bottom to `top_km`.
+/// Column brightness of a line seen from straight below, in rayleighs per mW m^-2: 0.1 times the integral of
+/// its rate over altitude in km, from the profile's bottom to `top_km`.
 struct Column {
   double rayleigh = 0.0;
   double d_rayleigh_d_ln_energy = 0.0;
 };
 Column column_below(const HeightProfile& profile, int line, double top_km);
 
-/// A profile of so many lines, at most 8, without light.
+/// Returns a profile of `lines` lines, at most 8, without light.
 HeightProfile dark_profile(int lines);
 
-/// Fills a line of a profile from ln(rate) and its derivative at some altitudes that reach from end to end:
-/// natural cubic splines of both. Below 1e-30 of the peak it is dark.
+/// Fills a line of a profile from ln(rate) and its derivative by natural cubic splines. `altitudes_km` must
+/// reach from the profile's bottom to its top. Rates below 1e-30 of the peak become 0.
 void sample_line(const std::vector<double>& altitudes_km, const std::vector<double>& log_rate,
                  const std::vector<double>& log_slope, int line, HeightProfile& profile);
 
-/// What the derivative that a profile carries in d_rate_d_ln_energy is by: ln(energy), or, of those who ask
-/// for another number's, that number itself.
+/// The number by which the derivative in HeightProfile::d_rate_d_ln_energy is taken: ln(energy) by default,
+/// or another number that the caller chooses; the member's name then does not apply.
 enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor };
 
-/// The profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
+/// Returns the profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. A wavelength that is no line of the tables is
-/// dark; the energy is inside the table. It is the light per mW m^-2 at this energy flux
-/// (sim/light/tables/flux_law.h). The slope by the flux is 0 at a flux of 0, that by the spread everywhere.
+/// dark; the energy must be inside the tables' range. The profile is per mW m^-2, at the energy flux given
+/// (sim/light/tables/flux_law.h). The derivative by the flux is 0 at a flux of 0, that by the energy spread
+/// is 0 everywhere.
 HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                                  double energy_kev, double energy_flux_mw_m2 = 1.0,
                                  SlopeBy by = SlopeBy::log_energy);
 
-/// The altitude at which the lines together are brightest, in photons.
+/// Returns the altitude at which the sum of the lines, in photons, is largest.
 double peak_altitude_km(const HeightProfile& profile);
 
 }  // namespace vegard::sim

@@ -1,9 +1,7 @@
-// What passes from where light is born to where it becomes an image: beams ready to fall, and the samples
-// along them.
+// Beams, as the aurora hands them to the renderer, and the numbers on which the samples along them depend.
 //
-// A *sample* is a deflection point with its light. Samples are never stored as such: sixteen beams fall side
-// by side, in vector lanes, and their samples go straight to the film. This header holds the beams as they
-// are handed over.
+// A *sample* is a deflection point with its light. Samples are never stored: the renderer follows sixteen
+// beams at once, in vector lanes, and adds their samples directly to the film.
 #pragma once
 
 #include "sim/base/number/dual.h"
@@ -11,9 +9,9 @@
 
 namespace vegard::sim {
 
-/// The quantities a sample depends on directly. The kernel carries derivatives with respect to these few
-/// only; the derivatives with respect to the free parameters follow per beam by the chain rule. The first two
-/// belong to the beam; the rest are common to all beams.
+/// The quantities on which a sample depends directly. The kernel computes derivatives with respect to these
+/// few only; the derivatives with respect to the free parameters follow for each beam by the chain rule. The
+/// first two differ from beam to beam; the rest are common to all beams.
 enum LocalInput : int {
   foot_east,
   foot_north,
@@ -21,25 +19,26 @@ enum LocalInput : int {
   declination,
   loss_cone,
   pitch_step,
-  first_camera_input,  ///< from here on one for every CameraNumber (sim/view/camera/camera.h)
-  camera_inputs = 12,  ///< how many of those there are
-  local_inputs = first_camera_input + camera_inputs,  ///< how many there are in all
-  beam_inputs = 2,                                    ///< how many of them differ from beam to beam
-  place_inputs = 4,  ///< how many the place of a beam depends on: the first ones
+  first_camera_input,  ///< the first of one input for every CameraNumber (sim/view/camera/camera.h)
+  camera_inputs = 12,  ///< number of camera inputs
+  local_inputs = first_camera_input + camera_inputs,  ///< number of all inputs
+  beam_inputs = 2,                                    ///< number of inputs that differ from beam to beam
+  place_inputs = 4,  ///< number of inputs (the first ones) on which the place of a beam depends
 };
 
-/// The most local inputs that one pass of the kernel carries.
+/// Largest number of local inputs by which one pass of the kernel computes derivatives.
 inline constexpr int kMaxCarried = 10;
 
-/// Free parameters that one pass of the kernel carries: one vector register of floats.
+/// Number of free parameters by which one pass of the kernel computes derivatives: one vector register of
+/// floats.
 inline constexpr int kTangentWidth = 16;
 
-/// Of what the place of a beam depends on alone.
+/// With derivatives by the inputs on which the place of a beam depends.
 using PlaceDual = Dual<double, Tangents<double, place_inputs>>;
 using LocalDual = Dual<double, Tangents<double, local_inputs>>;
 using FreeDual = Dual<double, Tangents<double, kTangentWidth>>;
 
-/// A beam that starts to fall. T is double, or PlaceDual where derivatives are wanted.
+/// A beam at its start. T is double, or PlaceDual for derivatives.
 template <class T>
 struct Beam {
   T start_in_enu_km[3];
@@ -47,7 +46,7 @@ struct Beam {
   T vertical;   ///< cosine between the beam and the vertical at its foot; not positive if it does not descend
 };
 
-/// Unit vectors of a falling beam: along the field, and two across.
+/// Unit vectors at a beam: along the field, and two perpendicular to it.
 template <class T>
 struct FallFrame {
   T along[3];
@@ -55,8 +54,8 @@ struct FallFrame {
   T across2[3];
 };
 
-/// Where the pole of a dipole field in the north is: a unit vector in the observer's east, north and up; and
-/// the radius of the sphere of the feet about the body's centre.
+/// The axis of a dipole field: the unit vector towards its northern pole, in the observer's east, north and
+/// up; and the radius of the sphere about the body's centre on which the feet of the field lines lie.
 struct DipoleAxis {
   double in_enu[3];
   double foot_radius_km;
@@ -71,13 +70,13 @@ struct Deflection {
   PathRule rule = PathRule::even;
 };
 
-/// The nodes of a quadrature along a path, in the place of drawn steps: what is left of the path, plus
-/// `offset`, shrinks by the factor `shrink` from node to node. So nodes are denser where the light is born.
-/// All are fractions of the path.
+/// The nodes of a quadrature along a path, an alternative to random steps: the remaining path plus `offset`
+/// is multiplied by `shrink` from node to node. So nodes are denser towards the end, where most light is
+/// emitted. Lengths are fractions of the path.
 struct PathNodes {
-  double shrink = 0.0;  ///< between 0 and 1; 0: there are no nodes, steps are drawn
+  double shrink = 0.0;  ///< between 0 and 1; 0: there are no nodes, steps are random
   double offset = 0.0;  ///< above 0
-  double spread = 0.0;  ///< over which beams end evenly, before the path's end
+  double spread = 0.0;  ///< length before the path's end over which the ends of the beams are spread evenly
   bool any() const { return shrink > 0.0; }
 };
 

@@ -1,8 +1,8 @@
-// A body far off in the sky, and a ray in its frame.
+// The frame of a distant body in the sky, and rays in it.
 //
 // The frame's axes are right (towards increasing azimuth), up, and near (towards the observer), the first two
-// turned by an angle anticlockwise as the observer sees it. Its origin is the body's middle, its unit the
-// body's own; the observer stands on the near axis.
+// rotated by an angle, anticlockwise as seen by the observer. Its origin is the body's centre, its unit of
+// length the body's own; the observer is on the near axis.
 #pragma once
 
 #include "sim/base/number/constants.h"
@@ -10,19 +10,19 @@
 
 namespace vegard::sim {
 
-/// A ray by its place nearest to the middle, which is exact however far the observer is.
+/// A ray, described by its point nearest to the body's centre; exact for any distance of the observer.
 template <class T>
 struct SkyRay {
   T nearest[3];    ///< right, up, near
   T direction[3];  ///< of length 1
-  T observer;      ///< where on the ray the observer is, from `nearest`: negative in front of it
-  T aside;         ///< square of the distance from the middle to `nearest`
+  T observer;      ///< position of the observer along the ray, from `nearest`: negative if in front of it
+  T aside;         ///< square of the distance from the centre to `nearest`
 };
 
 template <class T>
 class SkyFrame {
  public:
-  /// `distance` of the observer from the middle, in the frame's unit. Angles in degrees.
+  /// `distance`: of the observer from the centre, in the frame's unit.
   SkyFrame(const T& azimuth_deg, const T& elevation_deg, const T& angle_deg, const T& distance)
       : distance_(distance) {
     const T azimuth = azimuth_deg * kRadiansPerDegree, elevation = elevation_deg * kRadiansPerDegree,
@@ -40,7 +40,7 @@ class SkyFrame {
   }
 
   const T& observer_distance() const { return distance_; }
-  /// East, north, up of the axis right, up or near.
+  /// East, north and up components of an axis; `which`: 0 right, 1 up, 2 near.
   const T* axis(int which) const { return axis_[which]; }
 
   void turn(const T enu[3], T direction[3]) const {

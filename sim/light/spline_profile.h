@@ -8,13 +8,14 @@
 
 namespace vegard::sim {
 
-/// rate = sum of c_k B_k(altitude), c = Sheet::spline_rate of the line, B of
-/// sim/base/number/altitude_spline.h. The coefficients are positive, hence so is the rate; the electrons'
-/// energy does nothing. A line that the scene does not have is dark.
+/// Returns the profile rate = sum of c_k B_k(altitude), with c the line's Sheet::spline_rate and B the basis
+/// functions of sim/base/number/altitude_spline.h. The coefficients are positive, hence so is the rate; the
+/// electrons' energy has no effect. A line that the scene does not have is dark.
 HeightProfile spline_profile(const std::vector<double>& wavelengths_nm, const Scene& scene,
                              const Sheet& sheet);
 
-/// d rate / d coefficient, as HeightProfile::rate: the coefficient's basis function, in its line's lane.
+/// Returns d rate / d coefficient, indexed as HeightProfile::rate: the coefficient's basis function for its
+/// line, 0 for the other lines. `index`: of the coefficient in Sheet::spline_rate.
 std::vector<float> spline_slope(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                 const Sheet& sheet, int index);
 

@@ -1,7 +1,7 @@
-// The air before the film: what an exposure, with its derivatives, keeps of its light.
+// Multiplies the light of an exposure, and its derivatives, by the transmission of the air.
 //
 // The air comes before the lens, so it dims the cells before any blur by angle. Under the physical blur,
-// where atoms wander before they shine, it dims the finished picture.
+// where excited atoms move before they emit, it dims the finished picture.
 #pragma once
 
 #include <vector>
@@ -16,16 +16,17 @@ namespace vegard::sim {
 /// touched where scene.air.model is "none". The volumes' share of the exposure is dimmed too.
 void dim_by_air(const Scene& scene, Exposure& exposure, int threads = 0);
 
-/// The same with the derivatives by `free`, numbers of the scene in the order of
-/// exposure.derivative: T dI + I dT, where T depends on the camera's angles and on the aerosol's depth and
-/// exponent.
+/// As above, and applies the product rule, T dI + I dT, to the derivatives with respect to `free`, parameters
+/// of the scene in the order of exposure.derivative. T depends on the camera's angles and on the aerosol's
+/// depth and exponent.
 void dim_by_air(const Scene& scene, const std::vector<ParameterId>& free, Exposure& exposure,
                 int threads = 0);
 
-/// That transmission itself, [line][row][column]; empty where scene.air.model is "none".
+/// Returns the transmission of the air towards each cell's centre, [line][row][column]; empty where
+/// scene.air.model is "none".
 std::vector<float> transmission_on_film(const Scene& scene, const FilmGeometry& film, int threads = 0);
 
-/// The same of a finished picture of the camera, one channel per line of the scene.
+/// Dims a finished picture of the camera, with one channel per line of the scene, in the same way.
 void dim_picture_by_air(const Scene& scene, Image& rayleigh, int threads = 0);
 
 }  // namespace vegard::sim

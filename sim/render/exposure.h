@@ -1,4 +1,4 @@
-// What comes out of exposing a film, and what a film can be exposed to.
+// The result of exposing a film, how its beams are sampled, and the interface to expose a part of a scene.
 #pragma once
 
 #include <atomic>
@@ -16,13 +16,13 @@
 
 namespace vegard::sim {
 
-/// What a film has caught, before any blur.
+/// The light on a film before any blur.
 struct Exposure {
   FilmGeometry geometry;
   int lines = 0;
   LargeVector<float> rayleigh;  ///< [line][row][column]
   std::uint64_t deflection_points = 0;
-  VolumeLight volumes;  ///< the share of volumes, which is in `rayleigh` too; empty without any
+  VolumeLight volumes;  ///< light of the volumes alone; `rayleigh` includes it; empty without volumes
 
   int free = 0;         ///< number of free parameters
   int free_stride = 0;  ///< `free` rounded up to whole vector registers; the padding holds zeros
@@ -32,23 +32,22 @@ struct Exposure {
   std::size_t cells() const { return static_cast<std::size_t>(geometry.rows) * geometry.columns; }
 };
 
-/// Which beams a film is exposed to.
+/// How the beams that a film is exposed to are sampled.
 struct BeamSampling {
-  /// Added to the scene's seed where beams draw from it, and nowhere else: the noise of a volume is a matter
-  /// of the scene.
+  /// Added to the scene's seed for the random numbers of beams only; the noise of volumes belongs to the
+  /// scene.
   std::uint64_t draw = 0;
-  /// The mean over all draws instead of one, by a quadrature that is fine enough for profiles of the film's
-  /// rows that are smoothed by so many pixels (sim/render/beams/sheet_nodes.h).
+  /// True: computes the mean over all draws instead of one draw, by a quadrature that is fine enough for
+  /// profiles of the film's rows after smoothing by `smooth_px` pixels (sim/render/beams/sheet_nodes.h).
   bool mean = false;
   double smooth_px = 0.0;
-  double fineness = 1.0;  ///< nodes stand so many times as densely as that asks for
-  /// As `draw`, where the steps of beams alone draw from it: other paths of beams that stand where they
-  /// stood.
+  double fineness = 1.0;  ///< factor on the density of the quadrature's nodes
+  /// As `draw`, but for the random steps of beams only: the beams keep their feet and take other paths.
   std::uint64_t path_draw = 0;
 };
 
-/// A film of a part of a scene, exposed as Exposer (sim/render/film.h) does without any blur: for what is put
-/// together of such parts.
+/// Exposes a film to a part of a scene, as Exposer (sim/render/film.h) does but without any blur. SlabExposer
+/// adds up such parts.
 class PartExposer {
  public:
   virtual ~PartExposer() = default;

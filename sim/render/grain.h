@@ -1,4 +1,4 @@
-// Grain: what a picture of beams drawn at random differs by from another draw of them.
+// Grain: the random difference between pictures of two draws of the beams.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace vegard::sim {
 
-/// Standard deviation of a pixel's light over its light, per line, in the root mean square of the pixels that
-/// have at least a tenth of the line's brightest: half of the mean square of the relative differences between
-/// `rendering` and another whose beams stand where they stood and take other paths. 0 of a line without
-/// light. Renders the scene once more, with the same options. Not for the physical blur, whose rendering has
-/// no such draw.
+/// Returns, per line, the standard deviation of a pixel's light divided by its light, as root mean square
+/// over the pixels with at least a tenth of the line's brightest light. It renders the scene once more with
+/// the same options, with beams at the same feet but on other paths; the variance is half of the mean square
+/// of the relative differences. 0 for a line without light. Not for the physical blur, whose rendering has no
+/// such draw.
 std::vector<double> grain_per_px(const Scene& scene, const Rendering& rendering, RenderOptions options = {});
 
 }  // namespace vegard::sim

@@ -1,8 +1,9 @@
-// The ground in the light of all that shines above it: how much falls on it, and how it looks.
+// The ground as it is lit by the sky: its illumination and its layer of the picture.
 //
-// The whole sky is rendered once more, small, and added up over the directions above the horizontal, each
-// times the sine of its elevation. The ground is matt and grey (Lambert's law: radiance = albedo x irradiance
-// / pi) and lit everywhere as it is at the observer's place; nothing of it goes back into the air or the sky.
+// The whole sky is rendered once more, as a small picture, and its light is integrated over the directions
+// above the horizontal, weighted by the sine of the elevation. The ground is matt and grey (Lambert's law:
+// radiance = albedo x irradiance / pi) and lit everywhere as it is at the observer's place; light that it
+// reflects into the air and the sky is neglected.
 #pragma once
 
 #include "sim/base/image.h"
@@ -11,7 +12,7 @@
 
 namespace vegard::sim {
 
-/// On a level surface at the observer's place.
+/// Light on a level surface at the observer's place.
 struct GroundIllumination {
   Vector3 rgb{};              ///< linear sensor value times steradian
   double aurora_lx = 0.0;     ///< of the emission lines
@@ -20,15 +21,17 @@ struct GroundIllumination {
   double lux() const { return aurora_lx + night_sky_lx + stars_lx; }
 };
 
-/// The same scene before a camera that sees all of its sky, and with nothing on the ground. With
-/// moon.skylight its Moon is there, shown or not.
+/// Returns the scene with a camera that sees the whole sky, and with nothing on the ground. With
+/// moon.skylight the Moon is included even if the scene does not show it.
 Scene sky_over_ground(const Scene& scene);
 
-/// Of that scene's pictures, as render() has them (sim/render/render.h has both in one call).
+/// Computes the illumination from the pictures that render() makes of sky_over_ground(). (light_on_ground()
+/// in sim/render/render.h does both.)
 GroundIllumination light_of_sky(const Scene& sky, const Image& rayleigh, const Image& rgb,
                                 const Image& night_sky, const Image& stars);
 
-/// The ground in the scene's picture: R, G, B times A, the share of each pixel below the horizon.
+/// Returns the ground as a layer of the scene's picture: A is the share of each pixel below the horizon; R,
+/// G, B are multiplied by A.
 Image ground_layer(const Scene& scene, const GroundIllumination& light, int threads = 0);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The nebulae of the literal march as a layer of the picture.
+// The nebulae that the scene draws by the literal march, as a layer of the picture.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace vegard::sim {
 
-/// R, G, B, A, multiplied by alpha, the later nebulae of the scene before the earlier ones; empty: none.
-/// Throws Error(unreadable_input) for march.depth.
+/// Returns R, G, B, A, the colours multiplied by alpha; later nebulae of the scene stand in front of earlier
+/// ones. Empty if there are none. Throws Error(unreadable_input) if the picture march.depth cannot be used.
 Image literal_layer(const Scene& scene, int threads);
 
-/// The share of a picture in R, G, B, A, whose colours are not multiplied by alpha, as a layer to
-/// cover() with (sim/view/film/composite.h):
+/// Converts a picture in R, G, B, A, whose colours are not multiplied by alpha, to a layer for cover()
+/// (sim/view/film/composite.h). Over a colour c it gives
 ///   "alpha": rgb a + c (1 - a);  "add": rgb + c
 /// for c behind it.
 Image layer_of_literal(const Image& picture, BlendRule blend);

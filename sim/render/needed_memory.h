@@ -1,4 +1,4 @@
-// How much memory pictures take, worked out before any is taken.
+// Estimates of the memory that pictures take, made before any memory is allocated.
 #pragma once
 
 #include "sim/base/memory_limit.h"
@@ -6,26 +6,28 @@
 
 namespace vegard::sim {
 
-/// What is done with a rendering, and the bytes that this takes for each of its pixels.
+/// What the caller does with a rendering, and the bytes per pixel that this takes.
 struct RenderingUse {
   bool sheet_layers = false;
-  double bytes_per_px = 0.0;  ///< beside the rendering
+  double bytes_per_px = 0.0;  ///< in addition to the rendering
 };
 
-/// Bytes at the worst moment of render() and of what follows, as if all of the film were lit: from above, by
-/// less than a third for a picture full of light on two cores. Files of the scene's volumes and their grids,
-/// which do not depend on the camera, are not in it, nor is what the program takes for itself
-/// (kProgramBytes).
+/// Returns the peak number of bytes of render() and of the use that follows, for a film that is lit
+/// everywhere. It is an upper bound, too large by less than a third for a picture full of light on two cores.
+/// It does not include the files of the scene's volumes and their grids, which do not depend on the camera,
+/// nor the memory of the program itself (kProgramBytes).
 double render_bytes(const Scene& scene, int threads, const RenderingUse& use);
 
-/// What the program takes with its libraries and tables before it does anything.
+/// Memory of the program with its libraries and tables before it does anything.
 inline constexpr double kProgramBytes = 160.0 * 1024.0 * 1024.0;
 
-/// As many threads as may be used, at most the number asked for (0: all cores), so that a picture of the
-/// scene can be made within the limit: the result is the same. Throws as require_memory() if one is too many.
+/// Returns the largest number of threads, up to `threads` (0: all cores), with which a picture of the scene
+/// can be made within the limit. The picture does not depend on it. Throws as require_memory() does if one
+/// thread needs too much.
 int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, const MemoryLimit& limit);
 
-/// Bytes of one model of a photograph that a fit differentiates, on a film of so many cells.
+/// Returns the bytes of one model of a photograph that a fit differentiates with respect to `free`
+/// parameters, on a film of `cells` cells.
 double model_bytes(const Scene& scene, double cells, int free, int threads);
 
 }  // namespace vegard::sim

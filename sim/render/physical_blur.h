@@ -1,10 +1,11 @@
-// The lines of a picture under blur.model = "physical": the light of metastable atoms spread as far as they
-// come within their lifetimes (sim/light/excited_atom.h), by altitude and distance; that of prompt lines as
-// it falls on the film.
+// The lines of a picture under blur.model = "physical": the light of metastable atoms is spread by the
+// distance that they move within their lifetimes (sim/light/excited_atom.h), according to altitude and
+// distance; the light of prompt lines is not spread.
 //
-// What is lost: light that is spread into the picture from more than four of its own standard deviations
-// outside; and what is spread more widely than widest_spread_px(), by light that is nearer than any the
-// picture shows or so slow that it is a veil, is spread by that.
+// Two things are approximate. Light that would be spread into the picture from more than four of its own
+// standard deviations outside is lost. Light with a larger spread than widest_spread_px(), because it is
+// nearer than any light in the picture or so slow that it is a uniform veil, is spread by widest_spread_px()
+// only.
 #pragma once
 
 #include <atomic>
@@ -17,13 +18,14 @@
 
 namespace vegard::sim {
 
-/// Whether the scene's picture is made so, with a spread for each point of a beam: by a pinhole without
-/// distortion, its axis in the middle, and of beams alone. Every other goes by slabs of altitude
-/// (sim/render/slab_exposer.h).
+/// True if the picture is made with a spread for each point of a beam: the camera is a pinhole without
+/// distortion, with its axis in the middle, and the scene has beams only. All other pictures are made by
+/// slabs of altitude (sim/render/slab_exposer.h).
 bool is_spread_by_beams(const Scene& scene);
 
-/// The widest spread on the picture, in pixels (standard deviation): the largest that light below `top_km`
-/// can have where the picture looks highest and so nearest, but at most half the picture's diagonal.
+/// Returns the widest spread in the picture, as standard deviation in pixels: the largest that light below
+/// `top_km` can have at the picture's highest elevation, where light is nearest, but at most half the
+/// picture's diagonal.
 double widest_spread_px(const Scene& scene, const SpreadProfile& spread, double top_km);
 
 /// Adds the scene's lines to the channels of `rayleigh`, a dark image of the camera's size. Returns the

@@ -1,6 +1,6 @@
-// A picture that is formed again and again, as a fit does, and what it asks of it: means of its light over
-// sets of cells, at unit gain and without the sky, with their exact derivatives; and the means of the night
-// sky's known lights, at the scene's own gain.
+// The picture as a fit needs it, formed again and again: means of its light over sets of cells, at unit gain
+// and without the sky, with their exact derivatives; and the means of the known light of the night sky, at
+// the scene's own gain.
 //
 // The picture is formed as render() forms it (sim/render/picture.h), on any film.
 #pragma once
@@ -23,13 +23,14 @@ struct PictureMeans {
   std::vector<double> value;
   int free = 0;
   std::vector<double> derivative;
-  /// Airglow, twilight and light pollution, which no gain scales; empty where the scene has none.
+  /// Means of airglow, twilight and light pollution, which the fitted gain does not scale; empty where the
+  /// scene has none.
   std::vector<double> offset;
   std::vector<double> offset_derivative;  ///< as `derivative`
 };
 
 struct PictureModelOptions {
-  bool keeps_negative_light = false;  ///< else what is not shown counts as none, cell by cell
+  bool keeps_negative_light = false;  ///< false: light that is not shown is taken as 0, cell by cell
   double beyond = 0.0;                ///< as Exposer
   BeamSampling sampling;              ///< likewise
   int threads = 0;                    ///< 0: all cores
@@ -45,11 +46,11 @@ class PictureModel {
 
   void evaluate(const Scene& scene, PictureMeans& out);
 
-  /// `free`: addresses of numbers inside `scene`, as Exposer has them, those of height profiles among them.
+  /// `free`: parameters of the scene, as in Exposer, including those that change height profiles.
   void evaluate_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free, PictureMeans& out);
 
-  /// The film's cells at the last evaluation: rayleighs, one channel per line, and R, G, B at unit gain as
-  /// they are averaged.
+  /// The film's cells at the last evaluation: rayleighs, one channel per line; and R, G, B at unit gain, the
+  /// values that are averaged.
   const Image& rayleigh() const;
   const Image& rgb() const;
 

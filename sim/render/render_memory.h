@@ -1,5 +1,5 @@
-// What pictures that follow each other have in common: a preview turns its camera, or changes one number, and
-// all else need not be worked out again.
+// Cache of what successive pictures have in common: when a preview turns its camera or changes one number,
+// the rest need not be computed again.
 #pragma once
 
 #include <atomic>
@@ -17,29 +17,29 @@
 
 namespace vegard::sim {
 
-/// Given to render() with one scene after the other. Each part is kept for as long as no table of the scene
-/// that it may depend on changes by a single digit, so that the picture is that of a render() without it.
-/// Files are read once: what changes in them later is not seen. Not for use by two threads at once.
+/// The caller passes one object to render() for each of a series of scenes. Each part is kept as long as no
+/// table of the scene that it may depend on changes at all, so the picture is the same as without the cache.
+/// Files are read once: later changes in them have no effect. Two threads must not use one object at once.
 class RenderMemory {
  public:
-  /// Of which scene the others are asked next; it must live as long.
+  /// Sets the scene that the other functions refer to; it must live until the next look_at() or last call.
   void look_at(const Scene& scene, int threads);
 
-  /// The scene's beams laid out, and its volumes ready to be marched, on this film.
+  /// Returns an Exposer for this film, with the scene's beams laid out and its volumes ready to be marched.
   Exposer& exposer(const FilmGeometry& film);
 
-  /// As star_light() at the scene's own instants, and night_sky_light().
+  /// Return what star_light() at the scene's own instants and night_sky_light() return.
   const Image& stars(const std::atomic<bool>* stop);
   const Image& night_sky();
 
-  /// What falls on the ground of that scene as it was given, before it got beams for its own picture: no
-  /// camera has a part in it. `light_on_ground` tells it where it is not known yet.
+  /// Returns the light on the ground of `as_given`: the scene before with_enough_beams() changed it for its
+  /// picture, since this light does not depend on the camera. Calls `light_on_ground` if no value is kept.
   const GroundIllumination& on_ground(const Scene& as_given, const std::atomic<bool>* stop,
                                       const std::function<GroundIllumination()>& light_on_ground);
 
  private:
-  /// A part, and the scene that it was made for: good for every other that has the same values, but for those
-  /// of tables that have no part in it.
+  /// A part of the cache and the scene that it was made for. It is valid for every scene with the same values
+  /// in all tables that it depends on.
   template <class T>
   struct Kept {
     std::optional<Scene> made_for;

@@ -1,14 +1,14 @@
-// Exposing a film under blur.model = "physical": like Exposer, but what comes out is spread already as far as
-// the excited atoms come, before any air or sensor.
+// Exposes a film under blur.model = "physical": like Exposer, but the resulting light is already spread by
+// the motion of the excited atoms, before any effect of air or sensor.
 //
 // Each slow line is exposed in slabs of altitude (sim/render/beams/altitude_slabs.h), up to eight at a time,
-// each on a film that reaches as far beyond the wanted one as its light is spread; what falls there, with its
-// derivatives, is spread cell by cell (sim/render/slab_spread.h), which is linear in the light. Slabs and
-// ladders are those of the scene that this is made with, so that the picture is smooth in every number. What
-// is not light of the air's excited atoms (nebulae, grids, the Sun, footprints in two colours) stays as it
-// is.
+// each on a film that extends beyond the wanted one by the spread of its light. The light on it, with its
+// derivatives, is then spread cell by cell (sim/render/slab_spread.h), which is linear in the light. Slabs
+// and levels of blur are those of the constructor's scene, so that the picture is smooth in every parameter.
+// Light that is not of the air's excited atoms (nebulae, grids, the Sun, footprints in two colours) is not
+// spread.
 //
-// For sim/render/film.cpp only: everybody else has it by Exposer.
+// For sim/render/film.cpp only; all other code uses Exposer.
 #pragma once
 
 #include <atomic>
@@ -22,12 +22,12 @@
 
 namespace vegard::sim {
 
-/// What is exposed together, and on which films.
+/// Which slabs are exposed together, and on which films.
 struct SlabPlan {
   struct Item {
     int line = 0;
     int slab = -1;  ///< of slabs[line]; -1: all of a prompt line
-    int cells = 1;  ///< of the wanted film, that one of its own may be wide
+    int cells = 1;  ///< how many cells of the wanted film one cell of its own film may be wide
     double margin_px = 0.0;
   };
   struct Pass {
@@ -41,19 +41,19 @@ struct SlabPlan {
   std::vector<std::vector<AltitudeSlab>> slabs;  ///< [line]
   std::vector<Pass> passes;
   std::vector<PassFilm> films;
-  double widest_px = 0.0;  ///< that light is spread
+  double widest_px = 0.0;  ///< largest standard deviation of the spread
 };
 SlabPlan slab_plan(const Scene& scene, const FilmGeometry& film, int threads);
 
-/// Bytes at the worst moment of an exposure by this plan, with derivatives by so many free numbers, beside
-/// what it gives.
+/// Returns the peak number of bytes of an exposure by this plan with derivatives with respect to `free`
+/// parameters, without its result.
 double slab_bytes(const SlabPlan& plan, int free, int threads);
 
 class SlabExposer {
  public:
   SlabExposer(const Scene& scene, const FilmGeometry& film, int threads, const MakePartExposer& make);
 
-  // As Exposer has them.
+  // These do what the functions of Exposer with the same names do.
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
               const std::atomic<bool>* stop, int only_sheet);
   void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free, Exposure& out);
@@ -64,7 +64,8 @@ class SlabExposer {
  private:
   using Pass = SlabPlan::Pass;
   using Item = SlabPlan::Item;
-  /// Sheets whose light has been carried by the wind beam by beam, since it has ages, and all else.
+  /// Emitters that are exposed together. `is_calm`: sheets whose light is split by age, so that the wind has
+  /// been applied to each beam already.
   struct Group {
     bool is_calm = false;
     std::vector<bool> sheets;
@@ -72,7 +73,7 @@ class SlabExposer {
   };
   /// Where the light of a pass's items goes.
   struct PassPlaces {
-    std::vector<SlabPlaces> of_item;  ///< empty of what is not spread at all
+    std::vector<SlabPlaces> of_item;  ///< empty for light that is not spread
   };
 
   Scene part_of(const Scene& scene, const Pass& pass, bool has_footprints) const;
@@ -92,7 +93,7 @@ class SlabExposer {
   std::vector<std::unique_ptr<PartExposer>> exposers_;  ///< of the plan's films
   std::vector<Group> groups_;
   std::unique_ptr<const SlabSpread> spread_;
-  std::unique_ptr<const Volumes> rest_;  ///< of what stays as it is; null: nothing does
+  std::unique_ptr<const Volumes> rest_;  ///< the volumes whose light is not spread; null: none
   bool has_footprints_ = false;
 };
 

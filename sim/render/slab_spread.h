@@ -1,11 +1,12 @@
-// Light that a film has caught, slab of altitude by slab (sim/render/beams/altitude_slabs.h), spread as far
-// as its atoms come before they shine: for every lens, and whatever the light comes from.
+// Spreads the light on a film by the motion of its excited atoms, one slab of altitude after the other
+// (sim/render/beams/altitude_slabs.h). It works for every lens and every source of the light.
 //
-// A cell and an altitude say how far away light is, and with the lens how wide a Gaussian in space is seen:
-// the mean of its two axes' variances, sigma^2 / r^2 times half the sum of the squares of d (x, y) / d
-// direction. (Of a pinhole that is sigma^2 (f/Z)^2 (1 + tan^2 theta / 2), as sim/render/physical_blur.h has
-// it.) For an observer above the light, who may see it on this side of the Earth's limb and beyond, it is
-// taken to be at the point where the line of sight is lowest, unless it meets the ground.
+// Cell and altitude determine the distance r of the light, and with the lens the width on the film of a
+// Gaussian in space: the mean of its variances along two axes is sigma^2 / r^2 times half the sum of the
+// squares of d (x, y) / d direction. (For a pinhole this is sigma^2 (f/Z)^2 (1 + tan^2 theta / 2), as in
+// sim/render/physical_blur.h.) An observer above the light may see it on this side of the Earth's limb and
+// beyond; then the light is taken to be at the lowest point of the line of sight, unless the line meets the
+// ground.
 #pragma once
 
 #include <cstdint>
@@ -19,33 +20,35 @@
 
 namespace vegard::sim {
 
-/// Kilometres from the observer to the light at an altitude, along a direction of this sine of elevation.
+/// Returns the distance in km from the observer to light at an altitude, along a direction with this sine of
+/// the elevation.
 double range_to_altitude_km(double observer_km, double sine, double altitude_km,
                             double sphere_km = kEarthRadiusKm);
 
-/// How a film looks into the sky.
+/// The directions of a film's cells and their scale.
 struct FilmSight {
   FilmGeometry film;
-  std::vector<float> sine;  ///< [cell] of the elevation
-  std::vector<float> px2;   ///< [cell] variance of the image of a direction's, per square radian; 0: not seen
-  std::vector<float> enu[3];  ///< [cell] the direction, if asked for
+  std::vector<float> sine;  ///< [cell] sine of the elevation
+  std::vector<float>
+      px2;  ///< [cell] variance in px^2 on the film per square radian of variance in direction; 0: not seen
+  std::vector<float> enu[3];  ///< [cell] the direction, if requested
 };
 FilmSight film_sight(const Scene& scene, const FilmGeometry& film, bool with_directions, int threads);
 
-/// Which standard deviations, in pixels, light of a slab has on a film.
+/// Range of the standard deviation, in pixels, of a slab's light on a film.
 struct SpreadRange {
   double min_px = 0.0, max_px = 0.0;
 };
 SpreadRange spread_range(const Scene& scene, const FilmSight& sight, double altitude_km, double variance_km2);
 
-/// Where the light of a slab on the cells of a film goes: to which two levels of a ladder, and if a wind
-/// carries it to which place.
+/// Where the light of a slab goes from each cell of a film: the two neighbouring levels of the ladder of
+/// blurs that share it, and its new place if a wind moves it.
 struct SlabPlaces {
-  std::vector<std::uint8_t> lower;  ///< [cell] of the two levels
-  std::vector<float> upper_share;   ///< [cell] of the other one
+  std::vector<std::uint8_t> lower;  ///< [cell] the lower of the two levels
+  std::vector<float> upper_share;   ///< [cell] share of the upper level
   std::vector<float> x_px, y_px;    ///< [cell]; empty: the cells' middles
-  std::vector<float> gain;          ///< [cell] of light that has come nearer, likewise
-  int least = 0, most = 0;          ///< levels that get any
+  std::vector<float> gain;          ///< [cell] factor for light that the wind brings nearer; empty: 1
+  int least = 0, most = 0;          ///< lowest and highest level that gets any light
 };
 
 /// Light of one slab on a film.
@@ -58,15 +61,15 @@ struct SlabLight {
 
 class SlabSpread {
  public:
-  /// `film`: where the spread light is wanted.
+  /// `film`: the film that receives the spread light.
   SlabSpread(const FilmGeometry& film, double widest_px);
 
   /// `is_calm`: without the wind.
   SlabPlaces places(const Scene& scene, const FilmSight& sight, const AltitudeSlab& slab, bool is_calm,
                     int threads) const;
 
-  /// Adds all of it, `width` numbers of each cell, to the film's planes [row][column][width]. The same for
-  /// every number of threads.
+  /// Adds the spread light, `width` numbers per cell, to the film's planes [row][column][width]. The result
+  /// does not depend on the number of threads.
   void add(const std::vector<SlabLight>& light, int width, float* planes, int threads) const;
 
  private:

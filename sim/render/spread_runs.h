@@ -13,16 +13,16 @@
 
 namespace vegard::sim {
 
-/// Sums over runs of cells of what is yet to be blurred along the row: the run's weights are spread by the
-/// blur instead of the light. Rows that follow each other mostly weigh their cells alike, so that the last
-/// spread of each place in the row is kept.
+/// Sums over runs of cells light that is not yet blurred along the row: the blur is applied to the run's
+/// weights instead of the light. Successive rows mostly have the same weights, so the last blurred weights of
+/// each `place` are kept.
 class SpreadRuns {
  public:
   SpreadRuns(const BlurKernel& across, int film_columns) : across_(across), columns_(film_columns) {}
 
-  /// The sum of `light`, a film row of [column][stride], blurred, over the run with these weights of its
-  /// cells; null if all of them are 0. Stays until the next call. `place`: any number that distinguishes the
-  /// runs of a row apart.
+  /// Returns the sum over the run, with these weights of its cells, of `light`, a film row [column][stride],
+  /// after the blur; null if all weights are 0. The result is valid until the next call. `place`: any number
+  /// that distinguishes the runs of a row.
   const float* sum(std::size_t place, const CellWeights::Run& run, const float* weights, const float* light,
                    std::size_t stride) {
     if (place >= kept_.size()) kept_.resize(place + 1);
@@ -44,13 +44,13 @@ class SpreadRuns {
   }
 
  private:
-  static constexpr int kPart = 16;  // what strides are whole multiples of
+  static constexpr int kPart = 16;  // strides are multiples of it
   static_assert(kTangentWidth == kPart);
   struct Spread {
     int run_first = -1;
     bool dark = true;
-    std::vector<float> weights, wide;  // of the run's cells, and of all that the blur brings in
-    std::size_t first = 0;             // column of the first of the latter
+    std::vector<float> weights, wide;  // of the run's cells; of all cells that the blur mixes into them
+    std::size_t first = 0;             // first column of `wide`
   };
   void make(const CellWeights::Run& run, const float* weights, Spread& spread) const {
     const int radius = across_.radius();

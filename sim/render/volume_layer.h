@@ -1,10 +1,10 @@
-// The volumes' share of a picture: their light, and how much of what is behind them they hide.
+// The volumes' share of a picture: their light, and how much of the light behind them they hide.
 //
 // Premultiplied colour and coverage: Porter and Duff 1984, doi:10.1145/964965.808606. A volume hides each
 // emission line by a share of its own, blurred as that line's light is, so that edges match. What is behind
-// (sky, stars, pictures) is known in R, G and B only: of each channel the share hidden is the mean over the
-// lines, weighted by what the sensor's channel has of each (its colour per rayleigh, where positive), and A
-// is the mean of the three, weighted by their luminance.
+// (sky, stars, pictures) is known in R, G and B only: the hidden share of a channel is the mean over the
+// lines, weighted by the channel's response to each line (its colour per rayleigh, where positive), and A is
+// the mean over the three channels, weighted by luminance.
 #pragma once
 
 #include "sim/base/image.h"
@@ -14,7 +14,7 @@
 
 namespace vegard::sim {
 
-/// Both with one channel per line.
+/// Light of the volumes and the share that they hide, both with one channel per line.
 struct VolumePictures {
   Image rayleigh;
   Image hidden;  ///< share of the light behind, 0 to 1; empty: none
@@ -22,15 +22,15 @@ struct VolumePictures {
   bool empty() const { return rayleigh.empty(); }
 };
 
-/// Of a film whose cells are the camera's pixels, blurred as the lines are (sim/render/picture.h), or not at
-/// all. march.blend = "add" hides nothing.
+/// Returns the pictures for a film whose cells are the camera's pixels, blurred as the lines are
+/// (sim/render/picture.h) if `blurred`. With march.blend = "add" nothing is hidden.
 VolumePictures volume_pictures(const Scene& scene, const FilmGeometry& film, const VolumeLight& light,
                                bool blurred, int threads);
 
-/// The share hidden of R, G and B of what is behind, by that of the lines.
+/// Converts the hidden share of each line to that of R, G and B.
 Image hidden_colours(const Scene& scene, const Image& hidden);
 
-/// R, G, B, A: the light and its coverage; `hidden` as hidden_colours() or empty.
+/// Returns R, G, B, A: the light and its coverage. `hidden` is that of hidden_colours(), or empty.
 Image volume_layer(const Scene& scene, const Image& rgb, const Image& hidden);
 
 }  // namespace vegard::sim

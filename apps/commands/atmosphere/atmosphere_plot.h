@@ -1,4 +1,4 @@
-// The air of a place and time as a picture.
+// A plot of the air of a place and time.
 #pragma once
 
 #include "apps/commands/atmosphere/atmosphere_texts.h"

@@ -1,4 +1,4 @@
-// What `vegard atmosphere` writes: the air of a place and time as a table, and in words.
+// The output of `vegard atmosphere`: the air of a place and time as a table, and as text.
 #pragma once
 
 #include <string>
@@ -15,19 +15,19 @@ struct AirColumn {
   std::vector<sim::MsisAir> air;
 };
 
-/// Throws Error(usage) where the model is not sound.
+/// Computes the air. Throws Error(usage) where the model is not valid.
 AirColumn air_column(const sim::AirConditions& conditions, double bottom_km, double top_km);
 
 /// CSV that sim::read_air_table() reads: conditions in comments; altitude_km, T_K, densities in cm^-3, mass.
 std::string air_csv(const AirColumn& column);
 
-/// Lines: conditions, temperatures, where O overtakes N2.
+/// Lines of text: conditions, temperatures, the altitude above which O is more abundant than N2.
 std::string air_text(const AirColumn& column);
 
 /// The same as JSON, with the densities of the gases at the bottom and the top.
 std::string air_json(const AirColumn& column);
 
-/// The conditions that have a name, a line each, and as JSON.
+/// The named conditions, a line each, and as JSON.
 std::string named_conditions_text();
 std::string named_conditions_json();
 

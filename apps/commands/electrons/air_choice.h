@@ -1,4 +1,4 @@
-// The air that `--atmosphere` names: built in, or a table of the user's.
+// The air given by `--atmosphere`: a built-in one, or the user's table.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@ namespace vegard::apps {
 
 inline constexpr const char* kDefaultAir = "us76";
 
-/// Adds the option. `words`: what a table must have beside its columns.
+/// Adds the option. `words` says what a table must have besides its columns.
 Option add_air_option(const Command& command, std::string& atmosphere, const std::string& words = {});
 
 /// The file that the air comes from; empty if it is built in (sim/light/air/msis_air.h).
 std::string air_file(const std::string& atmosphere);
 
-/// Throws Error(unreadable_input) for what is neither a name nor such a file.
+/// Returns the air. Throws Error(unreadable_input) if the text is neither a name nor a file of that kind.
 sim::AirTable air_of_choice(const std::string& atmosphere);
 
 /// "U.S. Standard Atmosphere 1976", a name with its conditions, or the file's name.

@@ -18,23 +18,23 @@ struct ElectronOptions {
   double flux_mw_m2 = 1.0, dip_deg = 90.0;
 };
 
-/// Adds them, and gives them all.
+/// Adds the options, and returns all of them.
 std::vector<Option> add_electron_options(const Command& command, ElectronOptions& options);
 
-/// Throws Error(usage) for numbers that do not belong to the spectrum, and Error(unreadable_input) for its
-/// table.
+/// Returns the spectrum. Throws Error(usage) for numbers that do not belong to it, and
+/// Error(unreadable_input) for its table.
 sim::IncidentSpectrum spectrum_of(const ElectronOptions& options);
 sim::PitchAngles pitch_angles_of(const ElectronOptions& options);
 
 /// "maxwellian, 5 keV, 1 mW m^-2, isotropic, dip 90 deg".
 std::string electron_words(const ElectronOptions& options, const sim::IncidentSpectrum& spectrum);
 
-/// The air (air_choice.h), and what it is called.
+/// The air (air_choice.h), and its name.
 sim::AirTable air_of(const ElectronOptions& options);
 std::string air_words(const ElectronOptions& options);
 
-/// Throws Error(unreadable_input) that names the user's air if more of the energy than grids can err by is
-/// missing.
+/// Throws Error(unreadable_input) about the user's table of the air if the missing share of the electrons'
+/// energy is larger than the numerical error of the grids.
 void require_balance(const ElectronOptions& options, double missing_share);
 
 }  // namespace vegard::apps

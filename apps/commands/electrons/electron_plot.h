@@ -1,4 +1,4 @@
-// What electrons do to the air, against altitude.
+// A plot of ionisation and excitation by electrons against altitude.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace vegard::apps {
 
-/// Two panels, altitude upwards: ion pairs of each gas, all of them and, where it is not empty, `fang_cm3_s`;
-/// and the two excitations of each gas, by 1.5 eV or more, that are most frequent.
+/// Two panels, altitude upwards: ion pairs of each gas, of all gases and, if not empty, `fang_cm3_s`; and for
+/// each gas the two most frequent excitations of 1.5 eV or more.
 fit::Plot electron_plot(const sim::FieldAir& column, const sim::ElectronRates& rates,
                         const std::vector<double>& fang_cm3_s, const std::string& note);
 

@@ -1,4 +1,4 @@
-// What `vegard electrons` writes: the rates by altitude as a table, the energy's way as words.
+// The output of `vegard electrons`: a table of rates by altitude, and text about the energy budget.
 #pragma once
 
 #include <string>
@@ -8,20 +8,21 @@
 
 namespace vegard::apps {
 
-/// What was asked for, in words, and the ionisation of Fang et al. 2010 at the column's places (empty: none,
-/// since the electrons are not isotropic or the field is not vertical).
+/// The request in words, and the ionisation by the formula of Fang et al. 2010 at the column's altitudes
+/// (empty if the electrons are not isotropic or the field is not vertical).
 struct ElectronRun {
   std::string electrons;   ///< "Maxwellian, E0 5 keV, 1 mW m^-2, isotropic"
   std::string atmosphere;  ///< "U.S. Standard Atmosphere 1976"
   std::vector<double> fang_cm3_s;
 };
 
-/// CSV, a row a place from the bottom up: altitude_km, ion pairs (all, of each gas, Fang's), energy, and a
-/// column for each excitation and ionised shell.
+/// Returns CSV with a row per altitude from the bottom up: altitude_km, ion pairs (all, of each gas, Fang's),
+/// energy, and a column for each excitation and ionised shell.
 std::string electron_rates_csv(const ElectronRun& run, const sim::FieldAir& column,
                                const sim::ElectronRates& rates);
 
-/// Lines: where the energy goes, eV an ion pair, the peak, and the comparison with Fang's formula.
+/// Returns lines of text: the energy budget, eV per ion pair, the peak, and the comparison with Fang's
+/// formula.
 std::string electron_budget_text(const ElectronRun& run, const sim::FieldAir& column,
                                  const sim::ElectronRates& rates);
 

@@ -1,4 +1,4 @@
-// `vegard lines --sources`: the lines' brightness under electrons from above, source by source.
+// `vegard lines --sources`: the brightness of lines due to precipitating electrons, for each source reaction.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct LineSourcesRequest {
   std::optional<double> seconds;
 };
 
-/// Options that need `sources`, the flag that asks for it.
+/// Adds the options that require the flag `sources`.
 void add_line_source_options(const Command& command, const Option& sources, LineSourcesRequest& request);
 
 ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite);

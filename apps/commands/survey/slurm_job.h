@@ -1,4 +1,4 @@
-// A survey as an array of tasks of a cluster that has Slurm: the script, and the job that was made of it.
+// Runs a survey as an array of tasks on a cluster with Slurm: the script, and its job.
 #pragma once
 
 #include <string>
@@ -6,35 +6,37 @@
 
 namespace vegard::apps {
 
-/// What the script is to have in it. Names of files are absolute.
+/// The contents of the script. Names of files are absolute.
 struct SlurmScript {
   std::string program, plan, folder, name;
   std::vector<int> tasks;         ///< shards that are not finished yet, in their order
-  int shards = 1;                 ///< that there are
-  int threads = 1;                ///< of a task
-  int at_once = 0;                ///< tasks; 0: as many as the cluster likes
-  int minutes = 30;               ///< that a task may take
-  std::vector<std::string> more;  ///< options of sbatch, as they are: "--partition=long"
+  int shards = 1;                 ///< number of all shards
+  int threads = 1;                ///< per task
+  int at_once = 0;                ///< largest number of simultaneous tasks; 0: decided by the cluster
+  int minutes = 30;               ///< time limit of a task
+  std::vector<std::string> more;  ///< further options of sbatch, unchanged: "--partition=long"
 };
 
-/// "1-3,7": of increasing numbers.
+/// Increasing numbers as ranges: "1-3,7".
 std::string task_ranges(const std::vector<int>& tasks);
 
-/// The same gives the same text. Throws Error(usage) for what cannot stand in a line of sbatch's.
+/// Returns the script's text, which depends on nothing else. Throws Error(usage) for text that cannot stand
+/// in a line for sbatch.
 std::string slurm_script(const SlurmScript& script);
 
-/// The job that a folder's shards were last handed to; empty if there is none. Where whoever handed them over
-/// was killed before Slurm gave the number, the queue is asked for it. Throws Error(usage) if it cannot be.
+/// The job to which a folder's shards were last submitted; empty if there is none. If the submitting process
+/// was killed before Slurm returned the number, the queue is asked for it. Throws Error(usage) if this fails.
 std::string job_of_folder(const std::string& folder);
 
-/// Hands the script to Slurm, and notes the job in the folder, an absolute name, before and after. The job's
-/// number. Throws Error(usage) with Slurm's words if it will not take it.
+/// Submits the script to Slurm, and records the job in the folder, an absolute name, before and afterwards.
+/// Returns the job's number. Throws Error(usage) with Slurm's message if it is refused.
 std::string submit_to_slurm(const std::string& folder, const std::string& script);
 
-/// How many tasks of the job are in which state, "2 running, 5 pending"; empty once it has left the queue.
+/// The number of the job's tasks in each state, "2 running, 5 pending"; empty once the job has left the
+/// queue.
 std::string state_of_job(const std::string& job);
 
-/// Throws Error(usage) with Slurm's words.
+/// Cancels the job. Throws Error(usage) with Slurm's message if this fails.
 void cancel_job(const std::string& job);
 
 }  // namespace vegard::apps

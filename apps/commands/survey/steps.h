@@ -1,4 +1,4 @@
-// The steps of a survey, a subcommand of `vegard survey` and a file of this folder each.
+// The steps of a survey, each a subcommand of `vegard survey` in a file of its own in this folder.
 #pragma once
 
 #include "apps/options/command.h"

@@ -1,4 +1,4 @@
-// The frames of an animation: their names, which of them are meant, and the scene of one.
+// The frames of an animation: their names, their selection, and the scene of one.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace vegard::apps {
 
-/// "frames/####.exr": the run of # is the frame's number, with zeros in front.
+/// A pattern for names, "frames/####.exr": the run of # stands for the frame's number, with leading zeros.
 class FrameNames {
  public:
-  /// Throws Error(usage) unless the file's name, its folder apart, has exactly one run of #.
+  /// Throws Error(usage) unless the file's name, without its folder, has exactly one run of #.
   explicit FrameNames(const std::string& pattern);
 
   /// The folder that the frames stand in; "." if the pattern names none.
@@ -21,12 +21,12 @@ class FrameNames {
   std::string pattern() const { return before_ + std::string(digits_, '#') + after_; }
 
   std::string file(int frame) const;
-  /// The number of a frame from a name without a folder; none if it is no frame of this animation.
+  /// The number of a frame from its name without a folder; none if it is not a frame of this animation.
   std::optional<int> frame_of(const std::string& name) const;
   /// Throws Error(usage) if the number has more digits than there are #.
   void check_room_for(int frame) const;
 
-  /// Files of the whole animation, beside the frames: "frames/aurora_####.exr" gives
+  /// The name of a file for the whole animation, beside the frames: "frames/aurora_####.exr" gives
   /// "frames/aurora.animation.json", "frames/####.exr" gives "frames/animation.json".
   std::string companion(const std::string& kind) const;
 
@@ -38,8 +38,8 @@ class FrameNames {
 /// "FIRST:LAST" or "FIRST:LAST:STEP", LAST included. Throws Error(usage).
 std::vector<int> frames_from_words(const std::string& words);
 
-/// The scene of frame n: time.start_s + n time.lapse / fps, in double precision, all else as it is. Printed
-/// with as many digits as it takes to read the same number again, it can be given to `vegard render --set
+/// The scene of frame n: time.start_s + n time.lapse / fps, in double precision, with all else unchanged.
+/// Printed with enough digits to read the same number again, this time can be given to `vegard render --set
 /// time.start_s`.
 sim::Scene scene_of_frame(const sim::Scene& scene, int frame, double frames_per_second);
 

@@ -1,5 +1,5 @@
-// The size of the pictures that an HEVC stream holds, by its own header: what its container says is not to be
-// trusted, since OpenImageIO 2.4 reads as many rows as that promises, there or not.
+// Reads the size of the pictures in an HEVC stream from the stream's own header. The size in the container is
+// not reliable: OpenImageIO 2.4 reads as many rows as the container states, even if they do not exist.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace vegard::fit {
 
-/// Width and height after the conformance window, from a decoder configuration record (the box hvcC of
-/// ISO/IEC 14496-15, section 8.3.3) and the sequence parameter set in it (ITU-T H.265, section 7.3.2.2).
-/// Nothing if there is none, or it makes no sense.
+/// Returns width and height after cropping by the conformance window, from the sequence parameter set (ITU-T
+/// H.265, section 7.3.2.2) in a decoder configuration record (the box hvcC of ISO/IEC 14496-15,
+/// section 8.3.3). None if the parameter set is missing or invalid.
 std::optional<std::pair<long long, long long>> hevc_size(std::string_view configuration);
 
 }  // namespace vegard::fit

@@ -1,12 +1,13 @@
 // Reads the header of an image file and checks that the file is complete.
 //
-// OpenCV 4.6 cannot be trusted with either. It hands back a full picture (grey where data are missing) for a
-// truncated JPEG; takes no notice of the EXIF orientation when another APP1 segment (XMP) comes before it;
-// writes complaints to the terminal for a damaged PNG or TIFF; reads the planes of a 16-bit planar TIFF as if
-// they were interleaved, a TIFF where white is zero as its negative, and TIFF palettes, CMYK, double
-// precision and grey with alpha wrongly or not at all. So the file is walked first, and what OpenCV would get
-// wrong never reaches it. libheif decodes as soon as it opens, and LibRaw fills up what is missing, so that
-// their files are walked too; of FITS its own reader (sim/base/picture/fits_io.h) checks all of it.
+// OpenCV 4.6 does neither reliably. It returns a full picture (grey where data are missing) for a truncated
+// JPEG; ignores the EXIF orientation if another APP1 segment (XMP) comes before it; prints messages to the
+// terminal for a damaged PNG or TIFF; reads the planes of a 16-bit planar TIFF as if they were interleaved, a
+// TIFF where white is zero as its negative, and TIFF palettes, CMYK, double precision and grey with alpha
+// wrongly or not at all. So vegard parses the structure of each file first ("walks" it), and never gives
+// OpenCV a file that it would read wrongly. libheif decodes already when it opens a file, and LibRaw fills in
+// missing data, so that their files are walked too. FITS files are checked by their own reader
+// (sim/base/picture/fits_io.h).
 #pragma once
 
 #include <array>
@@ -21,20 +22,20 @@ enum class ImageFormat { jpeg, png, tiff, pgm, ppm, exr, fits, raw, heif };
 
 struct ImageFile {
   ImageFormat format = ImageFormat::jpeg;
-  long long width = 0, height = 0;  ///< as stored, before orientation; 0 of FITS and raw: their readers see
+  long long width = 0, height = 0;  ///< as stored, before orientation; 0 for FITS and raw: see their readers
   int bits = 8;                     ///< per channel, as in the file
   bool floating = false;
   int orientation = 1;              ///< EXIF's 1 to 8
-  bool colour_times_alpha = false;  ///< libtiff multiplies this file's colours with its alpha
-  /// Standard deviations, in codes of R, G and B, of what compression has put upon all pixels of a block
-  /// alike; 0 of formats that lose nothing, or whose tables are not read.
+  bool colour_times_alpha = false;  ///< libtiff multiplies this file's colours by its alpha
+  /// Standard deviations, in codes of R, G and B, of the compression error that all pixels of a block have in
+  /// common; 0 for lossless formats, and for those whose quantisation tables are not read.
   std::array<double, 3> block_error{};
 };
 
-/// "JPEG", "PNG", "TIFF" ...
+/// Returns "JPEG", "PNG", "TIFF" ...
 const char* format_name(ImageFormat format);
 
-/// An unreadable_input error about the file.
+/// Throws sim::Error(unreadable_input) about the file.
 [[noreturn]] void refuse_image(const std::string& file, const std::string& problem,
                                const std::string& expected = {}, const std::string& hint = {});
 
@@ -42,7 +43,7 @@ const char* format_name(ImageFormat format);
 [[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
 [[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
 
-/// An unsigned integer of `size` bytes at `at`; the caller has checked that it lies inside.
+/// Returns the unsigned integer of `size` bytes at `at`; the caller must check that it lies inside `bytes`.
 inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int size, bool big_endian) {
   std::uint64_t value = 0;
   for (int i = 0; i < size; ++i) {

@@ -1,4 +1,4 @@
-// The walk through an image file that checks it before anything decodes it: one per format.
+// Checks the structure of image files before they are decoded ("walks" them): one function per format.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace vegard::fit {
 
-/// Throws sim::Error(unreadable_input) naming `file` for bytes that are empty, truncated, damaged where the
-/// format allows to tell (a PNG's checksums), of no format that is read, larger than
-/// sim/base/picture/pixel_limit.h allows, or of a kind that is not read. It asks for no memory by what the
-/// header promises.
+/// Recognises the format and checks the file. Throws sim::Error(unreadable_input) with the name `file` for
+/// bytes that are empty, truncated, detectably damaged (a PNG's checksums), of an unknown format or of an
+/// unsupported variant of a format, or for pictures larger than sim/base/picture/pixel_limit.h allows.
+/// Allocates no memory according to the header's sizes.
 ImageFile inspect_image_file(std::string_view bytes, const std::string& file);
 
 ImageFile walk_jpeg(std::string_view bytes, const std::string& file);
@@ -24,17 +24,18 @@ ImageFile walk_exr(std::string_view bytes, const std::string& file);
 ImageFile walk_heif(std::string_view bytes, const std::string& file);
 ImageFile walk_camera_raw(std::string_view bytes, const std::string& file);
 
-/// By the brand that it begins with.
+/// True if the bytes begin with one of HEIF's brands.
 bool is_heif(std::string_view bytes);
 
-/// Whether one of the pictures in a HEIC is of this size by its header, upright or turned; where something is
-/// cut out of what is stored, at least of it.
+/// True if, by the file's header, one of the pictures in a HEIC has this size, upright or turned; or at least
+/// this size, if the picture is cropped.
 bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
 
-/// By its first bytes, or of a TIFF by what its directories hold.
+/// True for camera raw files, which are recognised by their first bytes, or if they are TIFFs by their
+/// directories.
 bool is_camera_raw(std::string_view bytes);
 
-/// The orientation of EXIF data that begin with a TIFF header; 1 if they say none or make no sense.
+/// Returns the orientation in EXIF data that begin with a TIFF header; 1 if they have none or are invalid.
 int exif_orientation(std::string_view tiff);
 
 }  // namespace vegard::fit

@@ -1,5 +1,5 @@
-// JPEG row by row: a large photograph never stands in memory as a whole, and whatever is made of its rows is
-// made while they are in the processor's cache.
+// Decodes JPEG row by row: a large photograph is never in memory as a whole, and its rows are processed while
+// they are in the processor's cache.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,10 @@
 
 namespace vegard::fit {
 
-/// A JPEG of 8 bits, decoded as the file has it, before its EXIF orientation. The bytes have been walked
-/// (fit/photo/codec/image_walk.h) and must outlive it; `file` is for messages. Constructor and next_rows()
-/// throw sim::Error(unreadable_input) for what libjpeg cannot decode, or makes up.
+/// Decodes a JPEG of 8 bits in the order of the file, without its EXIF orientation. The bytes must have been
+/// checked (fit/photo/codec/image_walk.h) and must outlive the object; `file` is for messages. Constructor
+/// and next_rows() throw sim::Error(unreadable_input) for data that libjpeg cannot decode, or replaces by a
+/// guess.
 class JpegRows {
  public:
   JpegRows(std::string_view bytes, const std::string& file);
@@ -21,11 +22,11 @@ class JpegRows {
 
   int width() const;
   int height() const;
-  /// 1 (grey) or 3 (red, green, blue); 0 for colours of other kinds, whose rows are not to be asked for.
+  /// 1 (grey) or 3 (red, green, blue); 0 for other colour spaces, for which next_rows() must not be called.
   int channels() const;
 
-  /// Decodes the next `count` rows, fewer where the picture ends, to `to`, one behind the other with their
-  /// channels interleaved. Returns how many there were.
+  /// Decodes the next `count` rows, fewer at the picture's end, to `to`, one after the other with their
+  /// channels interleaved. Returns the number of rows decoded.
   int next_rows(int count, std::uint8_t* to);
 
  private:

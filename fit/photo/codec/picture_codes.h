@@ -1,4 +1,4 @@
-// The numbers of an image file as they stand in it, upright, before anything is made of them: one shape for
+// The numbers of an image file as stored, turned upright and not yet converted to light: one structure for
 // all formats, and the decoders that fill it.
 #pragma once
 
@@ -16,18 +16,20 @@ namespace vegard::fit {
 
 struct PictureCodes {
   int width = 0, height = 0;
-  int channels = 3;                  ///< 1 (grey) or 3 (red, green, blue)
-  /// Row by row from the top, channels interleaved; of most files of 8 bits in `bytes`, a quarter of the size.
+  int channels = 3;  ///< 1 (grey) or 3 (red, green, blue)
+  /// Row by row from the top, channels interleaved; for most files of 8 bits they are in `bytes` instead,
+  /// which needs a quarter of the memory.
   std::vector<float> values;
   std::shared_ptr<const std::uint8_t> bytes;
-  std::vector<std::uint8_t> usable;  ///< as `values`, besides being below white; empty: all
-  double white = 255.0;              ///< the number of white; 1 for floats
-  double step = 1.0;                 ///< between two codes; 0 for floats
+  std::vector<std::uint8_t>
+      usable;            ///< indexed as `values`: 0 if unusable although below white; empty: all 1
+  double white = 255.0;  ///< the number of white; 1 for floats
+  double step = 1.0;     ///< between two codes; 0 for floats
   int bits = 8;
   bool floating = false;
-  bool linear = false;  ///< what such a file holds unless one knows better: linear light, else sRGB
-  std::array<double, 3> block_error{};  ///< as ImageFile has it
-  std::string kind;     ///< "8-bit JPEG", with what else has a part in its numbers
+  bool linear = false;                       ///< the format's usual encoding: linear light, or sRGB if false
+  std::array<double, 3> block_error{};       ///< as in ImageFile
+  std::string kind;                          ///< "8-bit JPEG", with what else has a part in its numbers
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
 
   std::size_t size() const { return static_cast<std::size_t>(width) * height * channels; }

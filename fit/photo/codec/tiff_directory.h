@@ -1,4 +1,4 @@
-// The directories of TIFF files and of what is built like them: EXIF data, most camera raw files.
+// The directories of TIFF files and of data with the same structure: EXIF data, most camera raw files.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ inline constexpr int kSampleFormat = 339;
 inline constexpr int kSubDirectories = 330;
 }  // namespace tiff_tag
 
-/// A directory of a TIFF, classic or big, read no further than the bytes reach.
+/// A directory of a TIFF or BigTIFF; never reads beyond the end of the bytes.
 class TiffDirectory {
  public:
   /// The first directory, or the one at `offset`; complete() is false if it does not lie wholly inside the
@@ -53,8 +53,8 @@ class TiffDirectory {
 
   bool complete() const { return complete_; }
 
-  /// The values of a tag, no more than `most`; nothing if the tag is absent. Values that would lie outside
-  /// the file are reported as such through inside().
+  /// Returns the values of a tag, at most `most` of them; none if the tag is absent. If the values would lie
+  /// outside the file, inside() returns false afterwards.
   std::optional<std::vector<std::uint64_t>> values(int tag, std::size_t most = SIZE_MAX) const {
     for (std::uint64_t i = 0; i < count_; ++i) {
       const std::size_t entry = begin_ + i * entry_size_;

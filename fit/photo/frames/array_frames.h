@@ -1,13 +1,13 @@
-// Images in files of arrays (sim/base/array): HDF5 as TREx writes a minute of colour frames, MATLAB's files,
-// NASA's CDF as THEMIS and REGO publish an hour.
+// Frames in files of arrays (sim/base/array): HDF5 (TREx, a minute of colour frames), MATLAB files, NASA's
+// CDF (THEMIS and REGO, an hour of frames).
 //
-// The images are the array with the most numbers of those with two to four dimensions; in a file of the
-// imagers' own, "data/images"; or several of one shape that are distinguished by a number at the end of their
-// names, "frame1", "frame2". Times stand in an array with one for each frame: texts as ISO writes them, the
-// clocks of CDF, seconds since 1970, or MATLAB's days. Words are the attributes of the file, of
-// "metadata/file" and of "metadata/frame/frameN".
+// The images are the largest array with two to four dimensions; in a file of TREx, "data/images"; or several
+// arrays of the same shape whose names differ by a number at the end, "frame1", "frame2". The times are an
+// array with one element for each frame: ISO texts, the times of CDF, seconds since 1970, or MATLAB's days.
+// The frames' metadata (ImagerWords) are the attributes of the file, of "metadata/file" and of
+// "metadata/frame/frameN".
 //
-// Integers of up to 16 bits without a sign become a PGM or PPM, all else FITS of floats.
+// Unsigned integers of up to 16 bits become a PGM or PPM, all other numbers a FITS file of floats.
 #pragma once
 
 #include <memory>
@@ -18,9 +18,9 @@
 
 namespace vegard::fit {
 
-/// Which array is the images, and which of its dimensions are rows, columns, colours and frames.
+/// The arrays that hold the images, and which of their dimensions are rows, columns, colours and frames.
 struct ImageStack {
-  /// Their indices in the file: one, or one for each frame, in their order.
+  /// Indices of the arrays in the file: one, or one for each frame, in the frames' order.
   std::vector<std::size_t> arrays;
   std::size_t frames = 1;
   long long width_px = 0, height_px = 0;
@@ -29,11 +29,12 @@ struct ImageStack {
   int frame_axis = -1, row_axis = 0, column_axis = 1, channel_axis = -1;
 };
 
-/// Of four dimensions one is of the three colours: the third with frames behind it, or the last with frames
-/// before all. Of three, the first or last that has as many as a times' array is that of frames; without
-/// times, a length of 3 at the end is of colours, else frames lie along the shorter of the first and the
-/// last. (MATLAB's arrays are taken in MATLAB's order of dimensions.) Throws sim::Error(unreadable_input) if
-/// there are no images, several that are as large, or more than the limits of frame_file.h.
+/// Finds the images in a file. Four dimensions include the three colours: as the third dimension, with the
+/// frames as the fourth; or as the last, with the frames as the first. Of three dimensions, the first or the
+/// last is that of the frames if its length is that of an array of times; without times, a last dimension of
+/// length 3 is that of the colours, otherwise the shorter of the first and the last is that of the frames.
+/// (MATLAB's arrays have MATLAB's order of dimensions.) Throws sim::Error(unreadable_input) if there are no
+/// images, several arrays of the same size, or more frames or pixels than the limits of frame_store.h allow.
 ImageStack find_images(const sim::ArrayFile& file);
 
 std::unique_ptr<FrameStore> array_frames(std::unique_ptr<sim::ArrayFile> file);

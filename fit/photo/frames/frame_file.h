@@ -1,10 +1,9 @@
-// Files with many frames in them: PGM or PPM of bytes (P5, P6) one behind the other, gzipped or not, as the
-// imagers of THEMIS, REGO and TREx write a minute of them. Frames are numbered from 0.
+// Reads files with many frames: a sequence of binary PGMs or PPMs (P5, P6), gzipped or not, in which the
+// imagers of THEMIS, REGO and TREx store a minute of frames. Frames are numbered from 0. Frames in arrays and
+// tars (frame_store.h) are read through the same interface.
 //
-// Frames of other files, of arrays and tars (frame_store.h), are handed on in the same way.
-//
-// A file is gone through once, from its beginning, and in room for one frame whatever its size: a night's
-// survey asks frame_index() what there is, and a FrameReader for one frame after the other.
+// A file is read once, from its beginning, with memory for one frame whatever its size: a night's survey
+// lists the frames by frame_index() and reads them one by one by a FrameReader.
 #pragma once
 
 #include <cstddef>
@@ -22,44 +21,44 @@
 
 namespace vegard::fit {
 
-/// Of a frame's header: what stands before its pixels.
+/// Largest size of a frame's header, which is all before its pixels.
 constexpr std::size_t kMaxFrameHeaderBytes = sim::kMaxPeekBytes;
 
 struct FrameHead {
   int number = 0;  ///< from 0
   int width_px = 0, height_px = 0;
-  std::uint64_t offset = 0;  ///< of its first byte in the unpacked file; 0 of a FrameStore's
-  std::uint64_t bytes = 0;   ///< with its header; 0 of a FrameStore's
+  std::uint64_t offset = 0;  ///< of its first byte in the unpacked file; 0 for a frame of a FrameStore
+  std::uint64_t bytes = 0;   ///< including its header; 0 for a frame of a FrameStore
   std::optional<ImagerTime> time;
   std::optional<double> exposure_s;
-  std::string word_kind = kPgmComment;  ///< what its words are, for messages
+  std::string word_kind = kPgmComment;  ///< what kind of metadata its words are, for messages
 };
 
-/// One frame of a file after another. All throws sim::Error(unreadable_input) with the file's name and the
-/// frame's number for a file that is cut short, damaged or no such file, whose frames are out of their order
-/// in time, or of another size than the first or than their own words say, or that has more than the limits
-/// above and sim/base/picture/pixel_limit.h allow. What is wrong with a file is reported when its reader
-/// comes to it: the checksum of gzip stands at its end.
+/// Reads the frames of a file one after another. Every function throws sim::Error(unreadable_input), with the
+/// file's name and the frame's number, for a file that is truncated, damaged or of another kind; for frames
+/// that are not in the order of time, or whose size differs from that of the first frame or of their own
+/// words; and for more than the limits of this header, frame_store.h and sim/base/picture/pixel_limit.h
+/// allow. An error is reported when the reader reaches it: gzip's checksum is at the file's end.
 class FrameReader {
  public:
   explicit FrameReader(const std::string& file);
-  /// Of bytes that outlive it; `name` is for messages.
+  /// Reads from bytes in memory, which must outlive the reader; `name` is for messages.
   FrameReader(std::string_view bytes, const std::string& name);
 
-  /// Goes on to the next frame, the first to begin with; false behind the last.
+  /// Moves to the next frame (at first to the first one); returns false after the last.
   bool next();
 
-  // Of the frame that next() has come to.
+  // The frame to which next() has moved.
   const FrameHead& head() const { return head_; }
-  /// What it says of itself, or the file's first frame for it.
+  /// The frame's metadata, completed by those of the file's first frame.
   ImagerWords words() const;
-  /// The frame as a picture of its own: a PGM or PPM, header and pixels, or what a FrameStore makes of it.
-  /// Once a frame.
+  /// Returns the frame as the bytes of a picture file: a PGM or PPM with header and pixels, or
+  /// FrameStore::picture(). May be called once for each frame.
   std::string take();
 
-  /// By gzip.
+  /// True if the file is gzipped.
   bool is_packed() const { return stream_ && stream_->is_packed(); }
-  /// Whether frames stand in the file as they are, one behind the other.
+  /// True if the file is an uncompressed sequence of PGMs or PPMs.
   bool is_plain() const { return stream_ && !stream_->is_packed(); }
 
  private:
@@ -72,13 +71,13 @@ class FrameReader {
   [[noreturn]] void refuse_cut(std::uint64_t there) const;
 
   std::unique_ptr<FrameStore> store_;
-  std::optional<sim::ByteStream> stream_;  ///< without a source
+  std::optional<sim::ByteStream> stream_;  ///< none if there is a store_
   std::string name_;
   FrameHead head_;
   PnmHeader pnm_;
   int channels_ = 1;
   std::string header_;        ///< bytes
-  std::uint64_t pixels_ = 0;  ///< bytes of them that are still to be read
+  std::uint64_t pixels_ = 0;  ///< bytes of the frame's pixels that are not read yet
   ImagerWords own_, first_;
   int first_width_px_ = 0, first_height_px_ = 0, first_channels_ = 0;
   std::optional<ImagerTime> latest_;
@@ -91,11 +90,12 @@ struct FrameIndex {
   bool is_packed = false;
 };
 
-/// Reads all of the file and keeps no pixels; what is not packed is passed over.
+/// Lists the frames of a file. It reads through the whole file without keeping pixels; in an uncompressed
+/// file it skips them.
 FrameIndex frame_index(const std::string& file);
 
-/// Whether the file holds frames at all, by its first bytes: one, or many. False as well for a file that
-/// cannot be read.
+/// True if the file's first bytes are those of a file with frames, be it one or many. False as well for a
+/// file that cannot be read.
 bool is_frame_file(const std::string& file);
 
 }  // namespace vegard::fit

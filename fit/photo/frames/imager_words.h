@@ -1,7 +1,8 @@
-// Parses the comments that the imagers of THEMIS, REGO and TREx write into a frame's PGM: #"Key" value.
+// Parses the comments that the imagers of THEMIS, REGO and TREx write into a frame's PGM: #"Key" value. This
+// code calls keys and values of all such metadata "words".
 //
-// The first frame of a file says everything, those after it what has changed since; keys are spelt with
-// capitals here and without there.
+// The first frame of a file has all keys, later frames only those whose value has changed. The case of the
+// keys differs between imagers.
 #pragma once
 
 #include <optional>
@@ -14,36 +15,37 @@
 
 namespace vegard::fit {
 
-/// Keys and values as they stand there, in their order.
+/// Keys and values as in the file, in the file's order.
 using ImagerWords = std::vector<std::pair<std::string, std::string>>;
 
-/// What the words are that stand in a PGM.
+/// Name of the words of a PGM, for messages.
 inline constexpr const char* kPgmComment = "PGM comment";
 
-/// Of the header of a PGM or PPM; comments of another form are passed over.
+/// Parses the header of a PGM or PPM; ignores comments of another form.
 ImagerWords imager_words(std::string_view header);
 
-/// `own`, and what only `first`, the words of the file's first frame, say.
+/// Returns the words `own` of a frame, and those of the file's first frame, `first`, that it lacks.
 ImagerWords with_words_of_file(const ImagerWords& own, const ImagerWords& first);
 
 struct ImagerTime {
-  std::string utc;       ///< "2014-03-10T06:05:33.029314Z", when the exposure began
+  std::string utc;       ///< beginning of the exposure, "2014-03-10T06:05:33.029314Z"
   double seconds = 0.0;  ///< the same since 1970 (sim/base/utc_time.h)
   std::string source;    ///< the word that says it
 };
 
-/// Nothing where no word gives it, or one that no calendar has. `kind`: what the words are, for its source.
+/// Returns the frame's time; none if no word gives it, or if it is not a valid date. `kind`: name of the
+/// words, for ImagerTime::source.
 std::optional<ImagerTime> imager_time(const ImagerWords& words, const std::string& kind = kPgmComment);
 
-/// What was asked of the camera, in seconds; nothing where no word gives it.
+/// Returns the exposure that was requested from the camera, in seconds; none if no word gives it.
 std::optional<double> imager_exposure_s(const ImagerWords& words);
 
-/// Why the size that "Exposure options" give cannot be that of the picture: they give the sensor's pixels
-/// that were read, or what binning has made of them, or a whole multiple of the latter where the file was
-/// made smaller. Empty if it can.
+/// Returns why the size in "Exposure options" contradicts that of the picture; empty if it does not. The
+/// options may give the number of sensor pixels before or after binning, or a whole multiple of the binned
+/// size if the file was reduced.
 std::string contradicted_size(const ImagerWords& words, int width_px, int height_px);
 
-/// Time, place, exposure and camera, with the words that say them, and the size.
+/// Returns time, place, exposure and camera from the words, each with its source, and the size.
 sim::PictureMetadata imager_metadata(const ImagerWords& words, int width_px, int height_px,
                                      const std::string& kind = kPgmComment);
 

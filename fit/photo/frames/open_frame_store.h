@@ -9,12 +9,12 @@
 
 namespace vegard::fit {
 
-/// Of a file by what it begins with, or of bytes that outlive it (`name` is for messages then); nothing for a
-/// file of another kind, or one that cannot be read. Throws sim::Error(unreadable_input) for one that is
-/// damaged or has no frames in it.
+/// Opens a file, or bytes in memory, which must outlive the store (`name` is then for messages only). Returns
+/// null for a file of another kind, or one that cannot be read. Throws sim::Error(unreadable_input) for a
+/// file that is damaged or has no frames.
 std::unique_ptr<FrameStore> frame_store(const std::string& name, std::string_view bytes = {});
 
-/// Whether frame_store() would look into the file.
+/// True if the file is of a kind that frame_store() opens.
 bool has_frame_store(const std::string& file);
 
 }  // namespace vegard::fit

@@ -1,6 +1,6 @@
-// Pictures in a tar, as TREx's cameras write a minute of colour frames (*.png.tar): PNGs whose names tell
-// time, site, camera and exposure (imager_name.h). They are taken in the order of their times, those without
-// one before all others, by their names.
+// Frames in a tar, in which TREx's cameras store a minute of colour frames (*.png.tar): PNGs whose names give
+// time, site, camera and exposure (imager_name.h). Frames are ordered by time; those without a time come
+// first, ordered by name.
 #pragma once
 
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace vegard::fit {
 
-/// As frame_store() has it. What ends with .png is a frame, and all else is passed over. Throws
-/// sim::Error(unreadable_input) for a tar that is damaged or has no PNG in it; of a PNG no more is looked at
-/// than its size, until its picture is asked for.
+/// Opens a tar; the parameters are those of frame_store(). Files whose names end with .png are frames, all
+/// others are ignored. Throws sim::Error(unreadable_input) for a tar that is damaged or has no PNG. Only the
+/// sizes of the PNGs are read before picture() is called.
 std::unique_ptr<FrameStore> tar_frames(const std::string& name, std::string_view bytes = {});
 
 }  // namespace vegard::fit

@@ -8,15 +8,15 @@
 
 namespace vegard::fit {
 
-/// FITS, a plane each: energy flux, E0, relative error of the flux, error of ln E0, oxygen factor, its
-/// logarithm's error, the second energy, chi2, quality. NaN where there is no answer.
+/// Returns a FITS file with one plane each for energy flux, E0, relative error of the flux, error of ln E0,
+/// oxygen factor, error of its logarithm, the second energy, chi2, quality. NaN where there is no answer.
 std::string encode_column_maps(const ColumnMaps& maps, const InversionFacts& facts, const std::string& name);
 
-/// netCDF-4 by the CF conventions with variables of the same, whole or not at all.
+/// Writes netCDF-4 by the CF conventions with the same quantities, completely or not at all.
 void write_column_maps_netcdf(const ColumnMaps& maps, const InversionFacts& facts, const std::string& path,
                               const std::string& shown_name);
 
-/// How many pixels have which quality, a line each.
+/// The number of pixels of each quality, one line each.
 std::string column_maps_text(const ColumnMaps& maps);
 
 }  // namespace vegard::fit

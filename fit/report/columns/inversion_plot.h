@@ -1,4 +1,4 @@
-// chi2 of line brightnesses over energy and energy flux, with the solutions.
+// A plot of chi2 of line brightnesses over energy and energy flux, with the solutions.
 #pragma once
 
 #include "fit/columns/column_inversion.h"
@@ -6,9 +6,10 @@
 
 namespace vegard::fit {
 
-/// Contours of chi2 where it is 2.30, 6.18 and 11.83 above the least (68.3, 95.4 and 99.7 % of two numbers
-/// together; an oxygen factor that is free is at its best), where each line by itself has its brightness, and
-/// the solutions with their 68 % intervals. To be called where energy and flux are both free.
+/// Returns a plot with contours of chi2 at 2.30, 6.18 and 11.83 above the minimum (68.3, 95.4 and 99.7 % for
+/// two parameters jointly; a free oxygen factor is at its best value), the curves on which each single line
+/// has its measured brightness, and the solutions with their 68 % intervals. Energy and flux must both be
+/// free.
 Plot inversion_plot(const ColumnChi2& chi2, const ColumnInversion& inversion, const std::string& note);
 
 }  // namespace vegard::fit

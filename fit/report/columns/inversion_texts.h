@@ -1,4 +1,4 @@
-// A column-ratio inversion in words and for machines.
+// A column-ratio inversion as text and as JSON.
 #pragma once
 
 #include <string>
@@ -7,17 +7,18 @@
 
 namespace vegard::fit {
 
-/// What an answer rests on.
+/// The assumptions of an inversion.
 struct InversionFacts {
   std::string spectrum;      ///< "maxwellian"
   std::string tables;        ///< "glow"
-  double model_error = 0.0;  ///< of the tables, a share of each brightness, which is in the lines' errors
+  double model_error = 0.0;  ///< relative error of the tables, included in the lines' errors
 };
 
-/// A table of the lines, one of each solution, chi2, the verdict and what trades off.
+/// Returns a table of the lines, a table of each solution, chi2, the verdict and the degeneracies.
 std::string inversion_text(const ColumnInversion& inversion, const InversionFacts& facts);
 
-/// JSON (RFC 8259) with a fixed order of keys; null for what is open or not known.
+/// Returns JSON (RFC 8259) with a fixed order of keys; null for an open end of an interval or an unknown
+/// value.
 std::string inversion_json(const ColumnInversion& inversion, const InversionFacts& facts);
 
 }  // namespace vegard::fit

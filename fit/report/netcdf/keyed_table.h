@@ -1,5 +1,5 @@
-// A table of text in the form that vegard writes (comments, names of columns, rows), by the columns that say
-// where a row belongs: what was written line by line becomes arrays of as many dimensions.
+// Reads a text table in vegard's format (comments, names of columns, rows) and converts columns to arrays.
+// Key columns, such as band and row, give the place of each row in the array.
 #pragma once
 
 #include <cstddef>
@@ -10,41 +10,41 @@
 
 namespace vegard::fit {
 
-/// As it stands in the file.
+/// The table as it is in the file.
 struct TextTable {
   std::string name;                                           ///< of the file, for messages
-  std::vector<std::pair<std::string, std::string>> comments;  ///< "# key: words", those alone
+  std::vector<std::pair<std::string, std::string>> comments;  ///< comments of the form "# key: words"
   std::string title;                                          ///< the first comment
   std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< as many cells each as there are columns
-  std::vector<int> lines;                      ///< of every row in the file, from 1
+  std::vector<std::vector<std::string>> rows;  ///< each with as many cells as there are columns
+  std::vector<int> lines;                      ///< line number in the file of each row, from 1
 
   bool has(std::string_view column) const;
-  /// The words of the first comment of that key; empty if there is none.
+  /// The words of the first comment with this key; empty if there is none.
   std::string comment(std::string_view key) const;
 };
 
-/// Cells as RFC 4180 has them. Throws sim::Error(unreadable_input) with file and line for a table without
-/// rows, a row of more or fewer cells than there are columns, and columns of one name.
+/// Parses a table; cells are quoted as in RFC 4180. Throws sim::Error(unreadable_input) with file and line
+/// for a table without rows, a row with more or fewer cells than columns, and columns of the same name.
 TextTable read_text_table(std::string_view text, const std::string& name);
 
 class KeyedTable {
  public:
-  /// Most numbers of an array.
+  /// Largest number of elements of an array.
   static constexpr std::size_t kMaxNumbers = std::size_t{1} << 26;
 
-  /// `keys`: columns of the table. Throws sim::Error(unreadable_input) if arrays by all keys would have more
-  /// than kMaxNumbers, or two rows have one place.
+  /// `keys` are columns of the table, which must outlive this object. Throws sim::Error(unreadable_input) if
+  /// arrays by all keys would have more than kMaxNumbers elements, or if two rows have the same keys.
   KeyedTable(const TextTable& table, std::vector<std::string> keys);
 
-  /// What stands in the key's column, each once, in the order of the rows.
+  /// The distinct values of the key's column, in the order of the rows.
   const std::vector<std::string>& places(const std::string& key) const;
-  /// The same as numbers; throws as numbers() does.
+  /// places() as numbers; throws as numbers() does.
   std::vector<double> place_numbers(const std::string& key) const;
 
-  /// A column by some of the keys, the last running fastest: NaN where the cell is empty or there is no row.
-  /// Of several rows of one place the last counts. Throws sim::Error(unreadable_input), with the line, for a
-  /// cell that is no number.
+  /// A column as an array with some of the keys as dimensions, the last varying fastest: NaN where the cell
+  /// is empty or there is no row. If several rows have the same place, the last one is used. Throws
+  /// sim::Error(unreadable_input), with the line, for a cell that is not a number.
   std::vector<double> numbers(const std::string& column, const std::vector<std::string>& by) const;
 
  private:

@@ -1,4 +1,5 @@
-// A map of precipitation as netCDF, from map.json, precipitation.fits and curtains.csv in its directory.
+// Converts a map of precipitation to netCDF, from map.json, precipitation.fits and curtains.csv in its
+// directory.
 #pragma once
 
 #include <string>
@@ -7,10 +8,10 @@
 
 namespace vegard::fit {
 
-/// Name of what `vegard map --netcdf` writes into a map's directory.
+/// Name of the file that `vegard map --netcdf` writes into a map's directory.
 inline constexpr const char* kMapNetcdf = "precipitation.nc";
 
-/// Throws sim::Error(unreadable_input) for what is no map's directory.
+/// Throws sim::Error(unreadable_input) if the directory is not a map's.
 sim::NetcdfDataset map_dataset(const std::string& directory);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The JSON of a run, a map or a sequence, read leniently: what is missing or null is NaN or empty.
+// Reads the JSON of a run, a map or a sequence leniently: what is missing or null is NaN or empty.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,8 @@ namespace vegard::fit {
 
 using RecordOfRun = nlohmann::ordered_json;
 
-/// Throws sim::Error(unreadable_input), with `expected`, for what is no JSON object or too large.
+/// Reads a JSON object. Throws sim::Error(unreadable_input), with `expected`, if the file is not one or is
+/// too large.
 RecordOfRun read_record(const std::string& file, const std::string& expected);
 
 /// NaN for anything but a number.

@@ -1,5 +1,5 @@
-// A run, a map or a sequence as netCDF, from the files in its directory; docs/file_formats.md has the
-// variables.
+// Converts a run, a map or a sequence to netCDF, from the files in its directory; the variables are described
+// in docs/file_formats.md.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace vegard::fit {
 
-/// Names of what `--netcdf` writes into a run's, a map's and a sequence's directory.
+/// Names of the files that `--netcdf` writes into the directory of a run and of a sequence.
 inline constexpr const char* kRunNetcdf = "result.nc";
 inline constexpr const char* kSequenceNetcdf = "sequence.nc";
 
-/// Of `vegard fit`: result.json and the tables profiles.csv, profiles-NAME.csv and profile.csv. Throws
-/// sim::Error(unreadable_input) for what is no run's directory.
+/// Converts a run of `vegard fit`: result.json and the tables profiles.csv, profiles-NAME.csv and
+/// profile.csv. Throws sim::Error(unreadable_input) if the directory is not a run's.
 sim::NetcdfDataset run_dataset(const std::string& directory);
 
-/// Of the frames of a sequence, in this order.
+/// Converts the frames of a sequence, in this order.
 sim::NetcdfDataset sequence_dataset(const std::vector<SequenceRow>& rows);
 
-/// The rows in frames/*.json of a sequence's directory, by time. Throws sim::Error(unreadable_input).
+/// Reads the rows in frames/*.json of a sequence's directory, sorted by time. Throws
+/// sim::Error(unreadable_input).
 std::vector<SequenceRow> read_sequence_rows(const std::string& directory);
 
-/// Of whatever `path` is: the directory of a run, a map or a sequence, or a table that table_dataset() reads.
-/// Throws sim::Error(unreadable_input).
+/// Converts whatever `path` is: the directory of a run, a map or a sequence, or a table that table_dataset()
+/// reads. Throws sim::Error(unreadable_input).
 sim::NetcdfDataset dataset_of(const std::string& path);
 
 }  // namespace vegard::fit

@@ -25,10 +25,11 @@ struct TextStyle {
   TextAnchor anchor = TextAnchor::start;
   Colour colour;
   bool bold = false;
-  bool upwards = false;  ///< turned a quarter to the left, around its place
+  bool upwards = false;  ///< rotated by 90 degrees to the left, around its position
 };
 
-/// Pixels to the right and down from the top left corner. A text's place is on its base line.
+/// Positions are in pixels to the right and downwards from the top left corner. The position of a text is on
+/// its base line.
 class PlotCanvas {
  public:
   virtual ~PlotCanvas() = default;
@@ -36,7 +37,7 @@ class PlotCanvas {
   virtual void area(const std::vector<PlotPoint>& outline, Colour colour, double opacity) = 0;
   virtual void dot(PlotPoint centre, double diameter_px, Colour colour) = 0;
   virtual void text(PlotPoint place, const std::string& text, const TextStyle& style) = 0;
-  /// A raster's pixels, blown up or shrunk to this place without smoothing.
+  /// Draws a raster's pixels, scaled to the rectangle without smoothing.
   virtual void picture(const PlotRectangle& place, const Raster& raster) = 0;
   /// Until end_clip() nothing outside the rectangle is drawn.
   virtual void begin_clip(const PlotRectangle& inside) = 0;
@@ -49,18 +50,18 @@ struct PlotSize {
 
 PlotSize plot_size(const Plot& plot);
 
-/// Draws all of it on a white ground of plot_size().
+/// Draws the whole plot on a white background of plot_size().
 void draw_plot(const Plot& plot, PlotCanvas& canvas);
 
-/// A whole SVG document of what `draw` draws, as plot_svg() makes it.
+/// Returns a whole SVG document with what `draw` draws, as plot_svg() does.
 std::string drawn_svg(const std::string& title, PlotSize size, const std::function<void(PlotCanvas&)>& draw);
 
-/// A text in the letters of a PNG's font, which knows ASCII alone: an exponent as ^-3, Greek letters by their
-/// names, the degree sign as the byte 1, which is drawn as the ring that it is, and ? for what is not known.
+/// Returns a text for a PNG's font, which has only ASCII: an exponent as ^-3, Greek letters by their names,
+/// the degree sign as the byte 1, which is drawn as a ring, and ? for unknown characters.
 std::string spelled_in_ascii(std::string_view text);
 
-/// Roughly: the width of a text in a sans-serif face, as wide as they come (DejaVu Sans), so that nothing is
-/// cut off.
+/// Returns an upper estimate of a text's width: that in a wide sans-serif font (DejaVu Sans), so that nothing
+/// is cut off.
 double text_width_px(const std::string& text, double size_px);
 
 }  // namespace vegard::fit

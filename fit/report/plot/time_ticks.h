@@ -11,8 +11,8 @@ struct TimeTicks {
   std::vector<std::string> labels;  ///< "05:30", "05:30:15", "10-07"
 };
 
-/// At most about `most` round moments between two, in seconds since 1970 UTC; begin < end. Days are marked by
-/// month and day, what is shorter by the clock.
+/// Returns at most about `most` round times between two, in seconds since 1970 UTC; begin < end. Labels are
+/// month and day for ticks at whole days, else the time of day.
 TimeTicks utc_ticks(double begin_s, double end_s, int most);
 
 }  // namespace vegard::fit

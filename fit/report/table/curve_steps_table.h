@@ -13,7 +13,7 @@ const char* change_name(CurveStep::Change change);
 /// "curtain_2 stays: BIC would be 812 higher without it (very strong evidence)".
 std::string curve_step_in_words(const CurveStep& step);
 
-/// An HTML table with a row a step; empty if there are none.
+/// An HTML table with one row per step; empty if there are none.
 std::string curve_steps_table(const FitResult& result);
 
 }  // namespace vegard::fit

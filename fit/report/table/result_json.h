@@ -8,7 +8,7 @@
 
 namespace vegard::fit {
 
-/// More is none of ours; a few megabytes is much.
+/// Largest size of a result.json that is read; a few megabytes are already a large one.
 constexpr std::size_t kMaxResultBytes = std::size_t{256} << 20;
 
 /// JSON (RFC 8259) with a fixed order of keys, numbers at full precision, and null for what is unknown or not

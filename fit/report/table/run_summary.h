@@ -16,7 +16,7 @@ struct RunSummary {
     std::string unit;
   };
 
-  std::string name;     ///< of the run's directory, as it was called
+  std::string name;     ///< the run's directory, as the user gave it
   std::string verdict;  ///< verdict_name()
   std::map<std::string, Parameter> parameters;
   std::vector<std::string> paths;  ///< of the parameters, in the run's order
@@ -28,14 +28,14 @@ struct RunSummary {
   std::vector<std::array<std::string, 2>> pictures;
   std::string decoding;
   std::vector<std::array<int, 4>> regions_px;
-  int values = 0;  ///< that were compared
+  int values = 0;  ///< number of compared values
   double sum_of_weights = 0.0;
-  double sampling_error = 0.0;  ///< of the model, as a fraction of the brightness
-  int unknowns = 0;             ///< free and solved for
+  double sampling_error = 0.0;  ///< sampling noise of the model, as a fraction of the brightness
+  int unknowns = 0;             ///< number of free and solved parameters
 };
 
-/// Reads DIRECTORY/result.json. Throws sim::Error(unreadable_input) if it is missing, no JSON, or lacks what
-/// is needed (a run of an older version, a fit that found nothing).
+/// Reads DIRECTORY/result.json. Throws sim::Error(unreadable_input) if it is missing, is not JSON, or lacks
+/// needed values (a run of an older version, a fit without a result).
 RunSummary read_run(const std::string& directory);
 
 }  // namespace vegard::fit

@@ -12,10 +12,10 @@ namespace vegard::fit {
 /// paths.
 std::string trace_csv(const FitResult& result);
 
-// What was compared, as a table: profiles.csv.
+// The compared profiles as a table: profiles.csv.
 
-/// One line per band, row and channel: data, sigma, model, residual / sigma, count. What is unknown or was
-/// not used is empty.
+/// One line per band, row and channel: data, sigma, model, residual / sigma, count. Unknown and unused values
+/// are empty.
 std::string profiles_csv(const FitResult& result, const FittedPhoto& fitted,
                          const ElevationOfPixel& elevation_of_pixel);
 

@@ -1,4 +1,5 @@
-// A sequence as files: a table, a plot over time, and a frame's row to go on from.
+// The files of a sequence: a table, a plot over time, and a row of each frame from which the sequence can be
+// continued.
 #pragma once
 
 #include <string>
@@ -9,15 +10,16 @@
 
 namespace vegard::fit {
 
-/// A line a frame: its time and verdict, then every number with its sigma. What is unknown is empty.
+/// Returns a table with a line per frame: its time and verdict, then every number with its sigma. Unknown
+/// values are empty.
 std::string sequence_csv(const std::vector<SequenceRow>& rows);
 
-/// A panel for each energy, energy flux, distance and lower border against time. Shaded: one sigma. Frames
-/// whose verdict is not good are grey; failed and interrupted ones are left out.
+/// Returns a plot with a panel for each energy, energy flux, distance and lower border against time. Shaded:
+/// one sigma. Frames whose verdict is not good are grey; failed and interrupted ones are left out.
 Plot sequence_plot(const std::vector<SequenceRow>& rows);
 
-/// A row as JSON with every number exact, and back. Throws sim::Error(unreadable_input) that names `file` for
-/// what is no row.
+/// Converts a row to JSON with exact numbers, and back. Throws sim::Error(unreadable_input) that names `file`
+/// if the text is not such a row.
 std::string sequence_row_json(const SequenceRow& row);
 SequenceRow sequence_row_of(const std::string& json, const std::string& file);
 

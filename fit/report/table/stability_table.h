@@ -7,9 +7,9 @@
 
 namespace vegard::fit {
 
-/// A row for each variation, a column for each derived number that one wants to see first (ratios of lines
-/// and places on the Earth are in result.json): its shift in its unit, or why there is none; last the
-/// statistical and the systematic error. Empty without FitResult::stability.
+/// Returns a row for each variation and a column for each important derived number (ratios of lines and
+/// places on the Earth are in result.json): its shift in its unit, or why there is none; last the statistical
+/// and the systematic error. Empty without FitResult::stability.
 std::string stability_table(const FitResult& result);
 
 }  // namespace vegard::fit

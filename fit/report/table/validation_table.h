@@ -1,4 +1,4 @@
-// The error bars of a result side by side, by every means that was asked for, as HTML.
+// A table in HTML that compares the error bars of a result by all requested methods.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace vegard::fit {
 
-/// A row for each parameter: the 68 % interval by curvature, by profile likelihood (95 % too), by the
-/// bootstrap over bands, by the chain; where one is more than half as wide again as the curvature's, or
-/// narrower than two thirds, the factor is flagged. Below it, the notes on each method. Empty where none was
-/// asked for.
+/// Returns a row for each parameter: the 68 % interval by curvature, by profile likelihood (95 % too), by the
+/// bootstrap over bands, by the chain. If an interval is wider than 1.5 times, or narrower than two thirds
+/// of, that by curvature, the ratio is highlighted. Below it are notes on each method. Empty if no method was
+/// requested.
 std::string validation_table(const FitResult& result);
 
 }  // namespace vegard::fit

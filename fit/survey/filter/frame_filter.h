@@ -11,22 +11,22 @@ namespace vegard::fit {
 struct FilterFinding {
   FrameFeatures features{};
   SkyScores scores{};
-  std::string sky;  ///< its class, as sky_class() has it
+  std::string sky;  ///< the frame's class, from sky_class()
 };
 
-/// Of one camera during one of its calibrations.
+/// The filter for one camera during one of its calibrations.
 class FrameFilter {
  public:
-  /// `mask`, `trees`: names of files that may be opened; empty: there is none, those built in. Throws
+  /// `mask`, `trees`: names with which the files can be opened; empty: no mask; the built-in trees. Throws
   /// sim::Error(unreadable_input) for a mask or trees that cannot be read, a mask of another size than the
   /// camera's, and a camera that sees no sky.
   FrameFilter(const sim::Scene& scene, const std::string& mask, const std::string& trees);
 
-  /// Of a photograph as its file has it, without the mask; of the scene's place and camera. Throws as
-  /// frame_features() does.
+  /// Classifies a photograph in the pixels of its file, to which the mask is not applied, with the scene's
+  /// site and camera. Throws as frame_features() does.
   FilterFinding look(const Photo& photo, const sim::Scene& scene, double utc_s) const;
 
-  /// Of the trees.
+  /// SHA-256 of the trees.
   const std::string& sha256() const { return sha256_; }
 
  private:

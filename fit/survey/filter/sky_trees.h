@@ -1,6 +1,6 @@
 // Classifies the sky in a frame by decision trees over its features; the scores of the trees are added. Each
-// question has trees of its own, trained on frames with a known answer (scripts/learn_filter.py;
-// data/filter/sky_trees.json names them).
+// question has its own trees, trained on frames with a known answer (scripts/learn_filter.py;
+// data/filter/sky_trees.json lists these frames).
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace vegard::fit {
 
-/// What is asked of a frame. Several may be true of it at once.
+/// The questions about a frame: does it show an arc, twilight, ...? Several answers may be yes.
 enum class SkyQuestion { arc, twilight, cloud, moon, lamp, aurora };
 inline constexpr int kSkyQuestions = 6;
-/// "arc", "twilight", …; nothing for no question.
+/// Returns "arc", "twilight", …
 const char* sky_question_name(SkyQuestion question);
 
-/// How likely each is, 0 to 1, among frames such as those that were learnt from.
+/// The probability of each answer yes, 0 to 1, for frames like those of the training.
 using SkyScores = std::array<double, kSkyQuestions>;
 
 /// A frame's class: "arc" if there is one to be fitted, whatever else there is; else the first of twilight,
@@ -27,8 +27,8 @@ bool has_arc(const SkyScores& scores);
 
 class SkyTrees {
  public:
-  /// Of the text of a file. Throws sim::Error(unreadable_input), with its name, for what is no such file, or
-  /// asks for a feature that there is not.
+  /// Parses the text of a file. Throws sim::Error(unreadable_input), with the file's name, if it is not a
+  /// file of trees, or uses an unknown feature.
   SkyTrees(const std::string& text, const std::string& name);
 
   SkyScores scores(const FrameFeatures& features) const;
@@ -36,9 +36,9 @@ class SkyTrees {
  private:
   struct Node {
     int feature = -1;        ///< -1: a leaf
-    double threshold = 0.0;  ///< below it on to `below`, else to `above`
+    double threshold = 0.0;  ///< a smaller feature leads to node `below`, others to node `above`
     int below = 0, above = 0;
-    double score = 0.0;  ///< of a leaf: the sum over trees is the logarithm of the odds
+    double score = 0.0;  ///< of a leaf; the sum over all trees is the logarithm of the odds
   };
   using Tree = std::vector<Node>;
   static Tree tree_of(const std::string& json, const std::string& name);

@@ -1,4 +1,4 @@
-// The summary of one camera's night in a report: the survey's rows, counted and followed.
+// The summary of one camera's night for a report: counts of the survey's results, and series of numbers.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace vegard::fit {
 
 struct FollowedPoint {
   double time_s = 0.0, value = 0.0;
-  double sigma = 0.0;    ///< NaN where none is given
-  bool is_good = false;  ///< by the work's verdict; else it is doubtful
+  double sigma = 0.0;    ///< NaN if unknown
+  bool is_good = false;  ///< the work's verdict is good; else it is doubtful
 };
 
 struct FollowedSeries {
@@ -28,7 +28,7 @@ struct FollowedSeries {
   std::vector<FollowedPoint> points;  ///< in the order of time
 };
 
-/// A frame as a page names it.
+/// A frame as it is named on a page.
 struct NamedFrame {
   int frame = 0;
   std::string file, time_utc;
@@ -40,7 +40,8 @@ struct FailedFrames {
   std::vector<NamedFrame> some;  ///< the first of them
 };
 
-/// Why, in words; numbers in them are left out, so that like failures are counted together.
+/// Failed frames by reason. Numbers are removed from the reasons, so that similar failures are counted
+/// together.
 using Failures = std::map<std::string, FailedFrames>;
 
 /// Verdicts of each work with their counts.
@@ -52,12 +53,12 @@ struct EnergyAndFlux {
   bool is_good = false;
 };
 
-/// The latitude at which a curtain stood.
+/// The latitude of a curtain at a time.
 struct LatitudeAtTime {
   double time_s = 0.0, latitude_deg = 0.0;
 };
 
-/// A number that does not belong to its track.
+/// A number that was flagged as inconsistent with its track.
 struct JumpedNumber {
   std::string name, kind;  ///< "distance of the main sheet"; "outlier", "break"
   double time_s = 0.0, value = 0.0;
@@ -68,35 +69,35 @@ struct NightDigest {
   int frames = 0;
   double first_s = 0.0, last_s = 0.0;
   std::map<FrameStatus, int> statuses;
-  std::map<std::int64_t, int> frames_of_minute;  ///< by minutes since 1970
+  std::map<std::int64_t, int> frames_of_minute;  ///< counts, by minutes since 1970
   VerdictCounts verdicts;
   std::map<int, VerdictCounts> verdicts_of_hour;  ///< by the hour of the day (UTC)
   std::vector<FollowedSeries> series;             ///< by kind, then by name
   std::vector<EnergyAndFlux> energies;
-  std::string why_no_flux;  ///< what the fits say, where none has a flux
+  std::string why_no_flux;  ///< the fits' reason, if none has a flux
   std::vector<LatitudeAtTime> latitudes;
   Failures failures;
-  std::vector<JumpedNumber> jumps;  ///< none where the survey was not smoothed
+  std::vector<JumpedNumber> jumps;  ///< empty if the survey was not smoothed
   bool is_smoothed = false;
 };
 
-/// Where a camera stood when it took a block's frames; null where that is not known.
+/// Returns the site of the camera for a block; null if it is unknown.
 using SiteOfBlock = std::function<const sim::Site*(int block)>;
 
-/// Reads the camera's rows of a night, one frame at a time.
+/// Summarises a camera's night; reads one frame at a time.
 NightDigest digest_night(const SurveyReader& reader, const CameraNight& night, const SiteOfBlock& site);
 
-/// Adds velocities of distances and jumps, where the database has them (fit/survey/survey_motion.h).
+/// Adds velocities of distances and jumps, if the database has them (fit/survey/survey_motion.h).
 void add_motion(const SqliteFile& database, const CameraNight& night, NightDigest& digest);
 
-/// Adds what another night has counted.
+/// Add the counts of another night.
 void add_verdicts(const VerdictCounts& more, VerdictCounts& counts);
 void add_failures(const Failures& more, Failures& failures);
 
-/// Points of the kind, of the first series that has any; empty if there is none.
+/// Returns the points of the first series of this kind that has any; empty if there is none.
 std::vector<FollowedPoint> points_of(const NightDigest& digest, FollowedKind kind);
 
-/// The value below which this share of the numbers lies, of sorted ones the nearest; NaN of none.
+/// Returns the quantile at `share` (0 to 1) of the numbers, without interpolation; NaN if there are none.
 double share_of_numbers(std::vector<double> numbers, double share);
 
 }  // namespace vegard::fit

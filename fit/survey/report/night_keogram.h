@@ -1,4 +1,4 @@
-// The keogram of one camera's night, of the frames themselves.
+// The keogram of one camera's night, made from the frames' pictures.
 #pragma once
 
 #include <functional>
@@ -14,28 +14,28 @@
 
 namespace vegard::fit {
 
-/// Where the frames of a survey are, and what their cameras are.
+/// The frames of a survey and their cameras.
 struct SurveyFrames {
   const SurveyPlan* plan = nullptr;
-  std::function<SurveyEye(int camera, int calibration)> eye;  ///< of the plan's; may throw sim::Error
+  std::function<SurveyEye(int camera, int calibration)> eye;  ///< indices of the plan; may throw sim::Error
 };
 
 struct NightKeogram {
   std::optional<Keogram> keogram;  ///< none: no frame could be shown
-  int columns = 0;                 ///< frames that are in it
-  int unreadable = 0;              ///< that were to be, and could not be read
-  std::string why_none;            ///< of no keogram
+  int columns = 0;                 ///< number of frames in it
+  int unreadable = 0;              ///< number of selected frames that could not be read
+  std::string why_none;            ///< why there is no keogram
 };
 
-/// Of the frames that were measured one in each of `most` equal stretches of the night; along the plane
-/// through the zenith at the camera's azimuth (that of the magnetic meridian, if the camera looks higher than
-/// 60 degrees), or, where it shows nothing of it, of the picture's middle columns. A frame whose camera,
-/// size or decoding is not that of the first, or that cannot be read, is left out. The same for every number
-/// of threads.
+/// Makes the keogram from one measured frame in each of `most` equal intervals of the night. It is along the
+/// vertical plane at the camera's azimuth (or that of the magnetic meridian, if the camera looks higher than
+/// 60 degrees); if the pictures do not show this plane, it consists of their middle columns. Frames that
+/// cannot be read, or whose camera, size or decoding differs from the first one's, are left out. The result
+/// does not depend on the number of threads.
 NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night, const SurveyFrames& frames,
                            int most);
 
-/// The keogram with the border over it, on the same span of time as the other plots of the page.
+/// Plots the keogram with the border over it, for the same span of time as the other plots of the page.
 Plot keogram_with_border(const Keogram& keogram, const NightDigest& digest, const ShownSpan& span);
 
 }  // namespace vegard::fit

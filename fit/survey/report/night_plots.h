@@ -1,5 +1,5 @@
-// The plots of a survey's pages. Where there is much, it is thinned or binned: a plot has a few hundred
-// marks, however many frames there are.
+// The plots of a survey's pages. Many points are thinned or binned: a plot has a few hundred marks, whatever
+// the number of frames.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace vegard::fit {
 
-/// Times that a page's plots begin and end at, all the same so that they stand below one another.
+/// The span of time of all plots of a page, which are aligned below one another.
 struct ShownSpan {
   double begin_s = 0.0, end_s = 1.0;
 };
@@ -23,22 +23,23 @@ inline constexpr int kNightPanel_px = 900;
 /// An axis of time with round moments (UTC).
 Axis time_axis(const ShownSpan& span, const std::string& label);
 
-/// At most so many points: of each of as many equal stretches of time the frame whose value is the median,
-/// with its own error.
+/// Returns at most `most` points: from each of `most` equal intervals of time the frame with the median
+/// value, with its own error.
 std::vector<FollowedPoint> thinned(const std::vector<FollowedPoint>& points, const ShownSpan& span, int most);
 
-/// Points with error bars, the good and the doubtful in inks of their own. `name` is for the legend.
+/// Returns points with error bars, the good and the doubtful ones in different colours. `name` is for the
+/// legend.
 std::vector<Series> series_of(const FollowedSeries& series, const ShownSpan& span, const std::string& name,
                               Colour ink);
 
-/// A panel for each kind of number that the night has: energy, flux, distance, altitude, elevation. An empty
-/// plot if there is none.
+/// Plots a panel for each kind of number that the night has: energy, flux, distance, altitude, elevation. The
+/// plot is empty if there is none.
 Plot night_curves(const NightDigest& digest, const ShownSpan& span);
 
-/// Energy against energy flux, a dot a frame; logarithmic. Empty without any.
+/// Plots energy against energy flux, one dot per frame; logarithmic. The plot is empty if there are none.
 Plot energy_plot(const std::vector<EnergyAndFlux>& energies);
 
-/// The same of many, counted in cells.
+/// The same plot for many frames, which are counted in cells.
 class EnergyCells {
  public:
   void add(const EnergyAndFlux& pair);
@@ -50,7 +51,7 @@ class EnergyCells {
   int frames_ = 0;
 };
 
-/// In which hour (UTC) curtains stood at which latitude.
+/// Counts of curtains by hour (UTC) and latitude.
 class LatitudeCells {
  public:
   void add(const LatitudeAtTime& place);
@@ -63,22 +64,22 @@ class LatitudeCells {
   int frames_ = 0;
 };
 
-/// The ink of a verdict, and of any other word in its place a colour of its own.
+/// Returns the colour of a verdict; other words, such as the filter's classes, have colours too.
 Colour verdict_ink(const std::string& verdict);
 
-/// Shares of a work's verdicts by the hour, one bar each, with the number of frames above it: SVG. Hours go
-/// to the right from `first_hour` on, from the first to the last that has frames.
+/// Returns an SVG of the shares of a work's verdicts, one bar per hour, with the number of frames above it.
+/// Hours go to the right from `first_hour` on, from the first to the last that has frames.
 std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, SurveyWork work,
                          int first_hour);
 
-/// A night minute by minute since its beginning, for a small picture of it.
+/// A night minute by minute since its beginning, for a thumbnail.
 struct NightInSmall {
-  std::vector<int> frames, told;   ///< frames that there are; with a border, or else a curtain
+  std::vector<int> frames, told;   ///< number of frames; number of those with a border or a curtain
   std::vector<double> energy_kev;  ///< median; NaN where there is none
 };
 NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, double begin_s);
 
-/// What all nights of a list have in common: minutes [first, end), limits of energy.
+/// The common scales of all thumbnails of a list: minutes [first, end), limits of energy.
 struct StripScales {
   int first_minute = 24 * 60, end_minute = 0;
   int most_filled = 0;  ///< minutes with frames, of the night that has most
@@ -86,7 +87,7 @@ struct StripScales {
   void add(const NightInSmall& night);
 };
 
-/// The small picture (SVG, without text): the share of frames with an answer, and the energy over it.
+/// Returns the thumbnail (SVG, without text): the share of frames with an answer, and the energy over it.
 std::string night_strip(const NightInSmall& night, const StripScales& scales);
 
 }  // namespace vegard::fit

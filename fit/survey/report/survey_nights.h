@@ -1,4 +1,4 @@
-// The frames of a survey, night by night.
+// Divides the frames of a survey into nights.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct FrameRange {
   int first = 0, end = 0;
 };
 
-/// What one camera has taken in one night.
+/// The frames of one camera in one night.
 struct CameraNight {
   std::string camera;
   std::vector<FrameRange> ranges;  ///< one, unless several plans were merged
@@ -21,21 +21,22 @@ struct CameraNight {
 
 struct SurveyNight {
   std::string name;                  ///< the date (UTC) of its middle: "2019-03-01"
-  double begin_s = 0.0;              /// since 1970 in UTC; it lasts for a day
+  double begin_s = 0.0;              ///< since 1970 in UTC; a night lasts for 24 hours
   std::vector<CameraNight> cameras;  ///< by their names
 };
 
 struct SurveyNights {
-  int begins_at_s = 0;              ///< of the day (UTC): when one night ends and the next begins
+  int begins_at_s = 0;              ///< second of the day (UTC) at which nights begin and end
   std::vector<SurveyNight> nights;  ///< those that have frames, in their order
 };
 
-/// Nights end in the middle of the longest stretch of the day (UTC, in steps of ten minutes) in which the
-/// survey has no frame at all, or, where there is none, in the ten minutes with fewest: so that a night is
-/// not cut in two, wherever the cameras stand. Reads no more than the frames' times.
+/// Divides the frames into nights; reads only the frames' times. Nights end in the middle of the longest
+/// period of the day (UTC, in steps of ten minutes) without any frame, or, if there is none, in the ten
+/// minutes with fewest frames. So a night is not cut in two, wherever the cameras are.
 SurveyNights survey_nights(const SqliteFile& database);
 
-/// The second of the day (UTC) at which nights end, of the number of frames in each step of ten minutes.
+/// Returns the second of the day (UTC) at which nights end, from the number of frames in each step of ten
+/// minutes.
 int night_boundary_s(const std::vector<int>& frames_of_step);
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-// The pages of a survey: HTML that needs nothing else, plots as inline SVG, no script.
+// The HTML pages of a survey's report: self-contained, with plots as inline SVG and without scripts.
 #pragma once
 
 #include <map>
@@ -10,19 +10,19 @@
 
 namespace vegard::fit {
 
-/// What all pages of a report say.
+/// What all pages of a report state.
 struct SurveyFacts {
   std::string name;                  ///< of the survey
   std::vector<std::string> origins;  ///< "plan night (sha256 …), vegard 0.1.0, …"
-  int lacking = 0;                   ///< frames of the plan that are not there
-  int first_hour = 0;                ///< of a night (UTC)
+  int lacking = 0;                   ///< frames of the plan that are not in the database
+  int first_hour = 0;                ///< hour (UTC) at which a night begins
 };
 
 /// One camera's night as its page shows it.
 struct ShownCamera {
   NightDigest digest;
   std::string keogram;       ///< SVG; empty: none
-  std::string keogram_note;  ///< how many frames it has, or why there is none
+  std::string keogram_note;  ///< how many frames the keogram has, or why there is none
 };
 
 struct ShownNight {
@@ -31,10 +31,10 @@ struct ShownNight {
   std::vector<ShownCamera> cameras;  ///< by their names
 };
 
-/// A link to a frame's file, as the pages' folder has it; empty: none.
+/// Returns the link to a frame's file, relative to the pages' folder; empty: none.
 using FrameLink = std::function<std::string(const NamedFrame& frame)>;
 
-/// The same night gives the same bytes.
+/// Returns the page of a night. The same night gives the same bytes.
 std::string night_page(const SurveyFacts& facts, const ShownNight& night, const FrameLink& link);
 
 /// A night in the list of all.
@@ -46,7 +46,7 @@ struct ListedNight {
   double energy_kev = 0.0, distance_km = 0.0;  ///< medians; NaN where there is none
 };
 
-/// All nights together, counted; grows night by night and never holds a frame.
+/// Sums over all nights, to which nights are added one by one.
 struct SurveySum {
   int frames = 0, done = 0, filtered = 0;
   double first_s = 0.0, last_s = 0.0;
@@ -65,7 +65,7 @@ struct SurveySum {
 
 std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const FrameLink& link);
 
-/// "16 to 84 % of frames": a quantity's middle and spread, in words: "4.3 keV (16 to 84 %: 3.1 to 6.0)".
+/// Returns median and percentiles of a quantity: "4.3 keV (16 to 84 % of frames: 3.1 to 6.0)".
 std::string spread_words(const std::vector<FollowedPoint>& points, const std::string& unit);
 
 }  // namespace vegard::fit

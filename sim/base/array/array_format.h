@@ -11,13 +11,13 @@ namespace vegard::sim {
 
 enum class ArrayFormat { none, hdf5, mat, cdf, idl_save };
 
-/// By the first kilobyte of a file.
+/// Returns the format by the first kilobyte of a file.
 ArrayFormat array_format(std::string_view beginning);
-/// Of a file; none as well for one that cannot be read.
+/// Returns the format of a file; `none` also if it cannot be read.
 ArrayFormat array_format_of(const std::string& path);
 
-/// Whatever its format is, which is not none. Of bytes that outlive it if `bytes` are given, and `name` is
-/// for messages then.
+/// Opens a file of any format but `none`; or `bytes`, if given, which must outlive the result, with `name`
+/// for messages.
 std::unique_ptr<ArrayFile> open_array_file(const std::string& name, std::string_view bytes = {});
 
 }  // namespace vegard::sim

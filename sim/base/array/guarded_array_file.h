@@ -1,4 +1,4 @@
-// A file of arrays that is read in a process of its own (sim/base/file/child_worker.h).
+// Reads a file of arrays in a separate process (sim/base/file/child_worker.h).
 #pragma once
 
 #include <functional>
@@ -9,7 +9,8 @@
 
 namespace vegard::sim {
 
-/// `open` runs in the child alone. `name`, `format` as ArrayFile has them; `library` for messages.
+/// Returns a file that open() opens in the child process. `name` and `format` as in ArrayFile; `library` for
+/// messages.
 std::unique_ptr<ArrayFile> guarded(const std::string& name, const char* format, const char* library,
                                    std::function<std::unique_ptr<ArrayFile>()> open);
 

@@ -1,9 +1,8 @@
-// HDF5 files that are read, MATLAB's of version 7.3 among them. The library is compiled in hdf5_file.cpp
-// alone, and runs in a process of its own (sim/base/file/child_worker.h): on damaged files it crashes.
+// Reads HDF5 files, also those of MATLAB 7.3. Only hdf5_file.cpp includes the library, which runs in a
+// separate process (sim/base/file/child_worker.h) because it crashes on damaged files.
 //
-// Read are datasets of integers, floats and texts, of any layout that lies in the file itself, with the
-// filters that the library has (deflate, shuffle, checksums). Not followed are links to other files, and data
-// in others.
+// It reads datasets of integers, floats and texts, of any layout inside of the file, with the filters of the
+// library (deflate, shuffle, checksums). Links to other files, and data in other files, are not followed.
 #pragma once
 
 #include <memory>
@@ -14,7 +13,7 @@
 
 namespace vegard::sim {
 
-/// Of a file, or of bytes that outlive it.
+/// Opens a file, or bytes that must outlive the result.
 std::unique_ptr<ArrayFile> open_hdf5(const std::string& name, std::string_view bytes = {});
 
 }  // namespace vegard::sim

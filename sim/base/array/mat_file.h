@@ -1,7 +1,7 @@
-// MATLAB files of version 5 (also called 6 and 7: those before 7.3, which are HDF5). libmatio reads them, is
-// compiled in mat_file.cpp alone, and runs in a process of its own (sim/base/file/child_worker.h).
+// Reads MATLAB files of version 5 (also called 6 and 7; those of 7.3 are HDF5) with libmatio. Only
+// mat_file.cpp includes the library, which runs in a separate process (sim/base/file/child_worker.h).
 //
-// Read are arrays of real numbers, and those in structures of one element, as "skymap/full_azimuth".
+// It reads arrays of real numbers, also in structures with one element, such as "skymap/full_azimuth".
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace vegard::sim {
 
-/// Of a file, or of bytes that outlive it.
+/// Opens a file, or bytes that must outlive the result.
 std::unique_ptr<ArrayFile> open_mat(const std::string& name, std::string_view bytes = {});
 
 }  // namespace vegard::sim

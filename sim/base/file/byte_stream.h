@@ -1,5 +1,5 @@
-// A file's bytes one after the other, in room of a fixed size whatever the file's; what gzip has packed (RFC
-// 1952) is unpacked on the way. zlib stands behind it, and is included in byte_stream.cpp alone.
+// ByteStream: reads the bytes of a file sequentially with a buffer of fixed size, and unpacks gzip data (RFC
+// 1952). Only byte_stream.cpp includes zlib.
 #pragma once
 
 #include <cstddef>
@@ -10,38 +10,37 @@
 
 namespace vegard::sim {
 
-/// What look() shows at most.
+/// Largest count of look().
 constexpr std::size_t kMaxPeekBytes = 1 << 16;
-/// No file is unpacked further: a few kilobytes may claim to be any number of bytes.
+/// Largest unpacked size: a few packed kilobytes can unpack to any number of bytes.
 constexpr std::uint64_t kMaxUnpackedBytes = std::uint64_t{1} << 34;
 
-/// All that reads throws Error(unreadable_input), naming the file, for gzip data that are damaged (their
-/// checksums among them), end early, are followed by something else than zeros or another gzip file, or
-/// unpack to more than kMaxUnpackedBytes.
+/// All reading functions throw Error(unreadable_input), naming the file, for gzip data that are damaged (by
+/// their checksums too), end early, are followed by anything but zeros or another gzip file, or unpack to
+/// more than kMaxUnpackedBytes.
 class ByteStream {
  public:
-  /// Throws Error(unreadable_input) for what is no regular file, or cannot be opened.
+  /// Throws Error(unreadable_input) if the file is not a regular file or cannot be opened.
   explicit ByteStream(const std::string& path);
-  /// Of bytes that outlive it; `name` is for messages.
+  /// Reads from bytes, which must outlive the stream; `name` is for messages.
   ByteStream(std::string_view bytes, const std::string& name);
-  /// Of bytes that outlive it, and are packed as zlib has it (RFC 1950); what stands behind them is passed
-  /// over.
+  /// Reads from zlib data (RFC 1950), which must outlive the stream; bytes after their end are ignored.
   static ByteStream of_zlib(std::string_view bytes, const std::string& name);
   ~ByteStream();
   ByteStream(ByteStream&&) noexcept;
   ByteStream& operator=(ByteStream&&) noexcept;
 
   bool is_packed() const;
-  /// How many bytes, unpacked, have been read or skipped.
+  /// Returns the number of unpacked bytes that have been read or skipped.
   std::uint64_t position() const;
 
-  /// The next `count` bytes, at most kMaxPeekBytes, or as many as there are; they are still to be read. Good
-  /// until the next call of anything here.
+  /// Returns the next `count` bytes, at most kMaxPeekBytes, or as many as there are, without consuming them.
+  /// Valid until the next call of a member function.
   std::string_view look(std::size_t count);
-  /// Reads `count` bytes to `to`, or as many as there are; returns how many. What gzip says of its data is
-  /// only checked when their end has been read or looked at.
+  /// Reads `count` bytes to `to`, or as many as there are; returns their number. The checksums of gzip are
+  /// only checked when the end of the data has been read or looked at.
   std::size_t read(char* to, std::size_t count);
-  /// The same without keeping them; what is not packed is passed over without being read.
+  /// Skips `count` bytes, or as many as there are; returns their number. Unpacked files are not read for it.
   std::uint64_t skip(std::uint64_t count);
 
  private:
@@ -50,7 +49,7 @@ class ByteStream {
   std::unique_ptr<Source> source_;
 };
 
-/// By their first bytes.
+/// True if the first bytes are those of gzip data.
 bool is_gzip(std::string_view bytes);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
-// Work in a process of its own: for libraries that trust what a file says. Debian's libhdf5 crashes on some
-// damaged files (docs/validation.md has the figures); here that ends a child, and is reported like any other
-// damage.
+// Work in a child process, for libraries that trust the content of files. Debian's libhdf5 crashes on some
+// damaged files (docs/validation.md has the figures); in a child process, a crash is reported like any other
+// damage of the file.
 //
-// The child is a copy of this process (fork) with a limit of memory, without standard output and error. It
+// The child is a copy of this process (fork) with a memory limit and without standard output and error. It
 // answers one request after another until the worker is destroyed.
 #pragma once
 
@@ -15,28 +15,28 @@
 namespace vegard::sim {
 
 struct ChildLimits {
-  /// Beyond what this process has; not kept under sanitizers, whose own memory is terabytes.
+  /// Memory in addition to that of this process; no limit under sanitizers, which reserve terabytes.
   std::uint64_t memory_bytes = std::uint64_t{1} << 31;
   std::size_t answer_bytes = std::size_t{1} << 30;
-  /// Of work for one answer. What sleeps is waited for twenty times as long.
+  /// CPU time for one answer. The limit of elapsed time is twenty times as long.
   double seconds = 6.0;
 };
 
 class ChildWorker {
  public:
-  /// Runs in the child alone, and keeps what it opens from one request to the next. What it throws as
-  /// sim::Error is thrown by ask(); std::bad_alloc means that the limit of memory was met.
+  /// Answers a request. It only runs in the child and may keep files open between requests. ask() throws the
+  /// sim::Error that it throws; std::bad_alloc means that the memory limit was reached.
   using Answer = std::function<std::string(std::string_view request)>;
 
-  /// `name`: of the file, for messages; `library`: "HDF5".
+  /// `name` is the file, `library` ("HDF5") the library, both for messages.
   ChildWorker(std::string name, std::string library, Answer answer, const ChildLimits& limits = {});
   ~ChildWorker();
   ChildWorker(const ChildWorker&) = delete;
   ChildWorker& operator=(const ChildWorker&) = delete;
 
-  /// Throws sim::Error(unreadable_input) as the child did, or if it crashed, took too long or asked for more
-  /// memory than it may have; it is not to be asked again then. That somebody else has killed it is reported
-  /// as that, and not as damage.
+  /// Returns the child's answer. Throws the child's sim::Error, or Error(unreadable_input) if the child
+  /// crashed, took too long or reached the memory limit; ask() must not be called again then. If another
+  /// process killed the child, the message says so.
   std::string ask(std::string_view request);
 
  private:

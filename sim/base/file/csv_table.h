@@ -1,5 +1,4 @@
-// Tables of numbers as text: comma-separated, a line of column names first. The users' own and those of
-// data/.
+// Tables of numbers as comma-separated text with a line of column names, from users and from data/.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +8,18 @@
 
 namespace vegard::sim {
 
-/// Numbers by column, as they stand in the file. Every column has as many as there are rows, at least one.
+/// Numbers by column, in the order of the file. All columns have the same number of rows, at least one.
 struct CsvTable {
-  std::string name;                          ///< of the file, for messages
-  std::vector<std::string> columns;          ///< their names, without blanks about them
+  std::string name;                          ///< name of the file, for messages
+  std::vector<std::string> columns;          ///< names of the columns, without blanks around them
   std::vector<std::vector<double>> numbers;  ///< [column][row]
-  std::vector<int> lines;                    ///< of every row in the file, from 1
+  std::vector<int> lines;                    ///< line of every row in the file, from 1
 
   std::size_t rows() const { return lines.size(); }
   bool has(std::string_view column) const;
 
-  /// The numbers of a column. Throws Error(unreadable_input) that names the columns there are, if it is not
-  /// one of them.
+  /// Returns the numbers of a column. Throws Error(unreadable_input) that lists the columns if it is not one
+  /// of them.
   const std::vector<double>& column(std::string_view column) const;
 
   /// Throws Error(unreadable_input) about a row.
@@ -30,16 +29,17 @@ struct CsvTable {
   /// Throws Error(unreadable_input), at the row's line, unless the column's numbers increase.
   void require_increasing(std::string_view column) const;
 
-  /// Throws Error(unreadable_input), at the row's line, unless they lie between the limits.
+  /// Throws Error(unreadable_input), at the row's line, unless the column's numbers are within the limits.
   void require_within(std::string_view column, double min, double max) const;
 };
 
-/// Empty lines and those that begin with # are skipped; a byte order mark, carriage returns and blanks about
-/// a cell are allowed. Throws Error(unreadable_input) with file and line if there is no row, a row has more
-/// or fewer cells than there are columns, a cell is no finite number, or two columns have one name.
+/// Reads a table. Empty lines and those that begin with # are skipped; a byte order mark, carriage returns
+/// and blanks around a cell are allowed. Throws Error(unreadable_input) with file and line if there is no
+/// row, a row has more or fewer cells than there are columns, a cell is not a finite number, or two columns
+/// have one name.
 CsvTable read_csv_table(std::string_view text, const std::string& name);
 
-/// The same of a table of data/ (sim/base/embedded_table.h).
+/// Reads an embedded table of data/ (sim/base/embedded_table.h).
 CsvTable embedded_csv_table(const std::string& name);
 
 }  // namespace vegard::sim

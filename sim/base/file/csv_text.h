@@ -5,13 +5,13 @@
 
 namespace vegard::sim {
 
-/// A text cell, in quotes where a comma, a quote or a line's end asks for them.
+/// Returns a text cell, in quotes if it contains a comma, a quote or a line break.
 std::string csv_cell(const std::string& text);
 
-/// The shortest number that reads back as the same double; empty for what is not finite.
+/// Returns the shortest number that reads back as the same double; empty if it is not finite.
 std::string csv_number(double value);
 
-/// "# key: words" on one line of its own, whatever the words hold.
+/// Returns "# words" and a line break on a single line; line breaks in `words` become blanks.
 std::string csv_comment(const std::string& words);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The file system calls under whole files and whole directories. All report by errno value, 0 for success.
+// The file system calls of WholeFile and WholeDirectory. Results of type int are errno values, 0 for success.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,31 @@ namespace vegard::sim {
 /// fsync of a file or directory by name.
 int make_durable(const std::string& path);
 
-/// Renames and never replaces: EEXIST if `to` exists.
+/// Renames without replacing: EEXIST if `to` exists.
 int rename_to_free_name(const std::string& from, const std::string& to);
 
-/// Puts `from` in the place of the directory `to` and the old one under the name of `from`.
+/// Exchanges the names of the directories `from` and `to`.
 int exchange_directories(const std::string& from, const std::string& to);
 
-/// ".stem.partial-<process>-<attempt>.ext" beside `target`.
+/// Returns the name of a partial output, ".stem.partial-<process>-<attempt>.ext" beside `target`.
 std::string partial_name(const std::string& target, int attempt);
 
-/// What a name without a folder, as partial_name makes it, says.
+/// The parts of a name that partial_name() has made, without its folder.
 struct Partial {
   std::string target;  ///< without a folder
   int process = 0;
 };
-/// None if it is no such name.
+/// Returns nothing for any other name.
 std::optional<Partial> partial_of(const std::string& name);
 
-/// Keeps the name of a file that this process has not finished, until it is forgotten, where a signal handler
-/// finds it. Beyond 64 names at a time, and of one of 4096 bytes or more, nothing is kept: such a file stays
-/// for stale_partials() to find.
+/// Registers (removes from the register) a file that this process has not finished, for signal handlers. More
+/// than 64 names, and names of 4096 bytes or more, are not registered: such a file is left for
+/// stale_partials().
 void keep_unfinished(const std::string& path);
 void forget_unfinished(const std::string& path);
 
-/// Deletes all files whose names are kept. May be called by a signal handler, of any thread at any time; the
-/// process is to end then, for the files' owners do not know.
+/// Deletes all registered files. May be called by a signal handler, in any thread at any time; the process
+/// must end afterwards, since the owners of the files are not informed.
 void delete_unfinished_files() noexcept;
 
 /// False if no process of this machine has that number.

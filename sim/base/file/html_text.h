@@ -6,13 +6,13 @@
 
 namespace vegard::sim {
 
-/// Safe between tags and inside attributes in double quotes: & < > " ' escaped, control characters as spaces,
-/// bytes that are no UTF-8 as a replacement character.
+/// Returns text that is safe between tags and inside attributes in double quotes: & < > " ' are escaped,
+/// control characters become spaces, bytes that are not UTF-8 a replacement character.
 std::string html_text(std::string_view text);
 
-// Bytes as text, for pictures inside a page.
+// Base64, for pictures inside of a page.
 
-/// RFC 4648, section 4, with padding.
+/// Returns bytes as base64: RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace vegard::sim

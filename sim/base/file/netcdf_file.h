@@ -1,9 +1,9 @@
-// A netCDF-4 file that is written: the front of the library, which is compiled in netcdf_file.cpp alone.
+// NetcdfFile: writes a netCDF-4 file. Only netcdf_file.cpp includes the library.
 //
-// The same calls give the same bytes, of one version of netCDF and HDF5: the library keeps no times, neither
-// of the file nor of what is in it. What attributes mean is up to who writes them (the CF conventions,
-// https://cfconventions.org). The environment is changed for a moment while a file is made, so that no other
-// thread may read it then.
+// The same calls give the same bytes with the same versions of netCDF and HDF5: no times are stored. The
+// caller is responsible for the meaning of attributes (the CF conventions, https://cfconventions.org). While
+// a file is created, the environment of the process is changed for a moment; no other thread may read it
+// then.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ namespace vegard::sim {
 
 enum class NetcdfType {
   real,   ///< double
-  whole,  ///< 32 bits
-  flag,   ///< 8 bits
+  whole,  ///< 32-bit integer
+  flag,   ///< 8-bit integer
   text,   ///< strings of any length
 };
 
-/// What stands where a number is missing (_FillValue), as the library has it for its types.
+/// The values of missing numbers (_FillValue), which are the library's defaults.
 extern const double kNetcdfNoReal;
 inline constexpr int kNetcdfNoFlag = -127;
 
-/// One that is made again. First dimensions, variables and attributes, then numbers; close() last. Whatever
-/// cannot be written throws sim::Error(unwritable_output) that names `shown_name`.
+/// A file that is created or replaced. Call dimension(), variable() and the attributes first, then put(), and
+/// close() last. Throws sim::Error(unwritable_output) that names `shown_name` if writing fails.
 class NetcdfFile {
  public:
   struct Dimension {
@@ -41,18 +41,19 @@ class NetcdfFile {
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
   Dimension dimension(const std::string& name, std::size_t size);
-  /// Numbers are compressed, without loss; reals and flags have a _FillValue.
+  /// Adds a variable. Numbers are compressed without loss; reals and flags have a _FillValue.
   Variable variable(const std::string& name, NetcdfType type, const std::vector<Dimension>& dimensions);
 
-  /// Of the file itself.
+  /// Set an attribute of the file, or of a variable.
   void attribute(const std::string& name, const std::string& text);
   void attribute(const Variable& of, const std::string& name, const std::string& text);
   void attribute(const Variable& of, const std::string& name, double value);
-  /// Of a flag's type: flag_values.
+  /// Sets an attribute of the flag's type, such as flag_values.
   void flags(const Variable& of, const std::string& name, const std::vector<int>& values);
 
-  /// Of a variable of one dimension, from `first` on; of several the whole, the last running fastest, with
-  /// `first` 0. Reals that are not finite become _FillValue.
+  /// Write values: of a variable with one dimension from the index `first` on; of one with several dimensions
+  /// the whole, the last dimension varying fastest, with `first` 0. Reals that are not finite become
+  /// _FillValue.
   void put(const Variable& to, std::size_t first, const std::vector<double>& values);
   void put(const Variable& to, std::size_t first, const std::vector<int>& values);
   void put(const Variable& to, std::size_t first, const std::vector<std::string>& values);
@@ -71,8 +72,8 @@ class NetcdfFile {
   std::vector<std::vector<int>> dimensions_;  ///< by variable
 };
 
-/// A name as all programs and the CF conventions take it: letters, digits and _, a letter first; what else is
-/// in `words` becomes one _.
+/// Returns a name that all programs and the CF conventions accept: letters, digits and _, with a letter
+/// first; other characters in `words` become one _.
 std::string netcdf_name(const std::string& words);
 
 }  // namespace vegard::sim

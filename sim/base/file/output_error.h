@@ -1,4 +1,4 @@
-// The two errors that refuse an output, worded alike for files and directories.
+// The two errors that refuse an output, with the same words for files and directories.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace vegard::sim {
 
-/// Error(unwritable_output) from an errno value.
+/// Returns Error(unwritable_output) for an errno value.
 Error unwritable(const std::string& target, int error_number);
 
-/// Error(existing_output) with the hint about --overwrite.
+/// Returns Error(existing_output) with a hint about --overwrite.
 Error already_exists(const std::string& target);
 
 }  // namespace vegard::sim

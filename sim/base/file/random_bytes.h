@@ -10,8 +10,8 @@ namespace vegard::sim {
 
 class RandomBytes {
  public:
-  /// Of a file; or of bytes that outlive it if there are any (`name` is for messages then). Throws
-  /// Error(unreadable_input) for what is no regular file, or cannot be opened.
+  /// Opens the file `name`; or `bytes`, if given, which must outlive the object, with `name` for messages.
+  /// Throws Error(unreadable_input) if the file is not a regular file or cannot be opened.
   explicit RandomBytes(std::string name, std::string_view bytes = {});
   ~RandomBytes();
   RandomBytes(const RandomBytes&) = delete;
@@ -19,10 +19,10 @@ class RandomBytes {
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
-  /// Reads `count` bytes from `place` on, or as many as there are; returns how many.
+  /// Reads `count` bytes from `place` on, or as many as there are; returns their number.
   std::size_t read(std::uint64_t place, char* to, std::size_t count) const;
-  /// All of them. Throws Error(unreadable_input) if they do not lie in the file; room is only made if they
-  /// do.
+  /// Returns `count` bytes from `place` on. Throws Error(unreadable_input), before allocating memory, if they
+  /// are not all in the file.
   std::string bytes(std::uint64_t place, std::uint64_t count) const;
 
  private:

@@ -1,5 +1,5 @@
-// Partial outputs of killed processes: they are found by name and distinguished from the files of a living
-// process.
+// Finds partial outputs of killed processes by their names and distinguishes them from those of living
+// processes.
 #pragma once
 
 #include <sys/stat.h>
@@ -9,11 +9,11 @@
 
 namespace vegard::sim {
 
-/// Says to all processes, of this machine and of others that see the same disk, that a partial output has an
-/// owner. Where locks are not known nothing is said, and the process's number in the name has to do.
+/// A lock that tells all processes, on this machine and on others with the same disk, that a partial output
+/// has an owner. On file systems without locks, only the process's number in the name tells it.
 class PartialLock {
  public:
-  /// Holds `descriptor` of a file or folder, which must be one, and closes it in the end.
+  /// Locks and owns `descriptor` of a file or folder; the destructor closes it. -1: no lock.
   explicit PartialLock(int descriptor = -1);
   PartialLock(PartialLock&& other) noexcept : descriptor_(other.descriptor_) { other.descriptor_ = -1; }
   PartialLock& operator=(PartialLock&& other) noexcept;
@@ -24,12 +24,12 @@ class PartialLock {
   int descriptor_ = -1;
 };
 
-/// Partial outputs beside `target`, of exactly its name as partial_name() makes them and of one kind of file
-/// (S_IFREG, S_IFDIR), whose process is gone: none holds their lock, and the number in their name is that of
-/// no process, or of one that began after they were last written to. In the order of their names.
+/// Returns, in the order of their names, the partial outputs of `target` by partial_name(), of one type of
+/// file (S_IFREG, S_IFDIR), whose process is gone: their lock is free, and the number in their name is that
+/// of no process, or of one that began after they were last written to.
 std::vector<std::string> stale_partials(const std::string& target, mode_t type);
 
-/// The same question of one path, whose name must be one that partial_name() makes; false if it is not.
+/// True if one path is such a partial output; false if partial_name() cannot have made its name.
 bool is_stale_partial(const std::string& path, mode_t type);
 
 }  // namespace vegard::sim

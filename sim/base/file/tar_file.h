@@ -1,5 +1,5 @@
-// The files in a tar (POSIX ustar, pax, GNU), by libarchive, which is compiled in tar_file.cpp alone. Nothing
-// is written to disk, and links are not followed.
+// Reads the files in a tar archive (POSIX ustar, pax, GNU) with libarchive, which only tar_file.cpp includes.
+// Nothing is written to disk, and links are not followed.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,24 @@ namespace vegard::sim {
 
 struct TarEntry {
   std::string name;          ///< with its folders
-  std::uint64_t offset = 0;  ///< of its header in the tar
+  std::uint64_t offset = 0;  ///< position of its header in the archive
   std::uint64_t bytes = 0;
 };
 
-/// Whether a file begins as a tar does.
+/// True if these first bytes are those of a tar archive.
 bool is_tar(std::string_view beginning);
 
-/// The tar itself is not compressed, so that an entry is found without reading those before it. All throws
-/// Error(unreadable_input), naming the file, for a tar that is damaged or cut short, or holds more than the
-/// limits here.
+/// An uncompressed archive, so that an entry is read without those before it. All functions throw
+/// Error(unreadable_input), naming the file, for an archive that is damaged, truncated or beyond the limits.
 class TarFile {
  public:
   static constexpr std::size_t kMaxEntries = 200000;
   static constexpr std::uint64_t kMaxEntryBytes = std::uint64_t{1} << 28;
 
-  /// Of a file, or of bytes that outlive it (`name` is for messages then). Its headers are gone through.
+  /// Opens the file `name`, or `bytes`, which must outlive the object, and reads all headers.
   explicit TarFile(std::string name, std::string_view bytes = {});
 
-  /// The regular files in it, in its order.
+  /// Returns the regular files, in the order of the archive.
   const std::vector<TarEntry>& entries() const { return entries_; }
   std::string read(const TarEntry& entry) const;
 

@@ -1,13 +1,13 @@
-// Outputs that appear whole or not at all.
+// WholeFile: an output file that appears complete or not at all.
 //
-// Everything is written under a temporary name beside its target (".model.partial-812-0.exr") and renamed at
-// the very end, so that neither a full disk nor an interruption leaves half a file under a name that someone
-// trusts. A process that is killed outright leaves the temporary; its name says what it is (partial_of in
-// sim/base/file/durable_rename.h), nothing ever reads it, and the next that writes the same output removes it
-// (sim/base/file/stale_partial.h).
+// A file is written under a temporary name beside its target (".model.partial-812-0.exr") and renamed at the
+// end, so that neither a full disk nor an interruption leaves an incomplete file under the target's name. A
+// process that is killed leaves the temporary file; its name shows what it is (partial_of() in
+// sim/base/file/durable_rename.h), nothing reads it, and the next process that writes the same output removes
+// it (sim/base/file/stale_partial.h).
 //
-// A file above the shell's limit (ulimit -f) is reported as any other failed write only if the process
-// ignores SIGXFSZ; signals belong to the program, not to a library.
+// A file above the shell's limit (ulimit -f) is reported like any other failed write only if the process
+// ignores SIGXFSZ; setting signals is left to programs.
 #pragma once
 
 #include <string>
@@ -17,33 +17,32 @@
 
 namespace vegard::sim {
 
-/// What killed processes have left of the same output: of thousands of outputs in one folder, whoever writes
-/// them looks for it once.
+/// Whether to remove temporary files that killed processes have left of the same output. The search is slow
+/// for thousands of outputs in one folder; their writer searches once.
 enum class Leftovers { removed, not_looked_for };
 
-/// One file on its way to `target`. Not copied, not shared between threads.
+/// The file `target` while it is written. Not thread-safe.
 class WholeFile {
  public:
-  /// Creates the empty temporary, so that an output that cannot be written is refused before the work, not
-  /// after it. A symbolic link is followed: the file it points to is the one replaced. Throws
-  /// Error(existing_output) if the target exists and overwrite is false; Error(unwritable_output) if its
-  /// folder is missing or closed to us, or if the target is no regular file (a device would be replaced by a
-  /// file).
+  /// Creates the empty temporary file, so that an output that cannot be written is refused before the work. A
+  /// symbolic link is followed: the file to which it points is replaced. Throws Error(existing_output) if the
+  /// target exists and overwrite is false; Error(unwritable_output) if its folder is missing or not writable,
+  /// or if the target is not a regular file (a device would be replaced by a file).
   explicit WholeFile(const std::string& target, bool overwrite = false,
                      Leftovers leftovers = Leftovers::removed);
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
 
-  /// Where to write: in the target's folder and with its extension, by which image writers choose the format.
+  /// Returns the path to write to, with the target's extension, by which image writers choose the format.
   const std::string& temporary() const { return temporary_; }
 
-  /// Writes all of `bytes` into the temporary, in place of what it held. Throws Error(unwritable_output).
+  /// Replaces the content of the temporary file by `bytes`. Throws Error(unwritable_output).
   void write(std::string_view bytes);
 
-  /// Makes the temporary durable and gives it its name. With overwrite false a file that has appeared under
-  /// that name in the meantime is not replaced. Throws as the constructor does; the temporary is then removed
-  /// by the destructor.
+  /// Makes the temporary file durable and gives it the target's name. With overwrite false, a file that has
+  /// appeared under that name in the meantime is not replaced. Throws as the constructor does; the destructor
+  /// then removes the temporary file.
   void commit();
 
  private:
@@ -55,7 +54,7 @@ class WholeFile {
   bool committed_ = false;
 };
 
-/// The whole way of a small file: constructor, write, commit.
+/// Writes a small file: constructor, write, commit.
 void write_whole(const std::string& path, std::string_view bytes, bool overwrite = false);
 
 }  // namespace vegard::sim

@@ -1,5 +1,4 @@
-// Flat pictures of a sparse grid: slices through it, and its largest numbers along an axis. Nothing is made
-// dense but the pictures.
+// Two-dimensional views of a sparse grid: slices, and maxima along an axis. The grid itself stays sparse.
 #pragma once
 
 #include <array>
@@ -10,17 +9,17 @@
 
 namespace vegard::sim {
 
-/// The smallest box about the voxels of a channel that are not 0.
+/// The smallest box around the voxels of a channel that are not 0.
 struct VoxelBox {
-  std::array<int, 3> low, high;  ///< from the first voxel to the one after the last
+  std::array<int, 3> low, high;  ///< the first voxel, and the one after the last
   int size(int axis) const { return high[axis] - low[axis]; }
 };
 
-/// None if all of them are 0.
+/// Returns the box; nothing if all voxels are 0.
 std::optional<VoxelBox> lit_box(const SparseGrid& grid, int channel);
 
-/// Looked at along an axis: columns go along `across`, rows from the top downwards against `up`. Seen along z
-/// x is across and y up, along y x and z, along x y and z.
+/// A view along an axis: columns run along the axis `across`, rows from the top downwards, against the axis
+/// `up`. (across, up) is (x, y) for a view along z, (x, z) along y, and (y, z) along x.
 struct GridPlane {
   int axis = 2, across = 0, up = 1;
   int width = 0, height = 0;
@@ -28,13 +27,13 @@ struct GridPlane {
   std::vector<float> value;  ///< [row][column]
 };
 
-/// The largest number along the axis, 0 where all are below, of `bin` x `bin` voxels to a pixel.
+/// Returns the maxima along the axis (at least 0), with `bin` x `bin` voxels per pixel.
 GridPlane largest_along(const SparseGrid& grid, int channel, const VoxelBox& box, int axis, int bin);
 
-/// The same of the voxels of one layer: those at `index` along the axis.
+/// The same for one layer of voxels, at `index` along the axis.
 GridPlane slice_at(const SparseGrid& grid, int channel, const VoxelBox& box, int axis, int index, int bin);
 
-/// By how many voxels a pixel may be larger, so that no side has more than `max_px`.
+/// Returns the smallest size of a pixel in voxels with which no side has more than `max_px` pixels.
 int bin_for(const VoxelBox& box, int max_px);
 
 }  // namespace vegard::sim

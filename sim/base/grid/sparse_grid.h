@@ -1,4 +1,5 @@
-// Numbers in space where there are any: voxels in bricks of 8 x 8 x 8, of several quantities side by side.
+// SparseGrid: voxels of one or more quantities (channels), stored in bricks of 8 x 8 x 8 where they are not
+// 0.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +13,20 @@
 
 namespace vegard::sim {
 
-/// Which brick: its first voxel is 8 times this.
+/// The position of a brick: the index of its first voxel over 8.
 struct BrickCoordinate {
   std::int32_t x = 0, y = 0, z = 0;
   bool operator<(const BrickCoordinate& o) const { return std::tie(x, y, z) < std::tie(o.x, o.y, o.z); }
   bool operator==(const BrickCoordinate& o) const { return x == o.x && y == o.y && z == o.z; }
 };
 
-/// What a grid holds: "emission_5577", in "photons cm^-3 s^-1".
+/// A quantity of a grid: "emission_5577", in "photons cm^-3 s^-1".
 struct GridChannel {
   std::string name, unit;
 };
 
-/// Voxel (i, j, k) has its centre at origin + voxel (axes[0] (i + 1/2) + axes[1] (j + 1/2) + axes[2] (k +
-/// 1/2)), where its numbers hold. What no brick holds is 0.
+/// The numbers of voxel (i, j, k) are those at its centre, origin + voxel (axes[0] (i + 1/2) + axes[1] (j +
+/// 1/2) + axes[2] (k + 1/2)). Voxels without a brick are 0.
 struct SparseGrid {
   static constexpr int kEdge = 8;
   static constexpr int kVoxels = kEdge * kEdge * kEdge;
@@ -40,27 +41,27 @@ struct SparseGrid {
 
   static constexpr int within(int i, int j, int k) { return (i * kEdge + j) * kEdge + k; }
 
-  /// The brick there, dark if it is new.
+  /// Returns the brick at a position, a new one with zeros if there is none.
   Brick& brick(const BrickCoordinate& at) {
     Brick& found = bricks[at];
     if (found.empty()) found.assign(channels.size() * kVoxels, 0.0f);
     return found;
   }
 
-  /// Index of the channel, or -1.
+  /// Returns the index of the channel, or -1.
   int channel(const std::string& name) const {
     for (std::size_t c = 0; c < channels.size(); ++c)
       if (channels[c].name == name) return static_cast<int>(c);
     return -1;
   }
 
-  /// 0 where there is no brick.
+  /// Returns the number of a voxel, 0 if there is no brick.
   float value(int channel, int i, int j, int k) const {
     const auto found = bricks.find({i >> 3, j >> 3, k >> 3});
     return found == bricks.end() ? 0.0f : found->second[channel * kVoxels + within(i & 7, j & 7, k & 7)];
   }
 
-  /// Of all voxels of a channel.
+  /// Returns the sum over all voxels of a channel.
   double sum(int channel) const {
     double all = 0.0;
     for (const auto& [at, numbers] : bricks)
@@ -69,10 +70,9 @@ struct SparseGrid {
   }
 };
 
-/// Bytes that a brick of so many quantities takes on its way into an OpenVDB file, with a colour of three
-/// numbers or without.
+/// Returns the memory of a brick while an OpenVDB file is written, with or without a colour of three numbers.
 inline std::uint64_t vdb_bytes_of_brick(std::size_t channels, bool with_colour) {
-  constexpr std::uint64_t kRest = 200;  // what a leaf and its place in a tree take beside the numbers
+  constexpr std::uint64_t kRest = 200;  // of a leaf and its tree node, without the numbers
   return channels * (sizeof(float) * SparseGrid::kVoxels + kRest) +
          (with_colour ? 3 * sizeof(float) * SparseGrid::kVoxels + kRest : 0);
 }

@@ -1,9 +1,9 @@
-// OpenVDB files: sparse grids in and out. Only vdb_io.cpp (out) and vdb_read.cpp (in) know the library.
+// Reads and writes sparse grids as OpenVDB files. Only vdb_io.cpp and vdb_read.cpp include the library.
 //
-// Where a voxel's number holds. OpenVDB's own convention, which Houdini and the library's tools follow, is
-// that the transform takes the index (i, j, k) to the middle of a voxel. Blender (3.4, Cycles) takes it to
-// the low corner, so that the middle is at (i + 1/2, j + 1/2, k + 1/2). A file is written for either; its
-// metadata "voxel_centre_index" says for which (1/2 or 0). The middle is at one and the same place in both.
+// The centre of a voxel: in OpenVDB's own convention, which Houdini and the library's tools follow, the
+// transform maps the index (i, j, k) to the centre of a voxel. In Blender (3.4, Cycles) it maps the index to
+// the low corner, so that the centre is at (i + 1/2, j + 1/2, k + 1/2). A file is written for one of them,
+// given by its metadata "voxel_centre_index" (0 or 1/2). The centre is at the same point of space in both.
 #pragma once
 
 #include <array>
@@ -16,48 +16,48 @@
 
 namespace vegard::sim {
 
-/// What a file says beside its grids.
+/// The metadata of a file.
 struct VdbMetadata {
   std::map<std::string, std::string> texts;
   std::map<std::string, double> numbers;
 };
 
-/// The name under which the metadata has the index of the first voxel's centre.
+/// The metadata with the index of the first voxel's centre.
 inline constexpr const char* kVoxelCentreIndex = "voxel_centre_index";
 
 struct VdbOptions {
-  double centre_index = 0.5;  ///< 1/2: as Blender shows it; 0: as Houdini does
+  double centre_index = 0.5;  ///< 1/2: for Blender; 0: for Houdini
   bool overwrite = false;
-  /// Linear RGB that a unit of each channel adds to the grid `color`; empty: no such grid. What is below 0 is
+  /// Linear RGB that a unit of each channel adds to the grid `color`; empty: no such grid. Negative sums are
   /// written as 0.
   std::vector<std::array<float, 3>> colour_of_channel;
   std::string colour_unit;
 };
 
-/// Every channel becomes a grid of floats, a fog volume; voxels that are 0 are left out. `grid` is used up
-/// brick by brick. The same input gives the same bytes. Throws as WholeFile.
+/// Writes every channel as a grid of floats, a fog volume, without voxels that are 0. The bricks of `grid`
+/// are freed one by one. The same input gives the same bytes. Throws as WholeFile.
 void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& metadata,
                const VdbOptions& options);
 
 struct VdbFile {
-  std::vector<std::string> names;  ///< of all its grids of floats, by the alphabet
-  SparseGrid grid;       ///< those that were asked for and are there, as channels in the order asked
-  VdbMetadata metadata;  ///< the file's, and that of its first grid
+  std::vector<std::string> names;  ///< names of all grids of floats, in alphabetical order
+  SparseGrid grid;                 ///< the grids in `wanted` that exist, as channels in the order of `wanted`
+  VdbMetadata metadata;            ///< of the file and of its first grid
 };
 
-/// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for what is no VDB, is
-/// cut off or damaged, for a level set, for two grids of one name, for grids that are not alike in place and
-/// voxel, for a transform other than shift, turn and one scale, for numbers that are not finite or above
-/// 1e30, and for what would take more than `max_bytes`, or more memory than there is.
+/// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for a file that is not a
+/// VDB, is truncated or damaged, for a level set, for two grids of one name, for grids with different
+/// transforms, for a transform other than translation, rotation and uniform scale, for numbers that are not
+/// finite or above 1e30, and if more than `max_bytes`, or more memory than available, are needed.
 ///
-/// What the library reads of a file is the library's affair: a file made to harm it can end the program.
+/// The library itself does not check everything: a malicious file can end the program.
 VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted,
                  std::uint64_t max_bytes = std::uint64_t{8} << 30, std::uint64_t bytes_beside = 0);
 
-/// "10.0.1"
+/// Returns the version, "10.0.1".
 std::string vdb_library_version();
 
-/// Before anything else that OpenVDB does; once is enough, and more do no harm.
+/// Initialises OpenVDB. Call it before any other use of the library; further calls have no effect.
 void start_vdb_library();
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// What an OpenVDB file says of its own parts, read without the library: whether they can be there at all.
-// The library believes every length and every place that it reads.
+// Checks the structure of an OpenVDB file without the library, which trusts all lengths and positions that it
+// reads.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 namespace vegard::sim {
 
 struct VdbOutline {
-  std::string complaint;    ///< what is wrong: "it is cut off: ..."; empty: nothing
-  double tree_bytes = 0.0;  ///< what the library would take in memory for the wanted grids
+  std::string complaint;    ///< what is wrong, "it is cut off: ..."; empty: nothing
+  double tree_bytes = 0.0;  ///< memory that the library needs for the wanted grids
 };
 
-/// Follows the header, the metadata, the places of the grids and the trees of those of floats: all lengths
-/// and kinds that the library takes from the file (OpenVDB file format 222 to 224), without unpacking a
-/// number.
+/// Checks the header, the metadata, the positions of the grids and the trees of grids of floats: all lengths
+/// and types that the library reads from the file (OpenVDB file format 222 to 224), without unpacking
+/// numbers.
 VdbOutline vdb_outline(const std::string& path, const std::vector<std::string>& wanted);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The words of pbrt's scene text, from a file of any length: brackets, "strings", and numbers or names.
+// A tokeniser for pbrt's scene text, for files of any length: brackets, "strings", and numbers or names.
 #pragma once
 
 #include <fstream>
@@ -17,19 +17,20 @@ class VolumegridWords {
   /// Throws Error(unreadable_input) if the file cannot be opened.
   explicit VolumegridWords(const std::string& path);
 
-  /// Goes to the next word and says what it is. Comments and blanks are passed over. Throws
-  /// Error(unreadable_input) for a string that does not end in its line, and for a word beyond 256 letters.
+  /// Goes to the next word and returns its kind. Comments and blanks are skipped. Throws
+  /// Error(unreadable_input) for a string that does not end in its line, and for a word of more than 256
+  /// letters.
   Kind next();
 
-  /// The word that next() has found: of a string what is between the quotes. Until the next call.
+  /// Returns the word that next() has found, a string without its quotes. Valid until the next call.
   const std::string& word() const { return word_; }
-  int line() const { return word_line_; }  ///< where it begins, from 1
+  int line() const { return word_line_; }  ///< line of the word's beginning, from 1
 
   /// Throws Error(unreadable_input) with file and the word's line.
   [[noreturn]] void refuse(const std::string& problem, const std::string& expected,
                            const std::string& hint = {}) const;
 
-  /// The word as a finite number. Refuses what is none.
+  /// Returns the word as a finite number; calls refuse() if it is none.
   double number() const;
 
  private:

@@ -1,4 +1,4 @@
-// The angle of a point in a plane, once per instruction set.
+// The arctangent of y / x in all quadrants in SIMD lanes, compiled once per instruction set.
 #if defined(VEGARD_SIM_BASE_NUMBER_ARCTANGENT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_BASE_NUMBER_ARCTANGENT_INL_H_
 #undef VEGARD_SIM_BASE_NUMBER_ARCTANGENT_INL_H_
@@ -15,8 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// From x to y, between -pi and pi; 0 at the origin. In floats to 3e-7: the arctangent of a number up to 1 by
-/// a polynomial through Chebyshev nodes of its square (1e-8), by octants.
+/// Returns the angle of the point (x, y) from the x axis, between -pi and pi; 0 at the origin. The error in
+/// floats is 3e-7: a polynomial through Chebyshev nodes in the square of the argument (1e-8) in one octant,
+/// and symmetry.
 HWY_INLINE Pack arctangent(Pack y, Pack x) {
   const Pack nothing(0.0f);
   const Pack up = select(y < nothing, nothing - y, y), across = select(x < nothing, nothing - x, x);

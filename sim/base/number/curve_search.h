@@ -1,8 +1,8 @@
-// The lowest place of a function of one or two numbers that is dear to evaluate, and how sharp it is there.
+// Finds the minimum of an expensive function of one or two numbers, and its curvature there.
 //
-// A parabola through a few places about the best one so far, a step to its bottom, and so on, with places
-// about one standard deviation apart: descents that end a little early roughen the function, and over such a
-// distance that does not show.
+// The search fits a parabola to a few points around the best one so far, goes to its minimum, and repeats.
+// The points are about one standard deviation apart: the function has noise, because it is the result of
+// descents that may end a little early, and over such a distance the noise is negligible.
 #pragma once
 
 #include <functional>
@@ -13,25 +13,26 @@ namespace vegard::sim {
 /// One evaluation.
 struct CurveTrial {
   std::vector<double> at;
-  double value = 0.0;            ///< -2 ln likelihood, times `together`
-  double together = 1.0;         ///< how many of the data go up and down as one
-  std::vector<double> solution;  ///< where everything else has ended there
+  double value = 0.0;            ///< -2 ln(likelihood), times `together`
+  double together = 1.0;         ///< number of data that are fully correlated
+  std::vector<double> solution;  ///< all other parameters, fitted at this point
 };
 
 struct CurveMinimum {
   std::vector<double> at;
-  /// Of `at`; what the function leaves open is bounded by the limits, between which all is alike likely.
+  /// Of `at`. The limits bound directions that the function does not determine, with a uniform prior between
+  /// them.
   std::vector<std::vector<double>> covariance;
   std::vector<bool> at_limit;
-  std::vector<bool> undetermined;  ///< more than a quarter of the variance inside the limits is left
+  std::vector<bool> undetermined;  ///< the variance is more than a quarter of that of the uniform prior
   bool converged = false;
-  CurveTrial centre;                        ///< the trial next to `at`
+  CurveTrial centre;                        ///< the trial nearest to `at`
   std::vector<std::vector<double>> slopes;  ///< [number][solution]: d solution / d number
-  std::vector<CurveTrial> trials;           ///< all, in their order
+  std::vector<CurveTrial> trials;           ///< all trials, in order
 };
 
-/// Looks between -limit and limit in every number, from the place `start`. `evaluate` gets the place and the
-/// nearest trial so far (null at first); an infinite value ends the search where it is.
+/// Searches between -limit and limit in every number, from the point `start`. `evaluate` gets the point and
+/// the nearest trial so far (null at first); an infinite value ends the search.
 using EvaluateCurve = std::function<CurveTrial(const std::vector<double>& at, const CurveTrial* nearest)>;
 CurveMinimum curve_minimum(const std::vector<double>& start, double limit, const EvaluateCurve& evaluate);
 

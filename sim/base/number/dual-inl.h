@@ -1,4 +1,4 @@
-// Dual numbers over lane types, once per instruction set. See sim/base/number/dual_body.h.
+// Dual numbers over lane types, compiled once per instruction set. See sim/base/number/dual_body.h.
 #if defined(VEGARD_SIM_BASE_DUAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_BASE_DUAL_INL_H_
 #undef VEGARD_SIM_BASE_DUAL_INL_H_

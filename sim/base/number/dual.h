@@ -1,5 +1,5 @@
-// Dual numbers over double, for the parts that are worked out once per beam or per image.
-// The same numbers over packs of floats are in sim/base/number/dual-inl.h.
+// Dual numbers over double, for parts that are computed once per beam or per image.
+// sim/base/number/dual-inl.h has dual numbers over packs of floats.
 #pragma once
 
 #include <cmath>
@@ -32,7 +32,7 @@ Dual<double, D> tangent(const Dual<double, D>& a) {
   const double t = std::tan(a.v);
   return {t, a.d * (1.0 + t * t)};
 }
-/// The angle of (x, y), from x to y.
+/// Returns the angle of the point (x, y) from the x axis.
 template <class D>
 Dual<double, D> arctangent(const Dual<double, D>& y, const Dual<double, D>& x) {
   const double square = x.v * x.v + y.v * y.v;

@@ -28,8 +28,9 @@ struct Tangents {
   }
 };
 
-/// A value of type V with its tangents D, any type that adds and scales by V. Arithmetic follows the chain
-/// rule, so a function written over its number type yields exact derivatives along the path that renders.
+/// A value of type V with its tangents D, a type with addition and multiplication by V. Arithmetic follows
+/// the chain rule: a function that is a template of its number type returns exact derivatives by the same
+/// code that renders.
 template <class V, class D>
 struct Dual {
   V v;
@@ -103,7 +104,7 @@ VEGARD_INLINE Dual<V, D> square_root(const Dual<V, D>& a) {
   return {root, a.d * (V(0.5) / root)};
 }
 
-/// The value without its tangents.
+/// Returns the value without its tangents.
 template <class V, class D>
 VEGARD_INLINE V value_of(const Dual<V, D>& a) {
   return a.v;

@@ -1,4 +1,4 @@
-// The share of its light that escapes from a uniform absorbing medium.
+// The fraction of light that escapes from a uniform emitting and absorbing medium along a ray.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace vegard::sim {
 
-/// (1 - exp(-x)) / x and its slope, x the optical depth of the piece, of either sign: by their series where
-/// differences lose digits (terms left out are below 1e-14 of the share and 1e-12 of the slope).
+/// Computes (1 - exp(-x)) / x and its derivative for an optical depth x of either sign: by their series where
+/// differences would lose digits (the neglected terms are below 1e-14 of the share and 1e-12 of the slope).
 inline void escaping_share(double x, double& share, double& slope) {
   if (std::abs(x) < 1e-2) {
     share = 1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x / 720.0))));

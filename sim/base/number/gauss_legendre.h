@@ -1,4 +1,4 @@
-// Gauss's quadrature.
+// Gauss-Legendre quadrature.
 #pragma once
 
 #include <array>
@@ -8,8 +8,9 @@
 
 namespace vegard::sim {
 
-/// The N points and weights on 0 to 1 that integrate polynomials up to the degree 2 N - 1 exactly: zeros of
-/// Legendre's polynomial by Newton's method (W. H. Press et al., "Numerical recipes", 2007, section 4.6).
+/// The N points and weights on 0 to 1 that integrate polynomials up to the degree 2 N - 1 exactly: the zeros
+/// of the Legendre polynomial, by Newton's method (W. H. Press et al., "Numerical recipes", 2007, section
+/// 4.6).
 template <int N>
 struct GaussLegendre {
   std::array<double, N> place, weight;

@@ -1,11 +1,10 @@
-// Stationary Gaussian processes of unit variance: white Gaussian numbers on a grid, summed under a Gaussian
+// Stationary Gaussian processes of unit variance: white Gaussian noise on a grid, convolved with a Gaussian
 // kernel.
 //
 // The grid's nodes are one standard deviation of the kernel apart and have absolute indices, so the process
-// is a pure function of (seed, stream, address) and of the place, whatever stretch of it somebody looks at.
-// With kernels exp(-x²/2s²) the autocorrelation is exp(-δ²/4s²); s is chosen so that its full width at half
-// maximum is the width asked for: exp(-4 ln 2 (δ/width)²). The kernel is cut at 4.5 s, and the variance
-// varies by 1e-4 between nodes.
+// is a pure function of (seed, stream, address) and of the position. With kernels exp(-x²/2s²) the
+// autocorrelation is exp(-δ²/4s²); s is chosen so that its full width at half maximum is `width`: exp(-4 ln 2
+// (δ/width)²). The kernel is truncated at 4.5 s, and the variance varies by 1e-4 between nodes.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +15,15 @@
 
 namespace vegard::sim {
 
-/// The process along one coordinate, at one instant: it lives for `lifetime` in the sense of its
-/// autocorrelation's full width; 0: frozen. Looks at nodes are remembered, so one object serves one thread.
+/// The process along one coordinate at one instant. `lifetime` is the full width at half maximum of its
+/// autocorrelation in time; 0: constant in time. It caches nodes, so an object must only be used by one
+/// thread.
 class GaussianProcess {
  public:
   GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,
                   double lifetime);
 
-  /// Remembers the nodes between two places once they have been asked for; others are worked out again.
+  /// Caches the nodes between two positions when they are first used; other nodes are computed each time.
   void remember(double first, double last);
 
   double at(double place);
@@ -38,10 +38,10 @@ class GaussianProcess {
   double per_width_, time_;
   bool lasts_;
   std::int64_t first_ = 0;
-  std::vector<double> nodes_;  ///< from first_ on; nan: not yet asked for
+  std::vector<double> nodes_;  ///< from first_ on; NaN: not yet computed
 };
 
-/// The same in two dimensions, of the same width in both.
+/// The same in two dimensions, with the same width in both.
 class GaussianField {
  public:
   GaussianField(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,

@@ -1,10 +1,10 @@
-// Lane types: what the simulator's kernel computes with. A Pack holds as many floats as a vector register of
-// the instruction set (at most 16) and renders fast; double is the reference. The kernel is written once over
-// either, with masks in place of branches. Multiplication and addition are never fused, so every instruction
-// set gives the same bits.
+// Lane types: the number types of the simulator's kernel. A Pack holds as many floats as a vector register of
+// the instruction set (at most 16) and is fast; double is the reference. The kernel is a template of the lane
+// type, with masks instead of branches. Multiplication and addition are never fused, so every instruction set
+// gives the same bits.
 //
-// Included once per instruction set by Highway's foreach_target: the guard is toggled, as Highway's manual
-// asks.
+// Included once per instruction set by Highway's foreach_target, with the toggled include guard of Highway's
+// manual.
 #if defined(VEGARD_SIM_BASE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_BASE_LANES_INL_H_
 #undef VEGARD_SIM_BASE_LANES_INL_H_
@@ -63,7 +63,7 @@ HWY_INLINE double square_root(double a) { return std::sqrt(a); }
 HWY_INLINE double round_to_nearest(double a) { return std::nearbyint(a); }
 HWY_INLINE double value_of(double a) { return a; }
 
-/// The keys of all rounds, which depend on the seed alone.
+/// The keys of all rounds, which only depend on the seed.
 using PhiloxKeys = std::uint32_t[philox::kRounds][2];
 HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
   auto key = random_key(seed);
@@ -75,14 +75,15 @@ HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
   }
 }
 
-/// random_words(seed, Stream::path, quad, beam, layer) of sim/base/number/random.h for the beams of a pack,
-/// quad after quad, the same bits. The even and the odd lanes travel apart, one to 64 bits, so that a
-/// product's high word is one shift away; what stands in the upper halves of its operands a multiplication
-/// does not see.
+/// Computes random_words(seed, Stream::path, quad, beam, layer) of sim/base/number/random.h, bit by bit the
+/// same, for the beams of a pack, one quad after the other. Even and odd lanes are kept separately, one per
+/// 64 bits, so that one shift gives the high word of a product; multiplications ignore the upper halves of
+/// their operands.
 ///
-/// Only the beam's index differs between lanes, and it enters the first round by a sum without carry. So the
-/// first round is the same for all lanes, and of the second and third the one product that differs is either
-/// the same for all quads or the only one to be worked out: two of the rounds cost next to nothing.
+/// Only the beam's index differs between lanes, and it enters the first round by XOR. So the products of the
+/// first round are the same for all lanes. In the second round, the product that depends on the beam is the
+/// same for all quads; in the third, only one product depends on the beam. Two of the rounds therefore cost
+/// very little.
 class PathWords {
  public:
   HWY_INLINE void start(WordVector beams, std::uint32_t layer, const PhiloxKeys& keys) {
@@ -140,7 +141,7 @@ class PathWords {
   std::uint32_t of_layer_;
 };
 
-/// The same for one beam.
+/// PathWords for one beam.
 class PathWordsOfOne {
  public:
   HWY_INLINE void start(std::uint32_t beam, std::uint32_t layer, const PhiloxKeys&) {
@@ -157,16 +158,16 @@ class PathWordsOfOne {
   std::uint32_t beam_, layer_;
 };
 
-// The numbers of a step, see sim/base/number/random.h. Both are exact in floats, so that packs and double
-// agree.
+// The random numbers of a step, see sim/base/number/random.h. Length and azimuth are exact in floats, so that
+// packs and double agree.
 HWY_INLINE Pack upper_uniform(WordVector word) {
   const auto integer = hn::BitCast(IntTag(), hn::ShiftRight<16>(word));
   return (Pack(hn::ConvertTo(FloatTag(), integer)) + Pack(0.5f)) * Pack(1.0f / 65536.0f);
 }
 HWY_INLINE double upper_uniform(std::uint32_t word) { return sim::upper_uniform(word); }
 
-/// A word a beam whose upper halves, of beams next to each other, fill 0 to 1 evenly: Weyl's sequence of the
-/// golden ratio, from where `from` says.
+/// Returns one word per beam: Weyl's sequence of the golden ratio, starting at `from`. The upper halves of
+/// neighbouring beams' words fill 0 to 1 evenly.
 HWY_INLINE WordVector golden_ratio_word(WordVector beams, std::uint32_t from) {
   return hn::Add(hn::Mul(beams, hn::Set(WordTag(), 0x9E3779B9u)), hn::Set(WordTag(), from));
 }
@@ -182,7 +183,7 @@ HWY_INLINE double place_in_quarter(std::uint32_t word) {
   return static_cast<double>(word & azimuth_bits::kPlace) * azimuth_bits::kCell + azimuth_bits::kFirst;
 }
 
-/// x, or -x where the word has that bit of its lower half.
+/// Returns -x where the word has the bit kBit, else x.
 template <std::uint32_t kBit>
 HWY_INLINE Pack with_sign(Pack x, WordVector word) {
   constexpr int kUp = kBit == azimuth_bits::kCosineSign ? 16 : 17;
@@ -195,7 +196,7 @@ HWY_INLINE double with_sign(double x, std::uint32_t word) {
   return (word & kBit) != 0 ? -x : x;
 }
 
-/// What the kernel needs to know of a lane type.
+/// The properties of a lane type that the kernel needs.
 template <class L>
 struct LaneTraits;
 
@@ -227,9 +228,9 @@ struct LaneTraits<double> {
   static HWY_INLINE std::uint32_t load_indices(const std::uint32_t* from) { return *from; }
 };
 
-/// Cosine and sine of the azimuth in the lower half of a word: absolute error below 3e-7 in floats.
-/// Polynomials through the Chebyshev nodes of a quarter turn about its middle, where sine and cosine are (c +
-/// s) / sqrt(2) and (c - s) / sqrt(2); the root is in the coefficients.
+/// Computes cosine and sine of the azimuth in the lower half of a word, with an absolute error below 3e-7 in
+/// floats. c and s are polynomials through the Chebyshev nodes of a quarter turn around its middle, where
+/// sine and cosine are (c + s) / sqrt(2) and (c - s) / sqrt(2); the coefficients include the root.
 template <class L, class W>
 HWY_INLINE void random_direction(W word, L& cosine, L& sine) {
   const L x = place_in_quarter(word) * L(1.57079632679489662);
@@ -243,7 +244,7 @@ HWY_INLINE void random_direction(W word, L& cosine, L& sine) {
   sine = with_sign<azimuth_bits::kSineSign>(c + s, word);
 }
 
-/// Sine and cosine of an angle below a third of a radian; relative error below 1e-7.
+/// Return sine and cosine of an angle below a third of a radian, with a relative error below 1e-7.
 template <class T>
 HWY_INLINE T sine_of_small(const T& x) {
   const T x2 = x * x;

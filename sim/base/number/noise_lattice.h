@@ -1,8 +1,9 @@
-// Gradient noise from a table, with its gradient: for density maps, which ask for it a hundred million times.
+// Gradient noise from a table, with its gradient: for density maps, which evaluate it a hundred million
+// times.
 //
 // It is the noise of sim/base/number/noise.h (K. Perlin, "Improving noise", SIGGRAPH 2002: gradients towards
 // the twelve edges of a cube, weighted by the quintic 6t⁵ - 15t⁴ + 10t³), but the nodes' gradients are drawn
-// once, from Philox, for a cube of kPeriod nodes that repeats.
+// once, from Philox, for a periodic cube of kPeriod nodes per side.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@
 
 namespace vegard::sim {
 
-/// Noise at a point, and its slopes.
+/// Noise at a point, and its gradient.
 struct NoiseAt {
   double value, slope[3];
 };
@@ -22,12 +23,13 @@ struct NoiseAt {
 class NoiseLattice {
  public:
   static constexpr int kPeriod = 64;
-  static constexpr double kLargest = 1.04;  ///< no value is farther from 0
+  static constexpr double kLargest = 1.04;  ///< bound of the absolute value
 
   /// The noise of a seed, a stream and an address, such as that of one of several nodes.
   NoiseLattice(std::uint64_t seed, Stream stream, std::uint32_t address);
 
-  /// 0 at points with integer coordinates; continuous, with its first and second derivatives.
+  /// Returns the noise: 0 at points with integer coordinates; continuous with its first and second
+  /// derivatives.
   double value(double x, double y, double z) const;
   NoiseAt with_slope(double x, double y, double z) const;
 

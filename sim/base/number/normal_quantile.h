@@ -3,7 +3,7 @@
 
 namespace vegard::sim {
 
-/// x such that a standard normal variable lies below x with probability p, 0 < p < 1. Relative error
+/// Returns x such that a standard normal variable is below x with probability p, 0 < p < 1. Relative error
 /// below 1.2e-9. Source: P. J. Acklam's rational approximation (2003), in the form without the refinement
 /// step.
 double normal_quantile(double p);

@@ -1,4 +1,4 @@
-// Random numbers of Poisson's distribution, as a pure function of (seed, stream, indices).
+// Random numbers of the Poisson distribution as a pure function of (seed, stream, indices).
 //
 // Source: inversion for means below 10 (Devroye 1986, Non-uniform random variate generation, X.3); above,
 // transformed rejection with squeeze, PTRS (Hoermann 1993, Insurance: Mathematics and Economics 12, 39,
@@ -12,8 +12,9 @@
 
 namespace vegard::sim {
 
-/// A whole number; 0 for a mean of 0. `mean` at least 0 and finite. Takes the words (i, j, k), and where they
-/// do not suffice (i, j, k + 4), (i, j, k + 8) and so on: k below 4 distinguishes four numbers of one (i, j).
+/// Returns an integer; 0 for a mean of 0. `mean` must be finite and at least 0. Uses the random words at (i,
+/// j, k) and, if needed, at (i, j, k + 4), (i, j, k + 8) and so on: k = 0 to 3 gives four independent numbers
+/// for one (i, j).
 double poisson(double mean, std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j,
                std::uint32_t k);
 

@@ -2,7 +2,7 @@
 //
 // Source: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11,
 // doi:10.1145/2063384.2063405, who find seven rounds to be the fewest that pass all of BigCrush. There is no
-// generator object and no state: whoever needs number (i, j) of a stream asks for it, in any order and on any
+// generator object and no state: the number (i, j) of a stream can be computed in any order and in any
 // thread.
 #pragma once
 
@@ -11,29 +11,29 @@
 
 namespace vegard::sim {
 
-/// What a random number is for. Numbers of different streams are independent.
+/// The purpose of a random number. Numbers of different streams are independent.
 enum class Stream : std::uint32_t {
   beam_spacing = 1,   ///< jitter of the beams along the arc, and their random depth
-  cross_section = 2,  ///< place of a beam inside its layer
+  cross_section = 2,  ///< position of a beam inside its layer
   path = 3,           ///< lengths and azimuths of a beam's deflections
   search = 5,         ///< trial points of a fit
   slot_life = 6,      ///< when the folds and curls of a slot begin
-  fold = 7,           ///< where a fold stands and how far it has turned
-  curl = 8,           ///< where a curl stands
+  fold = 7,           ///< position and stage of a fold
+  curl = 8,           ///< position of a curl
   ray_light = 9,      ///< the light of rays
-  ray_length = 10,    ///< their extent above the peak
+  ray_length = 10,    ///< extent of rays above the peak
   patch = 11,         ///< the light of patches
   border = 12,        ///< the undulation of the lower border
   footprint = 13,     ///< a footprint of fractal noise
-  ripple = 14,        ///< what a footprint's flow starts from
-  spiral = 15,        ///< where a spiral stands
-  stars = 16,         ///< where stars stand, and their colours
+  ripple = 14,        ///< ripples from which a footprint's flow starts
+  spiral = 15,        ///< position of a spiral
+  stars = 16,         ///< positions and colours of stars
   photon_noise = 24,  ///< a pixel's electrons
-  read_noise = 25,    ///< and what reading them adds
+  read_noise = 25,    ///< read noise of a pixel
   nebula = 28,        ///< the noise of nebulae
   chromosphere = 29,  ///< the turbulence of chromospheres
   strand = 30,        ///< strands of loops
-  bundle = 31,        ///< lines of the corona
+  bundle = 31,        ///< straight strands of the corona
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
   flare = 34,         ///< when flares heat a strand of a loop
@@ -48,7 +48,7 @@ inline constexpr std::uint32_t kWeyl0 = 0x9E3779B9u, kWeyl1 = 0xBB67AE85u;
 inline constexpr int kRounds = 7;
 }  // namespace philox
 
-/// Four words of 32 random bits for one counter and one key.
+/// Returns four words of 32 random bits for one counter and one key.
 template <int kRounds = philox::kRounds>
 Words philox4x32(Words counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < kRounds; ++round) {
@@ -66,36 +66,38 @@ inline std::array<std::uint32_t, 2> random_key(std::uint64_t seed) {
   return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)};
 }
 
-/// Four words of a stream at the indices (i, j, k).
+/// Returns the four words of a stream at the indices (i, j, k).
 inline Words random_words(std::uint64_t seed, Stream stream, std::uint32_t i, std::uint32_t j = 0,
                           std::uint32_t k = 0) {
   return philox4x32({i, j, k, static_cast<std::uint32_t>(stream)}, random_key(seed));
 }
 
-/// Uniform in (0, 1), never 0 or 1, on the 2^24 centres that a float holds exactly.
+/// Returns a uniform number in (0, 1), never 0 or 1: one of the 2^24 centres of equal cells, exact in a
+/// float.
 inline double uniform(std::uint32_t word) {
   return (static_cast<double>(word >> 8) + 0.5) * (1.0 / 16777216.0);
 }
 
-/// Uniform in (0, 1), never 0 or 1, on 2^52 centres that a double holds: for tails that matter.
+/// The same with 2^52 centres, exact in a double, for distributions whose tails matter.
 inline double fine_uniform(std::uint32_t upper, std::uint32_t lower) {
   const std::uint64_t word = (static_cast<std::uint64_t>(upper) << 32 | lower) >> 12;
   return (static_cast<double>(word) + 0.5) * (1.0 / 4503599627370496.0);
 }
 
-// One step of a beam's path takes one word, so that four words serve four steps: its upper half is the
-// length, its lower half the azimuth. Sixteen bits are enough for either. A step, some kilometres at most,
-// comes in 65536 lengths, centimetres apart; azimuths stand 20 seconds of arc apart, which moves the end of a
-// step by less than a millimetre. Both are the centres of equal cells, so that their means are those of the
-// continuous numbers, and their variances fall short by 2^-32 of themselves.
+// One step of a beam's path uses one word: its upper half is the length, its lower half the azimuth. Sixteen
+// bits are enough for each. A step, at most a few kilometres, has one of 65536 lengths, centimetres apart;
+// azimuths are 20 seconds of arc apart, which moves the end of a step by less than a millimetre. Both are
+// centres of equal cells, so that their means are exact and their variances are too small by a relative
+// 2^-32.
 
-/// Uniform in (0, 1) from the upper half of a word, on 2^16 centres.
+/// Returns a uniform number in (0, 1) from the upper half of a word: one of 2^16 centres.
 inline double upper_uniform(std::uint32_t word) {
   return (static_cast<double>(word >> 16) + 0.5) * (1.0 / 65536.0);
 }
 
 /// The lower half of a word as an azimuth: its two upper bits are the signs of the cosine and the sine, which
-/// choose a quarter; the others are the place in that quarter, from its middle, in quarters: in (-1/2, 1/2).
+/// select a quarter turn; the others are the position in it, from its middle, in units of a quarter turn: in
+/// (-1/2, 1/2).
 namespace azimuth_bits {
 inline constexpr std::uint32_t kCosineSign = 0x8000u, kSineSign = 0x4000u, kPlace = 0x3fffu;
 inline constexpr float kCell = 1.0f / 16384.0f, kFirst = 0.5f / 16384.0f - 0.5f;

@@ -3,20 +3,20 @@
 
 namespace vegard::sim {
 
-/// What rays are like (Sheet::ray_contrast, ray_width_km).
+/// The properties of rays (Sheet::ray_contrast, ray_width_km).
 struct Rays {
-  double contrast = 0.5;  ///< standard deviation of the logarithm of the light along the sheet
-  double width_km = 1.0;  ///< full width of its autocorrelation at half its height
+  double contrast = 0.5;  ///< standard deviation of ln(light) along the sheet
+  double width_km = 1.0;  ///< full width at half maximum of the autocorrelation
 };
 
-/// Covariance of the logarithm of the light at two places `apart_km` along the sheet, seen through a Gaussian
-/// smear of the variance `smear_km2` along it.
+/// Returns the covariance of ln(light) at two points `apart_km` apart along the sheet, after a Gaussian smear
+/// with the variance `smear_km2` along the sheet.
 ///
 /// The light of rays is log-normal, exp(c g - c^2 / 2), with the autocorrelation rho = exp(-4 ln 2 (d / w)^2)
 /// of g (docs/physics.md, rays): its covariance is exp(c^2 rho) - 1 = sum of c^2n rho^n / n!, each term a
-/// Gaussian of variance w^2 / (8 n ln 2), to which the smear adds twice its own. The logarithm of light that
-/// is log-normal still, to a good approximation (Fenton 1960, doi:10.1109/TCOM.1960.1097606: sums of
-/// log-normal numbers), has the covariance ln(1 + that).
+/// Gaussian of variance w^2 / (8 n ln 2), to which the smear adds twice its own variance. The smeared light
+/// is still log-normal, to a good approximation (Fenton 1960, doi:10.1109/TCOM.1960.1097606: sums of
+/// log-normal numbers), so the covariance of its logarithm is ln(1 + covariance of the light).
 double ray_log_covariance(const Rays& rays, double smear_km2, double apart_km);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
-// The cubics of a smooth curve through points.
+// A smooth curve through points, made of cubics.
 //
-// Centripetal Catmull-Rom: between p1 and p2 the cubic whose tangents are those of the parabolas through
-// (p0, p1, p2) and (p1, p2, p3) over knots that stand sqrt(|p_(i+1) - p_i|) apart. The curve's direction is
-// continuous, and within a cubic it has neither cusps nor loops, however uneven the points stand. Sources: E.
+// Centripetal Catmull-Rom spline: between p1 and p2 it is the cubic whose tangents are those of the parabolas
+// through (p0, p1, p2) and (p1, p2, p3) with knots sqrt(|p_(i+1) - p_i|) apart. The curve's direction is
+// continuous, and within a cubic there are no cusps and loops, even for unevenly spaced points. Sources: E.
 // Catmull, R. Rom, "A class of local interpolating splines", 1974; C. Yuksel, S. Schaefer, J. Keyser,
 // "Parameterization and applications of Catmull-Rom curves", Computer-Aided Design 43 (2011).
 //
@@ -23,11 +23,11 @@ T length_of(const std::array<T, axes>& v) {
   return square_root(square);
 }
 
-/// From one point (u = 0) to the next (u = 1).
+/// The cubic from one point (u = 0) to the next (u = 1).
 template <class T, int axes>
 struct CurveCubic {
   using Vector = std::array<T, axes>;
-  Vector from, to, leaving, arriving;  ///< points, and derivatives by u there
+  Vector from, to, leaving, arriving;  ///< the two points, and the derivatives by u there
 
   Vector at(double u) const {
     const double v = 1.0 - u;
@@ -37,7 +37,7 @@ struct CurveCubic {
                  to[a] * (u * u * (3.0 - 2.0 * u)) - arriving[a] * (u * u * v);
     return point;
   }
-  /// d at / du.
+  /// Returns the derivative of at() by u.
   Vector speed(double u) const {
     const double v = 1.0 - u;
     Vector speed;
@@ -46,7 +46,7 @@ struct CurveCubic {
                  arriving[a] * (u * (3.0 * u - 2.0));
     return speed;
   }
-  /// d speed / du.
+  /// Returns the derivative of speed() by u.
   Vector bend(double u) const {
     Vector bend;
     for (int a = 0; a < axes; ++a)
@@ -56,7 +56,7 @@ struct CurveCubic {
   }
 };
 
-/// From p[1] to p[2]; neighbours must not stand at one place.
+/// Returns the cubic from p[1] to p[2]; neighbouring points must differ.
 template <class T, int axes>
 CurveCubic<T, axes> centripetal_cubic(const std::array<T, axes> (&p)[4]) {
   using Vector = std::array<T, axes>;

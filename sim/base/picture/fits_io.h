@@ -1,7 +1,7 @@
-// FITS files (FITS standard 4.0), in and out: the only door to CFITSIO.
+// Reads and writes FITS files (FITS standard 4.0): the only interface to CFITSIO.
 //
-// Bytes in memory go in and come out; no name is ever handed to CFITSIO, whose names may be network addresses
-// and commands. Errors are about the file `name`.
+// All functions work on bytes in memory; no file name is ever passed to CFITSIO, which would interpret
+// network addresses and commands in it. Errors are about the file `name`.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,28 @@
 
 namespace vegard::sim {
 
-/// Header keywords as text: strings without their quotes, numbers and T or F as they stand. Comments, history
-/// and the continuations of long strings are left out.
+/// Header keywords as text: strings without their quotes; numbers, T and F unchanged. Comments, history and
+/// the continuations of long strings are left out.
 using FitsKeywords = std::map<std::string, std::string>;
 
 struct FitsImage {
-  /// Physical values, BZERO + BSCALE times what is stored, the upper row first. One plane is called "Y",
-  /// three "R", "G", "B", others "1", "2" ...
+  /// Physical values, BZERO + BSCALE x stored value, the upper row first. One plane is named "Y", three "R",
+  /// "G", "B", others "1", "2" ...
   Image image;
-  std::vector<std::uint8_t> known;  ///< as image.data: 0 for BLANK, NaN and infinities, which are stored as 0
-  int bits = 16;                    ///< of a stored number
+  std::vector<std::uint8_t>
+      known;      ///< for each of image.data: 0 for BLANK, NaN and infinity, whose value is 0
+  int bits = 16;  ///< bits of a stored number
   bool floating = false;
   double largest = 0.0;   ///< physical value at the end of the integers' range; 0 for floats
   double step = 0.0;      ///< between two integers, |BSCALE|; 0 for floats
-  FitsKeywords keywords;  ///< of the image, and of the first header what the image's own does not say
+  FitsKeywords keywords;  ///< of the image's header, and those of the first header that it lacks
 };
 
-/// Reads the first image of at least two axes, in the first header or an extension, packed in tiles by Rice's
-/// algorithm (fits_packing.h) or not packed.
-/// Rows are taken to be stored from the bottom up, FITS's own convention, unless the keyword ROWORDER says
-/// TOP-DOWN. Throws Error(unreadable_input) for bytes that are truncated, damaged, no FITS, without an image,
-/// or with more pixels than sim/base/picture/pixel_limit.h allows (2^30 numbers in all planes).
+/// Reads the first image of at least two axes, in the first header or an extension, compressed in tiles by
+/// Rice's algorithm (fits_packing.h) or uncompressed. Rows are assumed to be stored from the bottom up, the
+/// convention of FITS, unless the keyword ROWORDER is TOP-DOWN. Throws Error(unreadable_input) for bytes that
+/// are truncated, damaged, not FITS, without an image, or with more pixels than
+/// sim/base/picture/pixel_limit.h allows (2^30 numbers in all planes).
 FitsImage read_fits_image(std::string_view bytes, const std::string& name);
 
 struct FitsTable {
@@ -43,11 +44,11 @@ struct FitsTable {
   FitsKeywords keywords;
 };
 
-/// Reads the first binary table, of it the columns that hold one number a row. Throws
+/// Reads those columns of the first binary table that have one number per row. Throws
 /// Error(unreadable_input).
 FitsTable read_fits_table(std::string_view bytes, const std::string& name);
 
-/// Keywords of the first header alone, whatever is behind it. Throws Error(unreadable_input).
+/// Reads the keywords of the first header, whatever follows it. Throws Error(unreadable_input).
 FitsKeywords read_fits_header(std::string_view bytes, const std::string& name);
 
 struct FitsKeyword {
@@ -56,12 +57,13 @@ struct FitsKeyword {
   std::string comment;
 };
 
-/// The image as 32-bit floats, a plane for each of its channels (one: two axes), rows from the bottom up with
-/// ROWORDER to say so. The same image and keywords give the same bytes. Throws Error(unwritable_output).
+/// Returns a FITS file of the image as 32-bit floats, a plane for each channel (two axes if there is only
+/// one), rows from the bottom up, as ROWORDER says. The same image and keywords give the same bytes. Throws
+/// Error(unwritable_output).
 std::string encode_fits(const Image& image, const std::vector<FitsKeyword>& keywords,
                         const std::string& name = {});
 
-/// A header without an image, and nothing behind it. Throws Error(unwritable_output).
+/// Returns a header without an image, and nothing after it. Throws Error(unwritable_output).
 std::string encode_fits_header(const std::vector<FitsKeyword>& keywords, const std::string& name = {});
 
 struct FitsColumn {
@@ -69,16 +71,16 @@ struct FitsColumn {
   std::vector<double> values;
 };
 
-/// A binary table of doubles, columns of one length, behind a header without an image that has the keywords.
-/// Throws Error(unwritable_output).
+/// Returns a binary table of doubles, with columns of equal length, after a header without an image that has
+/// the keywords. Throws Error(unwritable_output).
 std::string encode_fits_table(const std::vector<FitsColumn>& columns,
                               const std::vector<FitsKeyword>& keywords, const std::string& name = {});
 
-/// The image of encode_fits() into a file. Throws Error(existing_output), Error(unwritable_output).
+/// Writes the bytes of encode_fits() to a file. Throws Error(existing_output), Error(unwritable_output).
 void write_fits(const std::string& path, const Image& image, const std::vector<FitsKeyword>& keywords,
                 bool overwrite = false);
 
-/// "4.2.0", of the library that was compiled against.
+/// Returns the version of CFITSIO at compile time, "4.2.0".
 std::string fits_library_version();
 
 }  // namespace vegard::sim

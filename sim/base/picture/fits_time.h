@@ -1,4 +1,4 @@
-// When a FITS image was taken, by the words of its first header (FITS standard 4.0, 4.4.2.3 and 9).
+// The time at which a FITS image was taken, from its first header (FITS standard 4.0, 4.4.2.3 and 9).
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@ namespace vegard::sim {
 
 struct FitsTime {
   std::string utc;  ///< "2015-10-07T08:23:51.743Z"
-  std::string key;  ///< "DATE-OBS", "OBSDATE and OBSSTART"
+  std::string key;  ///< source of the time: "DATE-OBS", "OBSDATE and OBSSTART"
 };
 
-/// Of a file's bytes, of which the first header is enough: DATE-OBS with a time of day in it or in TIME-OBS;
-/// else OBSDATE with OBSSTART, which the cameras at Poker Flat write. They are UTC unless TIMESYS says
-/// another scale, and then nothing is known. Nothing either for a day without a time, for no FITS file and
-/// for a date that no calendar has. Never throws.
+/// Returns the time from the bytes of a file, of which the first header is enough: DATE-OBS with a time of
+/// day in it or in TIME-OBS; else OBSDATE with OBSSTART, as from the cameras at Poker Flat. Returns nothing
+/// if TIMESYS is not UTC, for a date without a time, an invalid date, or bytes that are not FITS. Never
+/// throws.
 std::optional<FitsTime> fits_time(std::string_view bytes);
 
 }  // namespace vegard::sim

@@ -7,7 +7,7 @@
 
 namespace vegard::sim {
 
-/// How many bytes of a file's beginning are looked at.
+/// The number of bytes of a file's beginning that are needed.
 inline constexpr std::size_t kSignatureBytes = 16;
 
 struct PictureSignature {
@@ -29,14 +29,14 @@ inline constexpr PictureSignature kPictureSignatures[] = {
     {8, {"WEBP", 4}, "WebP"},         {0, {"GIF8", 4}, "GIF"},
 };
 
-/// "JPEG", "TIFF or raw", "PNM", …: the format whose signature the bytes have; empty for any other bytes,
-/// such as those of a text.
+/// Returns the format whose signature the bytes have, "JPEG", "TIFF or raw", "PNM", …; empty for any other
+/// bytes, such as those of a text.
 inline std::string picture_format_of(std::string_view beginning) {
   for (const PictureSignature& one : kPictureSignatures)
     if (beginning.substr(0, kSignatureBytes).size() >= one.at + one.bytes.size() &&
         beginning.substr(one.at, one.bytes.size()) == one.bytes)
       return one.format;
-  // "BM", four bytes of size, four of zeros; "P5", white space and a number: no key of TOML goes on so.
+  // "BM", four bytes of size, four zeros; "P5", white space and a number: no TOML file begins like this.
   if (beginning.size() >= 10 && beginning.substr(0, 2) == "BM" &&
       beginning.substr(6, 4) == std::string_view("\0\0\0\0", 4))
     return "BMP";

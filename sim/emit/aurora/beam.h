@@ -1,4 +1,4 @@
-// A beam before it falls: from its foot up the field line to where it starts.
+// Computes where a beam starts: from its foot up the field line.
 //
 // Source: Baranoski et al. 2000, section 3.2, rows B11-B16 of docs/physics.md, on a spherical Earth.
 #pragma once
@@ -8,8 +8,9 @@
 
 namespace vegard::sim {
 
-/// The directions of fall in a uniform field. Inclination below the horizon (negative in the south),
-/// declination from north to the east. Electrons fall along B in the north and against it in the south.
+/// Returns the directions of fall in a uniform field. The inclination is below the horizon (negative in the
+/// south), the declination from north to the east. Electrons fall along B in the north and against B in the
+/// south.
 template <class T>
 FallFrame<T> fall_frame(const T& inclination_rad, const T& declination_rad) {
   const double sign = value_of(inclination_rad) < 0.0 ? -1.0 : 1.0;
@@ -29,11 +30,10 @@ FallFrame<T> fall_frame(const T& inclination_rad, const T& declination_rad) {
   return f;
 }
 
-/// A beam through the point of the tangent plane (east, north) at kFootAltitudeKm, from `top_km` down to
-/// `bottom_km`, over a sphere. The field line is straight. The foot must be closer to the observer than the
-/// sphere's radius.
-/// Far away on the round Earth a shallow field line may rise where it ought to fall: `vertical` is then not
-/// positive, such a beam is none, and the caller is to leave it out.
+/// Returns the beam through the point of the tangent plane (east, north) at kFootAltitudeKm, from `top_km`
+/// down to `bottom_km`, over a sphere. The field line is straight. The foot must be closer to the observer
+/// than the sphere's radius. Far away on the round Earth a shallow field line may rise where it should fall:
+/// `vertical` is then not positive, and the caller must leave this beam out.
 template <class T>
 Beam<T> start_beam(const T& east_km, const T& north_km, const FallFrame<T>& fall, double observer_altitude_km,
                    double top_km, double bottom_km, double sphere_km = kEarthRadiusKm) {

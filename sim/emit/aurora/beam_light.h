@@ -1,14 +1,15 @@
-// What differs from beam to beam inside an arc: rays, patches and the undulating lower border.
+// The light of a beam as it varies inside an arc: rays, patches and the undulating lower border.
 //
 // Rays (row B10 of docs/physics.md; Baranoski et al. 2000, sections 2.2 and 2.3): light along the arc is
 // exp(c g - c²/2), g a Gaussian process of unit variance, so that its mean is 1 whatever the contrast c. A
-// ray stands through the sheet: the layers of an arc share it. A second process stretches the height profile
-// above its peak in the same way: long and short rays. Patches are the same in two dimensions. The source
-// draws on observations and gives no law for either; the log-normal one is ours.
+// ray goes through the whole sheet: the layers of an arc share it. A second process stretches the height
+// profile above its peak in the same way, for long and short rays. Patches follow the same law in two
+// dimensions. The source relies on observations and gives no law for rays or patches; the log-normal law is
+// ours.
 //
-// The lower border (row B17; section 3.2): three-dimensional correlated noise of place along, place across
-// and time moves the whole height profile up and down. The source perturbs the start of the path, which with
-// a height profile that contains the stopping would only cut it off.
+// The lower border (row B17; section 3.2): correlated noise in three dimensions (along the sheet, across it,
+// and time) moves the whole height profile up and down. The source perturbs the start of the path, which here
+// would only cut the profile off, since the profile contains the stopping of the electrons.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +27,14 @@ struct BeamLight {
   double stretch_above = 1.0;      ///< of the height profile above its peak
 };
 
-/// In the mean over all draws: every contrast has the mean 1, and `ray` is one of many values of the process
-/// of long and short rays. Of an undulating border there is none.
+/// Returns the light in the mean over all draws, where the factors of rays and patches are 1. `ray` is a
+/// value of the Gaussian process of long and short rays. An undulating border is not included.
 BeamLight mean_light(const Sheet& sheet, double ray);
 
-/// One arc at an instant. Looks are remembered, so one object serves one thread.
+/// The structures of one arc at an instant. Values are cached, so each thread needs its own object.
 class ArcLight {
  public:
-  /// `drifted_km` is how far the sheet has drifted along itself: all of this goes with it.
+  /// `drifted_km` is how far the sheet has drifted along itself; all structures move with it.
   ArcLight(const Sheet& sheet, std::uint32_t arc_address, std::uint64_t seed, double instant_s,
            double drifted_km);
 
@@ -42,11 +43,11 @@ class ArcLight {
     return lengths_ || (sheet_.border_amplitude_km > 0.0 && sheet_.border_rule == BorderRule::light);
   }
 
-  /// The stretch along the sheet that will be asked for most.
+  /// Caches the processes for the stretch along the sheet that at() will mostly be called for.
   void remember(double first_km, double last_km);
 
-  /// The light of the beam at a coordinate along the sheet, as StretchOfSheet counts it, and `aside_km` from
-  /// the straight line.
+  /// Returns the light of the beam at a coordinate along the sheet, as defined by StretchOfSheet, and
+  /// `aside_km` from the straight line.
   BeamLight at(double along_km, double aside_km);
 
  private:

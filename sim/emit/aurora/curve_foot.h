@@ -1,4 +1,4 @@
-// Where the beams of a sheet whose course is a curve start.
+// The feet of the beams of a sheet whose course is a curve.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,14 @@ namespace vegard::sim {
 template <class T>
 struct CurveFoot {
   BeamFoot<T> foot;
-  T ln_energy{};  ///< of keV; 0 where the sheet has one energy for all
+  T ln_energy{};  ///< logarithm of the energy in keV; 0 if the sheet has one energy only
   T along[2]{};   ///< the curve's direction there: a unit vector in east and north
   double width_km = 0.0;
 };
 
-/// The foot of a beam on a curve. It stands across the curve by its place in the cross-section, to the side
-/// of the sine's positive values; its flux is that of its stretch of the curve, whichever way this bends.
+/// Returns the foot of a beam on a curve. Its place in the cross-section moves it across the curve, to the
+/// side of the sine's positive values; its flux is that of its stretch of the curve, whichever way the curve
+/// bends.
 template <class T>
 CurveFoot<T> curve_foot(const SheetCurve<T>& curve, const SheetShape<T>& shape, const CurveLayout& layout,
                         const BeamPlace& place) {
@@ -50,7 +51,7 @@ CurveFoot<T> curve_foot(const SheetCurve<T>& curve, const SheetShape<T>& shape, 
   return result;
 }
 
-/// The first and the last piece that the feet of those places are on, or their stretches.
+/// Returns the first and the last piece of the curve that the feet of `places`, or their stretches, lie on.
 inline std::pair<int, int> pieces_of(const CurveLayout& layout, const std::vector<BeamPlace>& places) {
   double first = 1.0, last = 0.0;
   for (const BeamPlace& place : places) {

@@ -24,7 +24,8 @@ inline DipoleAxis dipole_axis(const Field& field, const Site& site, double spher
           sphere_km + kFootAltitudeKm};
 }
 
-/// The axes across a direction of fall: the first one horizontal, to the east where the field is vertical.
+/// Sets the axes across the direction of fall: the first one is horizontal, to the east where the field is
+/// vertical.
 template <class T>
 void find_across(FallFrame<T>& f) {
   const T level2 = f.along[0] * f.along[0] + f.along[1] * f.along[1];
@@ -38,9 +39,9 @@ void find_across(FallFrame<T>& f) {
   f.across2[2] = f.along[1] * f.across1[0] - f.along[0] * f.across1[1];
 }
 
-/// The frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B where that
-/// points into the Earth, against it elsewhere; the first axis across is horizontal (to the east where the
-/// field is vertical). The foot must be closer to the observer than the sphere's radius.
+/// Returns the frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B
+/// where B points into the Earth, against it elsewhere; the first axis across is horizontal (to the east
+/// where the field is vertical). The foot must be closer to the observer than the sphere's radius.
 template <class T>
 FallFrame<T> dipole_fall_frame(const DipoleAxis& axis, const T& east_km, const T& north_km) {
   const double radius = axis.foot_radius_km;

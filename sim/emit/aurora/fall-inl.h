@@ -3,12 +3,12 @@
 // Source: Baranoski et al. 2000, section 3.2, equations (3) and (4); rows B12-B16 of docs/physics.md. A step
 // of length L d_t nu along the field is turned by the pitch angle alpha and the azimuth beta. A point stands
 // for the stretch from half-way to its neighbours (the trapezium rule on the random nodes), which leaves the
-// light of a beam unbiased. nu is uniform in (0, 1), or 1/2 throughout but for the first step, which is as
-// much of that as leaves the points of neighbours evenly apart: the same light with a fraction of the grain.
+// light of a beam unbiased. nu is uniform in (0, 1); or it is 1/2 for all steps but the first, which is a
+// fraction of it such that the points of neighbouring beams are evenly spaced. This gives the same light with
+// much less grain.
 //
-// In the mean over all draws a beam is a tube about the field line: where nothing is to be drawn, beams are
-// looked at in the nodes of a quadrature instead, each beam at a place in the tube's cross-section of its
-// own.
+// In the mean over all draws a beam is a tube about the field line. Where nothing is drawn, the path is
+// instead evaluated at the nodes of a quadrature, for each beam at its own place in the tube's cross-section.
 #if defined(VEGARD_SIM_EMIT_AURORA_FALL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_AURORA_FALL_INL_H_
 #undef VEGARD_SIM_EMIT_AURORA_FALL_INL_H_
@@ -25,20 +25,20 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// A deflection point of a group of beams, in the beams' own frame (FallFrame) from where they start. L is
+/// A deflection point of a group of beams, in the beams' own frame (FallFrame), relative to their start. L is
 /// the lane type, P a position: L or a dual number over L.
 template <class L, class P>
 struct FallenPoint {
   P along_km, across1_km, across2_km;
-  L stretch;  ///< of the path that the point stands for, as a fraction of it
-  L t;        ///< along the path, 0 to 1
+  L stretch;  ///< part of the path that the point represents, as a fraction of the path
+  L t;        ///< place along the path, 0 to 1
 };
 
-/// What becomes of a path in the mean over all draws, as fractions of its length L: after the fraction t a
-/// beam has come L ∫ cos(pitch) dt along the field, and stands off by a normal deviate in either direction
-/// across, of the variance L² d_t / 3 ∫ sin²(pitch) dt: half of the mean of (L step sin(pitch))² a step, d_t²
-/// / 3 L² sin²(pitch), and a step takes d_t / 2 of the path. A pitch angle is a straight line in t by every
-/// law, and small: cosine and square of the sine to its fourth power.
+/// The mean of a path over all draws, in units of its length L. After the fraction t a beam has moved by L ∫
+/// cos(pitch) dt along the field, and by a normal deviate in either direction across, of the variance L² d_t
+/// / 3 ∫ sin²(pitch) dt: the variance per step is half of the mean of (L step sin(pitch))², which is d_t² / 3
+/// L² sin²(pitch), and a step takes d_t / 2 of the path. The pitch angle is linear in t under every law, and
+/// small: cosine and squared sine are expanded to its fourth power.
 template <class C>
 class MeanPath {
  public:
@@ -77,7 +77,7 @@ class MeanPath {
   HWY_INLINE C along(L t) const {
     return at(along_, t);
   }
-  /// Variance in either direction across; never none, since a root has no slope there.
+  /// Returns the variance in either direction across; never 0, where its root would have no derivative.
   template <class L>
   HWY_INLINE C variance(L t) const {
     return at(variance_, t) + C(1e-12f);
@@ -99,10 +99,10 @@ template <class C>
 struct NodesOfPaths {
   PathNodes nodes;
   MeanPath<C> mean;
-  double log_shrink = 0.0;  ///< of one over nodes.shrink
+  double log_shrink = 0.0;  ///< ln(1 / nodes.shrink)
 };
 
-/// Beams on their way down. C is the type of what all beams share.
+/// Beams on their way down. C is the type of the numbers that all beams share.
 template <class L, class P, class C>
 class FallingBeams {
  public:
@@ -119,14 +119,15 @@ class FallingBeams {
     first_step_ = upper_uniform(golden_ratio_word(beams, keys[0][0] + keys[0][1] * (layer + 1)));
   }
 
-  /// Beams that are looked at in nodes. `left`: of the path at the first node, plus the offset.
+  /// Starts beams that are evaluated at quadrature nodes. `left`: the rest of the path at the first node,
+  /// plus the offset.
   HWY_INLINE void start_in_nodes(const P& length_km, L left, const PlaceInTube<L>& place) {
     length_ = length_km;
     left_ = left;
     in_tube_ = place;
   }
 
-  /// The next four deflection points, one after the other to `take(i, point)`, i from 0 to 3.
+  /// Passes the next four deflection points, one after the other, to `take(i, point)`, i from 0 to 3.
   template <class Take>
   HWY_INLINE void next_four(const Deflection<C>& deflection, const PhiloxKeys& keys, const Take& take) {
     typename Traits::Words now[4];
@@ -155,7 +156,7 @@ class FallingBeams {
     }
   }
 
-  /// The same of nodes.
+  /// Does the same with quadrature nodes.
   template <class Take>
   HWY_INLINE void next_four_nodes(const NodesOfPaths<C>& paths, const Take& take) {
     const L beyond(static_cast<float>(1.0 + paths.nodes.offset));
@@ -167,7 +168,7 @@ class FallingBeams {
       const P across_sheet =
           variance / (square_root(variance + in_tube_.width_km * in_tube_.width_km) + in_tube_.width_km);
       L stands_for = left_ * stretch;
-      if (paths.nodes.spread > 0.0) {  // so many of the beams have come as far as that
+      if (paths.nodes.spread > 0.0) {  // share of the beams that reach this node
         const L come = (L(1.0f) - t) * L(static_cast<float>(1.0 / paths.nodes.spread));
         stands_for = stands_for * select(come < L(1.0f), come, L(1.0f));
       }
@@ -209,7 +210,7 @@ class FallingBeams {
 
   P length_, along_, across1_, across2_;
   L t_;
-  L first_step_;  ///< what is left of an even step at the start of a path; 1 from then on
+  L first_step_;  ///< first step as a fraction of an even step; 1 from then on
   L left_;
   PlaceInTube<L> in_tube_;
   typename Traits::PathWords random_;

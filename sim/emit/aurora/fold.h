@@ -5,9 +5,9 @@
 // of docs/physics.md. The paper gives neither degree nor control points. Ours are six cubics, C1 to the sine
 // and to each other. Their ends lie at even places of the stretch, on the sine swirled about its point M at
 // the fold's centre: turned by θ (1 - q²)², q from 0 at M to 1 at the ends of the stretch, and so do their
-// handles. θ is σ (3 - σ)/2 of 155 degrees at the stage σ: by 0 the fold is a ripple that can hardly be
-// distinguished from the sine; from about a half the curve overhangs; by 1 it is an S of two round horseshoe
-// bends, of a radius of a sixth of half the stretch or more.
+// handles. θ is σ (3 - σ)/2 of 155 degrees at the stage σ: at 0 the fold is a ripple that can hardly be
+// distinguished from the sine; from about 1/2 on the curve overhangs; at 1 it is an S of two round horseshoe
+// bends, whose radius is a sixth of half the stretch or more.
 //
 // Sense: folds turn clockwise seen along the field B, which is counter-clockwise seen against it, from the
 // ground in the north. That is how a charged sheet turns: the electric field points to its excess of
@@ -15,8 +15,8 @@
 // 18, 1735, 1970; docs/physics.md says what of it could be checked). In the south, where the sheet's sine is
 // mirrored, so are the folds.
 //
-// A fold is passed through evenly in the coordinate along the sheet: its light is the sine's, carried with
-// the electrons.
+// The curve's parameter runs evenly in the coordinate along the sheet: the light of a stretch of the fold is
+// that of the same stretch of the sine, moved with the electrons.
 #pragma once
 
 #include <cstdint>
@@ -44,10 +44,10 @@ struct LayerSine {
 /// The fold that a place along the sheet lies in.
 struct Fold {
   bool here = false;
-  double from_center_km = 0.0;  ///< of the place
+  double from_center_km = 0.0;  ///< of the place along the sheet
   double half_km = 0.0;         ///< of the stretch that the fold replaces
   double stage = 0.0;           ///< of this fold, fraction of the sheet's fold_stage
-  double presence = 1.0;        ///< 0 leaves the sine as it is: what a fold is born from and dies into
+  double presence = 1.0;        ///< 0: the plain sine, as at a fold's birth and death
 };
 
 /// The folds of one arc of a sheet at an instant, the same for all its layers.
@@ -59,7 +59,7 @@ class Folds {
 
   bool any() const { return spacing_km_ > 0.0; }
 
-  /// `along_km` is the coordinate along the sheet, as StretchOfSheet counts it.
+  /// Returns the fold at `along_km`, the coordinate along the sheet as defined by StretchOfSheet.
   Fold at(double along_km) const;
 
  private:
@@ -68,21 +68,21 @@ class Folds {
   double spacing_km_, length_km_, jitter_, stage_spread_, lifetime_s_, instant_s_, moved_km_;
 };
 
-/// A point of a layer's curve, x counted from the beam that the sine is given at.
+/// A point of a layer's curve; x is relative to the beam at which the sine is given.
 template <class T>
 struct CurvePoint {
   T x_km, aside_km;
-  T turn_cos, turn_sin;  ///< of the curve's tangent against the sine's at the same place along the sheet
+  T turn_cos, turn_sin;  ///< angle from the sine's tangent to the curve's at the same place along the sheet
 };
 
-/// A point of the swirled sine, counted from M, and its derivative by the place along the sheet.
+/// A point of the swirled sine, relative to M, and its derivative with respect to the place along the sheet.
 template <class T>
 struct SwirledPoint {
   T x_km, aside_km, x_slope, aside_slope;
 };
 
-/// `from_center_km` from the fold's centre, which stands `center_km` from the beam that the sine is given at.
-/// `turn_rad` is that of the fold's middle.
+/// Returns the point at `from_center_km` from the fold's centre, which is `center_km` from the beam at which
+/// the sine is given. `turn_rad` is the turn of the fold's middle.
 template <class T>
 SwirledPoint<T> swirled_point(const LayerSine<T>& layer, double center_km, const T& middle_aside_km,
                               double from_center_km, double half_km, const T& turn_rad) {
@@ -96,7 +96,7 @@ SwirledPoint<T> swirled_point(const LayerSine<T>& layer, double center_km, const
   return {x, y, c + s * slope + by_x * y, c * slope - s - by_x * x};
 }
 
-/// The point of a folded layer at `x_km` from the beam. `stage` is the sheet's fold_stage.
+/// Returns the point of a folded layer at `x_km` from the beam. `stage` is the sheet's fold_stage.
 template <class T>
 CurvePoint<T> folded_curve(const LayerSine<T>& layer, const Fold& fold, const T& stage, double x_km) {
   constexpr double kLargestTurnRad = 155.0 * 3.14159265358979323846 / 180.0;

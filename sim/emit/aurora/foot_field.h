@@ -1,4 +1,4 @@
-// The field at the feet of beams, whatever the scene's model of it.
+// The magnetic field at the feet of beams, for every field model of a scene.
 //
 // A field line is straight along a beam and has the direction that the field has at its foot
 // (docs/physics.md).
@@ -15,15 +15,15 @@
 
 namespace vegard::sim {
 
-/// The reference field about a site, at the scene's time. Throws Error(scene) as igrf_year() does. The last
-/// ones are kept.
+/// Returns the reference field around a site at the scene's time. Throws Error(scene) as igrf_year() does.
+/// The most recent results are cached.
 std::shared_ptr<const FieldPatch> reference_field(const Scene& scene, const Site& site);
 
-/// Whether electrons fall along the field at the scene's site, not against it: in the northern magnetic
-/// hemisphere, that is.
+/// True if electrons fall along the field at the scene's site, that is in the northern magnetic hemisphere;
+/// otherwise they fall against it.
 bool falls_along_field(const Scene& scene);
 
-/// A field that has a direction of its own at each foot; or none such, of a uniform field.
+/// A field whose direction differs from foot to foot; empty for a uniform field.
 class FootField {
  public:
   FootField() = default;
@@ -31,9 +31,9 @@ class FootField {
 
   bool varies() const { return model_ != FieldModel::uniform; }
 
-  /// The frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B where that
-  /// points into the Earth, against it elsewhere; the first axis across is horizontal. The foot must be
-  /// closer to the observer than the Earth's radius. Of a field that varies.
+  /// Returns the frame of fall at the point of the tangent plane (east, north) at kFootAltitudeKm: along B
+  /// where B points into the Earth, against it elsewhere; the first axis across is horizontal. The foot must
+  /// be closer to the observer than the Earth's radius. Not for an empty FootField.
   template <class T>
   FallFrame<T> at(const T& east_km, const T& north_km) const {
     if (model_ == FieldModel::dipole) return dipole_fall_frame(dipole_, east_km, north_km);

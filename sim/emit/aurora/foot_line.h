@@ -1,10 +1,10 @@
-// The line on which a sheet's feet stand, in the tangent plane, and where that is on the Earth.
+// The line of a sheet's feet in the tangent plane, and its place on the Earth.
 //
 // Feet are points of the sphere 110 km above the body's whose east and north are given in the site's tangent
-// plane (docs/physics.md, "Where things are"): a foot at the distance d stands asin(d / 6481 km) from the
-// site, seen from the Earth's centre. Latitudes are those of the sphere. A geomagnetic latitude is that of
-// the centred dipole whose pole in the north the scene has in [field] (IGRF-13 of 2020 by default): asin(n .
-// r).
+// plane (docs/physics.md, "Where things are"): a foot at the distance d is at the angle asin(d / 6481 km)
+// from the site, seen from the Earth's centre. Latitudes are those of the sphere. A geomagnetic latitude is
+// that of the centred dipole whose northern pole is given by [field] of the scene (IGRF-13 of 2020 by
+// default): asin(n . r).
 #pragma once
 
 #include <string>
@@ -14,15 +14,16 @@
 
 namespace vegard::sim {
 
-/// Of the straight line from start to end, where it has drifted to at an instant. Of a system of arcs: the
-/// system's middle line; the nearest point is that of the nearest arc. Of a curve they are its own points.
+/// Points of the straight line from start to end, with its drift at an instant. For a system of arcs they are
+/// on its middle line, except that `nearest` is on the nearest arc. For a curve they are points of the curve.
 struct FootPoints {
   EastNorth start, middle, end, nearest;
 };
 FootPoints foot_points(const Sheet& sheet, double instant_s);
 
-/// Points of an arc, `count` of them from start to end: the straight line, and the sine of the middle between
-/// the first and the last layer (without folds and curls). Of a curve both are its own.
+/// Return `count` points of an arc from start to end: of the straight line, and of the sine in the middle
+/// between the first and the last layer (without folds and curls). For a curve both return points of the
+/// curve.
 std::vector<EastNorth> straight_feet(const Sheet& sheet, double instant_s, int arc, int count);
 std::vector<EastNorth> sine_feet(const Scene& scene, const Sheet& sheet, double instant_s, int arc,
                                  int count);
@@ -37,20 +38,21 @@ struct PlaceOnEarth {
 /// Above -180, to 180.
 double wrapped_longitude_deg(double longitude_deg);
 
-/// All NaN beyond the sphere's edge.
+/// Returns the place of a foot; all NaN beyond the sphere's edge.
 PlaceOnEarth place_of_foot(const Scene& scene, EastNorth foot_km);
 
-/// How far a sheet's line may be off to the side, against the coordinate along it.
+/// Standard error of a sheet's line across it, as a function of the coordinate along it.
 struct FootBand {
   std::string sheet;
   std::vector<double> along_km;  ///< from the middle towards the end
-  std::vector<double> sigma_km;  ///< across the line; empty where it is not known
+  std::vector<double> sigma_km;  ///< across the line; empty if not known
 };
 
-/// The coordinates at which a band is reported.
+/// Returns the coordinates at which a FootBand is reported.
 std::vector<double> band_places_km(const Sheet& sheet);
 
-/// How far the line of `moved` lies to the left of that of `best` at those places of best's line.
+/// Returns how far the line of `moved` lies to the left of that of `best` at the places `along_km` of best's
+/// line.
 std::vector<double> aside_km(const Sheet& best, const Sheet& moved, double instant_s,
                              const std::vector<double>& along_km);
 

@@ -1,5 +1,5 @@
-// A beam in the mean over all draws is a tube about its field line, which deflections make. Where in the
-// tube's cross-section a beam in nodes is looked at.
+// In the mean over all draws the deflections turn a beam into a tube about its field line. This header gives
+// the place in the tube's cross-section at which a beam with quadrature nodes is evaluated.
 #pragma once
 
 #include <cmath>
@@ -9,19 +9,19 @@
 
 namespace vegard::sim {
 
-/// Two components, across1 and across2 of a FallFrame, each of a beam's places along its sheet and across it,
-/// in standard deviations. Across the sheet, tube and sheet are one Gaussian, of the variance of both: a beam
-/// that stands at a node of the sheet's width w is moved on by sqrt(w² + v) - w standard deviations, where v
-/// is the tube's variance in one direction. So nothing is drawn across a sheet, and beams along it stay as
-/// evenly spaced as they are. T is double or a lane type.
+/// The offsets of a beam along its sheet and across it, in standard deviations; each has two components,
+/// along across1 and across2 of a FallFrame. Across the sheet, tube and sheet together are a Gaussian with
+/// the sum of both variances: a beam at a node of the sheet's width w is moved outwards by (sqrt(w² + v) - w)
+/// times its node in standard deviations, where v is the tube's variance in one direction. So nothing is
+/// drawn across a sheet, and beams along it stay evenly spaced. T is double or a lane type.
 template <class T>
 struct PlaceInTube {
   T along[2]{}, across[2]{};
-  T width_km{};  ///< of the sheet, at a right angle to it and to the field
+  T width_km{};  ///< of the sheet, perpendicular to it and to the field
 };
 
-/// Variance in one direction across of the tube at the end of a path of the length 1 (MeanPath of
-/// sim/emit/aurora/fall-inl.h to the square of the pitch).
+/// Returns the tube's variance in one direction across at the end of a path of length 1 (MeanPath of
+/// sim/emit/aurora/fall-inl.h, to second order in the pitch angle).
 inline double tube_variance_at_end(const Deflection<LocalDual>& d) {
   const double cone = d.loss_cone_rad.v, step = d.pitch_step_rad.v;
   double start = 0.0, growth = 0.0;  // of the pitch angle
@@ -43,8 +43,9 @@ inline double tube_variance_at_end(const Deflection<LocalDual>& d) {
   return d.path_step / 3.0 * (start * start + start * growth + growth * growth / 3.0);
 }
 
-/// `tangent`: of the sheet at the foot, of any length; `aside`: the unit vector along which the foot of a
-/// beam stands `across` times `width_km` away from the sheet's middle. `along`: the place along the sheet.
+/// Returns a beam's place in the tube. `tangent`: tangent of the sheet at the foot, of any length; `aside`:
+/// the unit vector along which the foot is `across` times `width_km` away from the sheet's middle; `along`:
+/// the offset along the sheet in standard deviations.
 inline PlaceInTube<double> place_in_tube(const FallFrame<double>& fall, EastNorth tangent, EastNorth aside,
                                          double width_km, double across, double along) {
   const auto component = [](const double(&axis)[3], EastNorth d) {

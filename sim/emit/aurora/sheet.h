@@ -17,7 +17,7 @@
 
 namespace vegard::sim {
 
-/// The numbers of a sheet that its beams' feet depend on. T is double or FreeDual.
+/// The parameters of a sheet that determine the feet of its beams. T is double or FreeDual.
 template <class T>
 struct SheetShape {
   T center_east_km, center_north_km;
@@ -34,41 +34,44 @@ struct SheetShape {
   T fold_stage{};
 };
 
-/// Where a beam stands on its layer, before any parameter is known: pure functions of the seed, frozen during
-/// a fit. Places along the sheet are fractions of the line from start (0) to end (1) of a StretchOfSheet.
+/// Where a beam is on its layer, independent of the scene's parameters: these numbers are pure functions of
+/// the seed and frozen during a fit. Places along the sheet are fractions of the line from start (0) to end
+/// (1) of a StretchOfSheet.
 struct BeamPlace {
   double s = 0.0;               ///< of the beam
-  double from = 0.0, to = 0.0;  ///< the stretch of the sheet that the beam stands for
-  double s_of_phase = 0.0;      ///< where the sine is read: s itself, or the even place of the literal rule
-  double across = 0.0;          ///< place in the Gaussian cross-section, in standard deviations
-  double depth = 0.0;           ///< uniform in (0, 1), for the random depth
-  double node = 0.0;            ///< of beams in nodes: where between two the first one is
-  double along_in_tube = 0.0;   ///< likewise: place in the tube that deflections make, along the sheet
-  double width_slope = 1.0;     ///< likewise: how far a beam moves with the sheet's width, beside its tube's
-  double weight = 1.0;          ///< likewise: share of the stretch's light, of those that stand side by side
-  double ray = 0.0;             ///< likewise: the Gaussian process that makes rays long and short
+  double from = 0.0, to = 0.0;  ///< the stretch of the sheet that the beam represents
+  double s_of_phase = 0.0;  ///< where the sine is evaluated: s itself, or the even place of the literal rule
+  double across = 0.0;      ///< place in the Gaussian cross-section, in standard deviations
+  double depth = 0.0;       ///< uniform in (0, 1), for the random depth
+  double node = 0.0;        ///< with quadrature nodes: place of the first node between two
+  double along_in_tube = 0.0;  ///< with nodes: place along the sheet in the tube of deflections
+  double width_slope = 1.0;    ///< with nodes: factor on the derivative with respect to the sheet's width
+  double weight = 1.0;         ///< with nodes: share of the stretch's light among beams side by side
+  double ray = 0.0;            ///< with nodes: value of the Gaussian process of long and short rays
 };
 
-/// How densely a sheet is looked at where nothing is drawn.
+/// Density of the quadrature nodes of a sheet, for the mean over all draws.
 struct SheetNodes {
-  /// How many places there are in each of some equally long parts of the line, from its start to its end, per
-  /// layer; beyond either end as densely as in the part next to it. Empty: as many as the scene says, drawn.
+  /// Number of places per layer in each of several equally long parts of the line, from its start to its end;
+  /// beyond either end the density is that of the neighbouring part. Empty: the scene's number of beams,
+  /// drawn at random.
   std::vector<double> beams;
-  /// Side by side at each place along.
+  /// Number of beams side by side, across the sheet, at each place along it.
   int across = 1;
   PathNodes path;
 };
 
-/// The line on which beams are laid out: coordinates along a sheet count from the foot of the perpendicular
-/// from the observer. It stays where it is while a fit moves the sheet's start and end over it. So a beam
-/// does not travel along the arc with the sheet's centre, and where neither end can be seen the derivatives
-/// say so, free of sampling noise.
+/// The line on which beams are laid out. Coordinates along a sheet are relative to the foot of the
+/// perpendicular from the observer. The line stays fixed while a fit moves the sheet's start and end over it.
+/// So beams do not move along the arc with the sheet's centre, and if neither end is in view, the derivatives
+/// with respect to the ends are exactly 0, without sampling noise.
 struct StretchOfSheet {
   double center_km = 0.0;
   double length_km = 0.0;
   double drifted_km = 0.0;  ///< how far the sheet has drifted along itself since the clock's zero
 
-  /// The coordinate of a beam's place: what the sheet's structures are anchored to, never a fit's to change.
+  /// Returns the coordinate of a beam's place, to which the sheet's structures are anchored; a fit never
+  /// changes it.
   double along_km(double s) const { return center_km + length_km * (s - 0.5); }
 };
 
@@ -80,7 +83,7 @@ struct LayerStructure {
 
   LayerStructure(const Folds& folds, const Curls& curls, const Curls& spirals = {})
       : folds(folds), curls(curls), spirals(spirals) {}
-  /// Of a layer of a sheet. `arc_address` is that of the arc's first layer.
+  /// The structures of a layer of a sheet. `arc_address` is the address of the arc's first layer.
   LayerStructure(const Sheet& sheet, std::uint32_t arc_address, std::uint32_t layer_address,
                  std::uint64_t seed, double instant_s, double drifted_km)
       : folds(sheet, arc_address, seed, instant_s, drifted_km),
@@ -90,47 +93,50 @@ struct LayerStructure {
   bool any() const { return folds.any() || curls.any() || spirals.any(); }
 };
 
-/// Of the line that a sheet's layers follow: from start to end, or along its curve.
+/// Returns the length of the line that a sheet's layers follow: from start to end, or along its curve.
 double line_length_km(const Sheet& sheet);
 
-/// The stretch that a sheet takes up at an instant: it drifts with the sheet.
+/// Returns the stretch that a sheet occupies at an instant; it drifts with the sheet.
 StretchOfSheet stretch_of(const Sheet& sheet, double instant_s);
-/// The same so much later.
+/// Returns the stretch `later_s` seconds later.
 StretchOfSheet moved(const StretchOfSheet& stretch, const Sheet& sheet, double later_s);
 
-/// How far a beam was laid out to the side of the sine's positive values, counted from the straight line; of
-/// a sheet whose course is a sine.
+/// Returns the distance of a beam, as laid out, from the straight line to the side of the sine's positive
+/// values; for a sheet whose course is a sine.
 double aside_laid_out_km(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
-/// The slope of that place's sine: how far aside it goes per km along.
+/// Returns the slope of the sine at this place, in km aside per km along.
 double slope_laid_out(const Sheet& sheet, const BeamPlace& place, int layer, double instant_s);
 
-/// The largest step of a beam's path as a fraction of it: as the scene says, or by the electrons' energy.
+/// Returns the largest step of a beam's path as a fraction of the path: as given in the scene, or from the
+/// electrons' energy.
 double path_step_of(const Sheet& sheet);
 
-/// As many beams as a layer may have.
+/// Largest number of beams per layer.
 inline constexpr int kSheetMaxBeams = 10000000;
 
-/// How many beams a layer has: as many as the scene says, or as its length asks for.
+/// Returns the number of beams per layer: as given in the scene, or in proportion to the sheet's length.
 int beams_per_layer(const Sheet& sheet);
 
-/// What the random numbers of a layer go by.
+/// Returns the address of a layer in the random streams.
 std::uint32_t layer_address(int sheet_index, int arc, int layer);
 
-/// The places of one layer's beams, in order along the arc, `beyond` sheet lengths past either end included
-/// (as many beams per kilometre there; they are dark until a fit moves an end). Across the layer they follow
-/// van der Corput's sequence, so that place along and place across together fill the sheet evenly (a
-/// Hammersley set, shifted by the seed). stratified: beam i stands at (i + 1/2 + j (u - 1/2)) / n, in a
-/// stretch of its own and for its light; so noise falls faster than 1/sqrt(n). tied: s += d_s (1 + j (2u -
-/// 1)), then scaled to end at 1, phase read at the jittered s, light by the stretch. literal: s += d_s (1 ±
-/// ξ), phase 2πD/λ · i/n whatever s is, mean step 1.25 d_s, light shared equally; `beyond` is 0.
+/// The places of one layer's beams, in order along the arc, including those up to `beyond` sheet lengths past
+/// either end (with as many beams per kilometre; they are dark until a fit moves an end). Across the layer
+/// the places follow van der Corput's sequence, so that places along and across together fill the sheet
+/// evenly (a Hammersley set, shifted by the seed). The rules for places along are: stratified: beam i is at
+/// (i + 1/2 + j (u - 1/2)) / n, inside its own stretch, whose light it carries; so noise falls faster than
+/// 1/sqrt(n). tied: s += d_s (1 + j (2u - 1)), then scaled to end at 1; the phase is evaluated at the
+/// jittered s, the light is that of the stretch. literal: s += d_s (1 ± ξ); the phase is 2πD/λ · i/n whatever
+/// s is, the mean step 1.25 d_s, the light is shared equally; `beyond` is 0.
 ///
-/// In nodes: the mean over all draws. Beams stand evenly along the line (over 1.25 of it by the literal rule,
-/// and about the place of their phase with the normal scatter of its sum of steps), and what else is drawn
-/// of them goes by additive recurrences, which fill every stretch of the sheet evenly.
+/// With quadrature nodes, for the mean over all draws, beams are evenly spaced along the line (under the
+/// literal rule over 1.25 of it, scattered about the place of their phase like the sum of its random steps).
+/// Their other random numbers are replaced by additive recurrences, which fill every stretch of the sheet
+/// evenly.
 ///
-/// Places are worked out stretch by stretch when they are asked for. Of the steps before, which the tied and
-/// the literal rule add up, only the sums are kept, one per kSumEvery beams.
+/// Places are computed stretch by stretch on request. Of the preceding steps, which the tied and the literal
+/// rule add up, only the sums are stored, one per kSumEvery beams.
 class LayerPlaces {
  public:
   static constexpr int kSumEvery = 256;
@@ -140,8 +146,8 @@ class LayerPlaces {
 
   int size() const { return beams_; }
 
-  /// Beams first to first + count, into out[0] and after. `first` is a multiple of kSumEvery, `count` at most
-  /// that.
+  /// Writes beams first to first + count - 1 to out[0], out[1], ... `first` is a multiple of kSumEvery,
+  /// `count` at most kSumEvery.
   void fill(int first, int count, BeamPlace* out) const;
 
  private:
@@ -151,13 +157,13 @@ class LayerPlaces {
   Step step(int beam) const;
   BeamPlace place_in_nodes(int beam) const;
   void lay_out_nodes(double beyond);
-  /// Place on the line of a share of the beams in nodes.
+  /// Returns the place on the line below which a given share of the beams in nodes lies.
   double on_line(double share) const;
 
   static constexpr int kRecurrences = 3;
   bool in_nodes_;
-  std::vector<double> from_, before_;  ///< of parts of the line in nodes: where they begin, beams before them
-  int drawn_;                          ///< beams of the sheet where they are drawn
+  std::vector<double> from_, before_;  ///< parts of the line in nodes: their begin; number of beams before
+  int drawn_;                          ///< number of beams of the sheet if they are drawn
   double recurrence_from_[kRecurrences] = {};
   SheetNodes nodes_;
   std::vector<NormalNode> across_;
@@ -167,13 +173,13 @@ class LayerPlaces {
   SpacingRule rule_;
   double jitter_, beyond_, shift_;
   std::vector<double>
-      sums_;  ///< of the steps before beam i * kSumEvery; at the end, of all; empty if stratified
+      sums_;  ///< sums of the steps before beam i * kSumEvery, and last that of all; empty if stratified
 };
 
 template <class T>
 struct BeamFoot {
   T east_km, north_km;  ///< in the tangent plane, of the point of the field line at 110 km altitude
-  T flux_km2_mw_m2;  ///< energy flux times the horizontal area that the beam stands for; 0 beyond the sheet's
+  T flux_km2_mw_m2;  ///< energy flux times the horizontal area that the beam represents; 0 beyond the sheet's
                      ///< ends
 };
 
@@ -182,9 +188,9 @@ struct PlanePoint {
   T x_km, aside_km;
 };
 
-/// Where folds, curls and spirals bring a beam that stands `across_km` beside its layer's sine, counted from
-/// its place on the straight line. Across a fold the cross-section turns with the curve. `middle` is the sine
-/// in the middle between the first and the last layer, about which spirals turn.
+/// Returns where folds, curls and spirals move a beam that is `across_km` beside its layer's sine, relative
+/// to its place on the straight line. In a fold the cross-section turns with the curve. `middle` is the sine
+/// in the middle between the first and the last layer, about whose points spirals turn.
 template <class T>
 PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& structure,
                                const T& fold_stage, double along_km, const T& across_km,
@@ -217,23 +223,23 @@ PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& 
   return point;
 }
 
-/// Of a sheet whose layers all have one sine.
+/// structured_point() for a sheet whose layers all have the same sine.
 template <class T>
 PlanePoint<T> structured_point(const LayerSine<T>& layer, const LayerStructure& structure,
                                const T& fold_stage, double along_km, const T& across_km) {
   return structured_point(layer, structure, fold_stage, along_km, across_km, layer);
 }
 
-/// The same number with a multiple of its derivatives.
+/// Returns the number with its derivatives multiplied by `slope`.
 inline double with_slope(double x, double) { return x; }
 inline FreeDual with_slope(FreeDual x, double slope) {
   for (double& t : x.d.t) t *= slope;
   return x;
 }
 
-/// The foot of a beam. Equation (1) with P_i added: P = P_i + s u + w sin(phase) (u x B)/|u x B|, in the
-/// tangent plane. The area is Q's Gaussian cross-section, width sqrt(2 pi), times the beam's stretch of the
-/// arc. `structure` may be null: a sine without folds and curls.
+/// Returns the foot of a beam, by equation (1) with P_i added: P = P_i + s u + w sin(phase) (u x B)/|u x B|,
+/// in the tangent plane. The area is that of Q's Gaussian cross-section, width sqrt(2 pi), times the beam's
+/// stretch of the arc. `structure` may be null: a sine without folds and curls.
 template <class T>
 BeamFoot<T> beam_foot(const SheetShape<T>& sheet, const StretchOfSheet& stretch, const BeamPlace& place,
                       int layer, int layers, bool literal, const LayerStructure* structure = nullptr) {

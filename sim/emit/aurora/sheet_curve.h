@@ -1,14 +1,14 @@
-// The line of a sheet whose course is a curve through points, and what varies along it.
+// The line of a sheet whose course is a curve through points, and the quantities that vary along it.
 //
-// The line is the smooth curve of sim/base/number/smooth_curve.h in the tangent plane; beyond its ends stand
-// the mirror images of the points next to them. Along it the logarithms of brightness, energy and width are
+// The line is the smooth curve of sim/base/number/smooth_curve.h in the tangent plane; the points next to its
+// ends are mirrored at the ends to continue it. Along it the logarithms of brightness, energy and width are
 // cubics in the length of the curve from point to point, whose slope at a point is the difference of its
-// neighbours' values over the way between them: continuous, exact for what is even or grows evenly, and
-// beyond the values of the points by less than a third of their range.
+// neighbours' values over the length between them. They are continuous, exact for constant and linear
+// functions, and overshoot the values of the points by less than a third of their range.
 //
 // A beam keeps its place while a fit moves the points: the same fraction of the length of the same piece, the
-// curve between two neighbouring points. So a point moves the beams of the four pieces about it and no
-// others. Beams are laid out evenly along the whole.
+// curve between two neighbouring points. So a point moves the beams of the four pieces around it and no
+// others. Beams are laid out evenly along the whole curve.
 #pragma once
 
 #include <algorithm>
@@ -25,14 +25,15 @@
 
 namespace vegard::sim {
 
-/// What a curve goes through. Logarithms at its points; empty where the sheet has one number for all.
+/// The points of a curve, and the logarithms of the quantities at these points; empty where the sheet has one
+/// value.
 template <class T>
 struct CurveNodes {
   std::vector<std::array<T, 2>> at;  ///< east and north in km
   std::vector<T> ln_brightness, ln_energy, ln_width;
 };
 
-/// Where a piece's fraction of length lies.
+/// The point of the curve at a fraction of a piece's length, and its direction.
 template <class T>
 struct CurvePlace {
   std::array<T, 2> at;     ///< km
@@ -43,7 +44,8 @@ struct CurvePlace {
 template <class T>
 class SheetCurve {
  public:
-  /// `first_piece` to `last_piece` are those that will be asked for. At least two points, neighbours apart.
+  /// Only the pieces `first_piece` to `last_piece` may be used later. There must be at least two points, and
+  /// neighbours must differ.
   SheetCurve(CurveNodes<T> nodes, int first_piece, int last_piece)
       : nodes_(std::move(nodes)), first_(std::max(0, first_piece - 1)) {
     const int last = std::min(pieces() - 1, last_piece + 1);
@@ -59,7 +61,7 @@ class SheetCurve {
   CurvePlace<T> place(int piece, double fraction) const {
     const Piece& p = piece_of(piece);
     const T wanted = length_km(piece) * fraction;
-    // Of the parameter the value by Newton's method, then one step with derivatives.
+    // The parameter's value by Newton's method, then one step with derivatives.
     int part = 0;
     while (part + 1 < kParts && value_of(p.from_start[part + 1]) < value_of(wanted)) ++part;
     const double low = static_cast<double>(part) / kParts, high = static_cast<double>(part + 1) / kParts;
@@ -83,7 +85,7 @@ class SheetCurve {
     return place;
   }
 
-  /// One of the lists of logarithms there.
+  /// Returns the value of one of the lists of logarithms at a place.
   T along(const std::vector<T>& list, int piece, double fraction) const {
     const double v = 1.0 - fraction, u = fraction;
     const T& length = length_km(piece);
@@ -157,7 +159,7 @@ class SheetCurve {
     return cut_[static_cast<std::size_t>(piece - first_)];
   }
 
-  /// By km, at a point.
+  /// Returns the slope per km at a point.
   T slope(const std::vector<T>& list, int point) const {
     const int before = std::max(0, point - 1), after = std::min(pieces(), point + 1);
     T way(0.0);
@@ -170,12 +172,12 @@ class SheetCurve {
   std::vector<Piece> cut_;
 };
 
-/// How a sheet's curve was laid out.
+/// The lengths along a sheet's curve at the time of its layout.
 struct CurveLayout {
   double length_km = 0.0;
   std::vector<double> at;  ///< fraction of the length at each point, from 0 to 1
 
-  /// The piece that a fraction of the length lies in, and the fraction of the piece.
+  /// Returns the piece in which a fraction of the length lies, and the fraction of this piece.
   std::pair<int, double> piece_at(double s) const;
 };
 
@@ -183,15 +185,16 @@ CurveLayout curve_layout(const Sheet& sheet);
 
 inline bool is_curve(const Sheet& sheet) { return sheet.course == SheetCourse::curve; }
 
-/// For who wants one number of a sheet: a sheet of the same power whose brightness, energy and width are even
-/// (the means along its curve: the energy's that of its logarithm, weighed by flux), as long as the curve,
-/// about the foot of its middle. A sheet whose course is a sine stays as it is.
+/// Returns a sheet of the same power with constant brightness, energy and width, for code that needs one
+/// value of each. They are the means along the curve (for the energy, of its logarithm, weighted by flux);
+/// the sheet is as long as the curve and centred on the foot of its middle. A sheet whose course is a sine is
+/// returned unchanged.
 Sheet evened_sheet(const Sheet& sheet);
 
-/// Standard deviation of a layer's cross-section at a place along the sheet, as the sheet was laid out.
+/// Returns the standard deviation of a layer's cross-section at a place along the sheet, as laid out.
 double width_laid_out_km(const Sheet& sheet, const CurveLayout& layout, double s);
 
-/// The numbers of a sheet's curve at an instant: `number` as sheet_shape() takes it.
+/// Returns the points and quantities of a sheet's curve at an instant. `number` is as for sheet_shape().
 template <class T, class Number>
 CurveNodes<T> curve_nodes(const Sheet& sheet, double instant_s, const Number& number) {
   CurveNodes<T> nodes;
@@ -207,7 +210,7 @@ CurveNodes<T> curve_nodes(const Sheet& sheet, double instant_s, const Number& nu
   return nodes;
 }
 
-/// Feet of a sheet's curve at an instant, `count` of them, evenly from its start to its end.
+/// Returns `count` feet of a sheet's curve at an instant, evenly spaced from its start to its end.
 std::vector<EastNorth> curve_feet(const Sheet& sheet, double instant_s, int count);
 
 }  // namespace vegard::sim

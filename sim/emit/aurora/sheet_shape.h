@@ -10,8 +10,8 @@
 
 namespace vegard::sim {
 
-/// The shape of one arc of a sheet's system at an instant. `number(n, scale)` is scale times a number of the
-/// scene as T, `number(n)` the number itself.
+/// Returns the shape of one arc of a sheet's system at an instant. `number(n, scale)` gives scale times a
+/// parameter of the scene as T, `number(n)` the parameter itself.
 template <class T, class Number>
 SheetShape<T> sheet_shape(const Scene& scene, int sheet, int arc, double instant_s, const Number& number) {
   const Sheet& s = scene.sheets[sheet];

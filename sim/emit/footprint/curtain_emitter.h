@@ -1,9 +1,10 @@
-// A footprint's aurora as curtains: upright walls without thickness along its spline, a cheap preview.
+// The emitter of a footprint as curtains: upright walls of no thickness along its spline, a fast preview.
 //
-// A ray sees a wall from both sides. The volume across a wall is a Gaussian of standard deviation `width_km`,
-// measured level with the ground; what a ray has of it is flux * width_km * sqrt(2 pi) * rate(altitude),
-// times the cosine between that level and the wall's normal, over the cosine of incidence. Under 3 degrees
-// from the wall's own plane the path is that at 3 degrees: the wall bends sooner than it would be longer.
+// A wall is visible from both sides. It represents a Gaussian of standard deviation `width_km` across it,
+// measured horizontally; a ray collects flux * width_km * sqrt(2 pi) * rate(altitude), times the cosine of
+// the angle between the wall's normal and the horizontal, over the cosine of incidence. At less than 3
+// degrees from the wall's plane the path is limited to that at 3 degrees, since a real wall bends before the
+// path becomes longer.
 #pragma once
 
 #include <memory>
@@ -14,14 +15,15 @@
 
 namespace vegard::sim {
 
-/// A footprint at an instant.
+/// Position and brightness of a footprint at an instant.
 struct FootprintAt {
-  EastNorth drifted_km{};   ///< of a box, since the clock's zero
-  double turned_deg = 0.0;  ///< of a shell, to the east
-  double share = 1.0;       ///< times its light
+  EastNorth drifted_km{};   ///< drift of a box since the clock's zero
+  double turned_deg = 0.0;  ///< rotation of a shell to the east
+  double share = 1.0;       ///< factor on its light
 };
 
-/// Of a footprint with model "curtain". `changes` as of plane_footprint_emitter(). T is double or FreeDual.
+/// Makes the emitter of a footprint with model "curtain". `changes` is as for plane_footprint_emitter(). T is
+/// double or FreeDual.
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
                                             const ProfileTable& profiles, const ProfileChanges& changes,

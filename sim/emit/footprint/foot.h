@@ -1,4 +1,4 @@
-// Where the light of a point in space has its foot, for double and for dual numbers.
+// The foot of the field line through a point in space, for double and for dual numbers.
 //
 // The frame is the observer's east, north and up, or the Earth's axes for the faces of a cube, with its
 // origin at the Earth's centre. In packs of floats an altitude has an error below 0.0005 km, a foot one of

@@ -1,16 +1,16 @@
-// Where the light of a point in space has its foot: one source, included into the plain namespace (double and
-// dual numbers) and into that of every instruction set (packs of floats). See sim/emit/footprint/foot.h. No
-// include guard.
+// The foot of the field line through a point in space. This file is included into the plain namespace (double
+// and dual numbers) and into that of every instruction set (packs of floats), so it has no include guard. See
+// sim/emit/footprint/foot.h.
 
 /// A point of a ray, in km from the body's centre. `sphere_km` is the body's radius.
 template <class L>
 struct AirPoint {
   L x[3];
-  L square;  ///< |x|^2 less the square of the body's radius, without the digits that a difference would lose
+  L square;  ///< |x|^2 less the square of the body's radius, computed without cancellation
 };
 
-/// From a reference on the ray: u km on from the point `place`, whose `square` is given and whose part along
-/// the ray is `along`.
+/// Returns the point u km along the ray from its reference point `place`, whose `square` is given and whose
+/// component along the ray is `along`.
 template <class L>
 VEGARD_INLINE AirPoint<L> point_of_ray(const L place[3], const L direction[3], const L& square,
                                        const L& along, const L& u) {
@@ -30,22 +30,23 @@ VEGARD_INLINE L altitude_km(const AirPoint<L>& p, double sphere_km) {
   return p.square / (radius_km(p, sphere_km) + L(sphere_km));
 }
 
-/// The foot on the sphere of kFootAltitudeKm, as its east and north of the body's centre in the axes of `p`.
+/// The foot on the sphere of kFootAltitudeKm: its east and north components from the body's centre in the
+/// axes of `p`.
 template <class L>
 struct PlaneFoot {
   L east_km, north_km;
   decltype(value_of(std::declval<L>()) < value_of(std::declval<L>())) is_there;
 };
 
-/// Straight down.
+/// Returns the foot vertically below.
 template <class L>
 VEGARD_INLINE PlaneFoot<L> foot_below(const AirPoint<L>& p, double sphere_km) {
   const L scale = L(sphere_km + kFootAltitudeKm) / radius_km(p, sphere_km);
   return {p.x[0] * scale, p.x[1] * scale, value_of(L(0.0)) < value_of(p.x[2])};
 }
 
-/// Along a direction of fall, where its line meets that sphere. There is none where the line misses the
-/// sphere or does not fall.
+/// Returns the foot along a direction of fall, where its line meets the sphere of feet. There is none if the
+/// line misses the sphere or does not fall.
 template <class L>
 VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3], double sphere_km) {
   const L above = p.square - L(kFootAltitudeKm * (kFootAltitudeKm + 2.0 * sphere_km));
@@ -58,7 +59,8 @@ VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3], do
   return {p.x[0] + way * along[0], p.x[1] + way * along[1], falls && value_of(L(0.0)) < value_of(height)};
 }
 
-/// The direction of a dipole's fall at a foot; see sim/emit/aurora/dipole.h, which is the same for a beam.
+/// Computes the direction of fall in a dipole field at a foot; sim/emit/aurora/dipole.h does the same for a
+/// beam.
 template <class L>
 VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, double sphere_km, L along[3]) {
   const double radius = sphere_km + kFootAltitudeKm;
@@ -73,7 +75,7 @@ VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, double
   for (int i = 0; i < 3; ++i) along[i] = (axis[i] - up * place[i] * L(3.0)) * scale;
 }
 
-/// The direction of fall at a foot in the field of a plane's patch (sim/light/field/field_body.h).
+/// Computes the direction of fall at a foot in the field of a plane's patch (sim/light/field/field_body.h).
 template <class L, class Number>
 VEGARD_INLINE void patch_fall(const Number* patch, const L& per_place, const PlaneFoot<L>& foot, L along[3]) {
   constexpr double kRadius = kEarthRadiusKm + kFootAltitudeKm;
@@ -86,9 +88,10 @@ VEGARD_INLINE void patch_fall(const Number* patch, const L& per_place, const Pla
   fall_in_field(field, place, along);
 }
 
-/// Along the direction that a field has at the foot itself, `fall_at(foot, along)`: three steps from the
-/// place below the point. Of a dipole each leaves less than three times (altitude - 110 km) / (6481 km cos
-/// chi) of the error before it, where chi is the angle of the field to the vertical.
+/// Returns the foot along the direction of the field at the foot itself, `fall_at(foot, along)`, by three
+/// iterations from the place below the point. For a dipole each iteration leaves less than three times
+/// (altitude - 110 km) / (6481 km cos chi) of the error before it, where chi is the angle of the field to the
+/// vertical.
 template <class L, class FallAt>
 VEGARD_INLINE PlaneFoot<L> foot_of_field(const AirPoint<L>& p, double sphere_km, const FallAt& fall_at) {
   PlaneFoot<L> foot = foot_below(p, sphere_km);
@@ -120,7 +123,7 @@ VEGARD_INLINE PlaneFoot<L> foot_of_patch(const AirPoint<L>& p, const Number* pat
 template <class L>
 struct FacePlace {
   L u, v;
-  L ahead;  ///< the part of the point along the face's axis; not positive behind the cube's centre
+  L ahead;  ///< component of the point along the face's axis; not positive behind the cube's centre
 };
 
 template <class L>
@@ -131,8 +134,8 @@ VEGARD_INLINE FacePlace<L> place_on_face(const AirPoint<L>& p, int face) {
   return {p.x[(a + 1) % 3] * inverse, p.x[(a + 2) % 3] * inverse, ahead};
 }
 
-/// The number of the face that a direction lies on. Faces are convex: if both ends of a straight stretch are
-/// on one, so is all of it.
+/// Returns the number of the face on which a direction lies. Faces are convex: if both ends of a straight
+/// stretch are on a face, all of it is.
 template <class L>
 VEGARD_INLINE L face_number(const AirPoint<L>& p) {
   const L zero(0.0), one(1.0);
@@ -147,9 +150,9 @@ VEGARD_INLINE L face_number(const AirPoint<L>& p) {
   return select(first, backwards[0], select(second, L(2.0) + backwards[1], L(4.0) + backwards[2]));
 }
 
-/// The foot of a point around the whole body, in its axes: in three steps along the direction that the field
-/// has at the foot, `fall_at(unit vector of the foot, along)`. Straight down where its line misses the sphere
-/// of the feet, or does not fall. Of the result only `x` is set.
+/// Returns the foot of a point anywhere around the body, in the body's axes, by three iterations along the
+/// direction of the field at the foot, `fall_at(unit vector of the foot, along)`. The foot is vertically
+/// below if the line misses the sphere of the feet or does not fall. Only `x` of the result is set.
 template <class L, class FallAt>
 VEGARD_INLINE AirPoint<L> foot_around_body(const AirPoint<L>& p, double sphere_km, const FallAt& fall_at) {
   const double radius = sphere_km + kFootAltitudeKm;
@@ -173,7 +176,7 @@ VEGARD_INLINE AirPoint<L> foot_around_body(const AirPoint<L>& p, double sphere_k
   return foot;
 }
 
-/// The same in a dipole's field, whose axis points to its pole in the north.
+/// foot_around_body() in a dipole field, whose axis points to its northern pole.
 template <class L>
 VEGARD_INLINE AirPoint<L> foot_in_dipole_around_body(const AirPoint<L>& p, const L axis[3],
                                                      double sphere_km) {
@@ -185,7 +188,7 @@ VEGARD_INLINE AirPoint<L> foot_in_dipole_around_body(const AirPoint<L>& p, const
   });
 }
 
-/// The same in the field of a face's patch, of a foot on that face or beside it.
+/// foot_around_body() in the field of a face's patch, for a foot on this face or close to it.
 template <class L, class Number>
 VEGARD_INLINE AirPoint<L> foot_in_patch_around_earth(const AirPoint<L>& p, int face, const Number* patch,
                                                      const L& per_place) {

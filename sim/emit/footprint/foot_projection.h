@@ -1,4 +1,4 @@
-// How the feet of a footprint's light are found.
+// The rule by which the feet of a footprint's light are found.
 #pragma once
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 
 namespace vegard::sim {
 
-/// How the feet of a footprint of the scene are found, in the axes of the site that it is given about (a
-/// uniform field is the same in all of them: that of its home goes with it). A uniform field is one of the
-/// observer's surroundings, so that a shell's light falls straight down in it; a curtain around the Earth is
-/// always upright. A shell has been turned to the east with its pattern, and the field has not.
+/// Returns the rule for the feet of a footprint of the scene, in the axes of the footprint's own site (a
+/// uniform field has the same components in the axes of every site). A uniform field is valid only near the
+/// observer, so with it the feet of a shell are vertically below; a curtain around the Earth is always
+/// upright. A shell's rotation to the east turns its pattern, but not the field.
 template <class T>
 FootRule<T> rule_of_foot(const Scene& scene, const Footprint& footprint, const NumberAs<T>& number,
                          double turned_deg = 0.0) {
@@ -67,7 +67,7 @@ FootRule<T> rule_of_foot(const Scene& scene, const Footprint& footprint, const N
   return rule;
 }
 
-/// The same without derivatives.
+/// Returns the rule without derivatives.
 template <class T>
 FootRule<double> plain_rule(const FootRule<T>& rule) {
   FootRule<double> plain;

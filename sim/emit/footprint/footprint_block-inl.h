@@ -1,5 +1,5 @@
-// Where the steps of a ray through a footprint are, sixteen side by side; and which stretches of it may be
-// passed over.
+// The places of the steps of a ray through a footprint, sixteen side by side, and which stretches may be
+// skipped.
 #if defined(VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_
 #undef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_BLOCK_INL_H_
@@ -32,7 +32,7 @@ constexpr int kLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 constexpr int kParts = 16 / kLanes;  ///< registers for sixteen lanes
 HWY_INLINE Pack lane_numbers(int first) { return Pack(hn::Iota(FloatTag(), static_cast<float>(first))); }
 
-/// A span with its numbers in all lanes.
+/// A span with its numbers broadcast to all lanes.
 struct SpanLanes {
   Pack place[3], direction[3], square, along;
   explicit SpanLanes(const MarchSpan& span) : square(span.square_km2), along(span.along_km) {
@@ -49,7 +49,7 @@ struct Place {
   PackMask is_there;
 };
 
-/// The foot of a point, or the point itself where feet lie below. L is Pack or double.
+/// Returns the foot of a point, or the point itself if feet are vertically below. L is Pack or double.
 template <FootProjection kProjection, class L>
 HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoint<L>& p, int face) {
   if constexpr (kProjection == FootProjection::shell_dipole) {
@@ -63,7 +63,7 @@ HWY_INLINE AirPoint<L> foot_of_shell(const FootprintKernel& kernel, const AirPoi
   }
 }
 
-/// The foot of a point in texels of the plane's grid, or of a face's.
+/// Returns the foot of a point in texels of the grid of the plane, or of a face.
 template <FootProjection kProjection>
 HWY_INLINE Place place_of(const FootprintKernel& kernel, const AirPoint<Pack>& p, int face) {
   const Pack texels(kernel.texels), first_x(kernel.first_x), first_y(kernel.first_y);
@@ -90,7 +90,7 @@ HWY_INLINE PackMask on_face(const AirPoint<Pack>& p, int face) {
   return middle - Pack(0.5f) < number && number < middle + Pack(0.5f);
 }
 
-/// The face of the foot of the ray's point, from the reference on.
+/// Returns the face on which the foot of the ray's point at `u` from the reference lies.
 template <FootProjection kProjection>
 HWY_INLINE int face_at(const FootprintKernel& kernel, const MarchSpan& span, double u) {
   const AirPoint<double> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
@@ -101,13 +101,13 @@ HWY_INLINE int face_at(const FootprintKernel& kernel, const MarchSpan& span, dou
     return static_cast<int>(face_number(foot_of_shell<kProjection>(kernel, p, above)));
 }
 
-/// Where the middles of steps are: texels of a window, and rows of the height profile.
+/// Places of the middles of steps: texels of a window, and rows of the height profile.
 struct StepPlaces {
   Pack x, y, row;
-  PackMask shines;  ///< unless there is no foot, or no such step
+  PackMask shines;  ///< false if there is no foot or no such step
 };
 
-/// What all steps of a face have.
+/// Data that all steps on a face share.
 template <FootProjection kProjection>
 struct FaceMarch {
   const FootprintKernel& kernel;
@@ -116,13 +116,14 @@ struct FaceMarch {
   int face;
 
   const TexelWindow& window() const { return kernel.window[face]; }
-  /// Rows of the height profile.
+  /// Returns the row of the height profile.
   HWY_INLINE Pack row_of(const AirPoint<Pack>& p) const {
     return (altitude_km(p, kernel.sphere_km) - Pack(kernel.profile->bottom_km())) *
            Pack(1.0 / HeightProfile::kStepKm);
   }
 
-  /// Steps from `number` on, each by itself. `several_faces`: only those on this one shine.
+  /// Returns the places of the steps from `number` on, each computed by itself. `several_faces`: only steps
+  /// on this face have light.
   HWY_INLINE StepPlaces places(Pack number, bool several_faces) const {
     const AirPoint<Pack> p = lanes.at(Pack(span.first_km) + (number + Pack(0.5f)) * Pack(span.step_km));
     const Place at = place_of<kProjection>(kernel, p, face);
@@ -132,12 +133,12 @@ struct FaceMarch {
   }
 };
 
-/// Where sixteen blocks are, as parabolas over each: x = c0 + k (c1 + k c2) with k from -1 at the block's
-/// beginning to 1 at its end. A path's bend over a block is so even that what they leave out is no more than
-/// the rounding of floats; this is looked at, a quarter before the end, where it is about the largest.
+/// Places of sixteen blocks, as a parabola over each block: x = c0 + k (c1 + k c2) with k from -1 at the
+/// block's beginning to 1 at its end. A path bends so evenly over a block that the error is no more than the
+/// rounding of floats; this is checked a quarter before the end, where the error is about the largest.
 struct BlockCurves {
   HWY_ALIGN float x[3][16], y[3][16], row[3][16];
-  std::uint32_t good = 0;  ///< a bit for each block whose steps they give
+  std::uint32_t good = 0;  ///< a bit for each block for which the parabolas are exact enough
 
   HWY_INLINE StepPlaces places(int block, Pack k, Pack number, Pack steps) const {
     const auto value = [&](const float c[3][16]) {
@@ -147,14 +148,14 @@ struct BlockCurves {
   }
 };
 
-/// Bits of a mask, from the lane `part` on.
+/// Returns the bits of a mask, the first at bit `part`.
 HWY_INLINE std::uint32_t bits_of(PackMask mask, int part) {
   std::uint8_t bytes[8] = {};
   hn::StoreMaskBits(FloatTag(), mask.m, bytes);
   return (bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8) << part;
 }
 
-/// How far around a place it is dark, in texels.
+/// Returns the radius around a place within which the footprint is dark, in texels.
 HWY_INLINE Pack dark_texels(const LitMap& map, const Place& at) {
   const FloatTag d;
   const IntTag di;
@@ -173,7 +174,7 @@ struct StretchFeet {
   Place low[kParts], middle[kParts], high[kParts];
 };
 
-/// Stretches go from `from[i]` to `to[i]`, in blocks from the span's beginning on.
+/// Finds the feet of stretches from `from[i]` to `to[i]`, in blocks from the span's beginning.
 template <FootProjection kProjection>
 HWY_INLINE void find_feet(const FaceMarch<kProjection>& march, const float* from, const float* to,
                           StretchFeet& out) {
@@ -190,9 +191,9 @@ HWY_INLINE void find_feet(const FaceMarch<kProjection>& march, const float* from
   }
 }
 
-/// Those that may have light: a bit each. On a face the foot of a straight ray runs straight, so that no
-/// place of it is farther from the middle than the ends are. On the plane it bends, by less than is allowed
-/// for. Where there is no foot nothing is known.
+/// Returns a bit for each stretch that may have light. On a face the foot of a straight ray moves on a
+/// straight line, so no place of it is farther from the middle than the ends are. On the plane the line
+/// bends, by less than the margin used here. A stretch without feet may have light.
 HWY_INLINE std::uint32_t feet_with_light(const LitMap& map, const StretchFeet& feet) {
   std::uint32_t lit = 0;
   for (int part = 0; part < kParts; ++part) {
@@ -210,7 +211,7 @@ HWY_INLINE std::uint32_t feet_with_light(const LitMap& map, const StretchFeet& f
   return lit;
 }
 
-/// The curves of sixteen blocks that begin at `blocks`.
+/// Computes the curves of sixteen blocks that begin at `blocks`.
 template <FootProjection kProjection>
 HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* blocks, const StretchFeet& feet,
                             BlockCurves& out) {
@@ -220,7 +221,7 @@ HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* bl
   const Pack left(window.first_x), bottom(window.first_y);
   const double columns = std::fabs(window.first_x) + window.columns,
                rows = std::fabs(window.first_y) + window.rows;
-  // What the altitude's parabola leaves out is below 0.2 reach^3 / r^2, as is known without a look.
+  // The error of the altitude's parabola is known to be below 0.2 reach^3 / r^2.
   const double reach_km = 0.5 * kBlockSteps * march.span.step_km;
   const double sphere_km = march.kernel.sphere_km;
   const bool rows_are_good = reach_km * reach_km * reach_km * 0.2 / (sphere_km * sphere_km) < 1e-3;
@@ -245,7 +246,7 @@ HWY_INLINE void find_curves(const FaceMarch<kProjection>& march, const float* bl
     };
     fit(low.x, middle.x, high.x, check.x, left, columns, out.x);
     fit(low.y, middle.y, high.y, check.y, bottom, rows, out.y);
-    // Of the altitude h over the ray h' = (along + u) / r and h'' = (1 - h' h') / r.
+    // The derivatives of the altitude h along the ray are h' = (along + u) / r and h'' = (1 - h' h') / r.
     const Pack middle_u = first + (Pack(hn::Load(d, blocks + lane)) + half) * block_km;
     const AirPoint<Pack> p = march.lanes.at(middle_u);
     const Pack inverse = Pack(1.0f) / radius_km(p, sphere_km), reach = block_km * half;

@@ -1,10 +1,9 @@
-// The kernel's door of the march through footprints: stretches of rays in, their light out.
+// The interface of the kernel that marches through footprints: stretches of rays in, their light out.
 //
-// Behind it is what is compiled once per instruction set; what crosses the door are plain arrays
+// The implementation is compiled once per instruction set; the interface passes plain arrays
 // (sim/emit/footprint/footprint_kernel_types.h). The steps of a ray lie side by side in the lanes, sixteen to
-// a block; so no lane waits for another ray, and a block is passed over as a whole where the map of the lit
-// says that nothing in it shines. What a block adds does not depend on which others are passed over, nor on
-// the instruction set.
+// a block; so no lane waits for another ray, and a block is skipped as a whole if the LitMap says that it is
+// dark. The light of a block does not depend on which other blocks are skipped, nor on the instruction set.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +12,7 @@
 
 namespace vegard::sim {
 
-/// What comes out of each span. Returns the steps that were not passed over.
+/// Computes the light of each span. Returns the number of steps that were not skipped.
 std::size_t march_spans(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
                         SpanLight* out);
 

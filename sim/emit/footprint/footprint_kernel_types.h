@@ -1,5 +1,5 @@
-// The plain numbers and arrays that cross the door of the march through footprints: the footprint's grid, and
-// what comes out of a stretch of a ray.
+// The plain numbers and arrays of the interface of the march through footprints: the footprint's grid, and
+// the light of a stretch of a ray.
 #pragma once
 
 #include <array>
@@ -16,17 +16,18 @@ struct TexelWindow {
   const float* flux = nullptr;       ///< [row][column]; null: dark
   const float* ln_energy = nullptr;  ///< null: 0 everywhere
   int columns = 0, rows = 0;
-  double first_x = 0.0, first_y = 0.0;  ///< the grid's texel that is the window's first
+  double first_x = 0.0, first_y = 0.0;  ///< texel of the grid at which the window begins
 };
 
 struct FootprintKernel {
   FootProjection projection = FootProjection::vertical;
-  double axis[3] = {0.0, 0.0, -1.0};  ///< as FootRule's
+  double axis[3] = {0.0, 0.0, -1.0};  ///< as in FootRule
   const FieldPatch* patches = nullptr;
-  /// Texels of the grid by places on the plane in km, or on a face: x = place * texels + first.
+  /// Conversion from places on the plane in km, or on a face, to texels of the grid: x = place * texels +
+  /// first.
   double texels = 1.0, first_x = 0.0, first_y = 0.0;
-  std::array<TexelWindow, 6> window;   ///< of a plane the first one only
-  std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
+  std::array<TexelWindow, 6> window;   ///< for a plane only the first
+  std::array<const LitMap*, 6> lit{};  ///< null: nothing is skipped
   const StepProfile* profile = nullptr;
   double sphere_km = kEarthRadiusKm;  ///< radius of the body
 };

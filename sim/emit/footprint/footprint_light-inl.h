@@ -2,8 +2,8 @@
 //
 // A step's light is flux * (lower row + part * (upper row - lower row)). Fluxes are found sixteen at a time;
 // then the rows of the profile, which lie in memory side by side, are added up with the weights flux (1 -
-// part) and flux part in sixteen lanes, two steps at a time (one, if there are more than four lines). To
-// gather numbers lane by lane takes several times as long on the processors that we know.
+// part) and flux part in sixteen lanes, two steps at a time (one, if there are more than four lines).
+// Gathering numbers lane by lane takes several times as long on current processors.
 #if defined(VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_LIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_LIGHT_INL_H_
 #undef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_LIGHT_INL_H_
@@ -21,15 +21,15 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// Sixteen numbers: of 2 / kQuartets steps, the lower and the upper row's kQuartets * 4 lines.
+/// Sixteen numbers: for each of 2 / kQuartets steps, kQuartets * 4 lines of the lower and of the upper row.
 using Sixteen = FloatVector[kParts];
 
-/// The sum over steps of a block, and that of the sums so far.
+/// The sum over the steps of a block, and the sum of its partial sums.
 struct BlockSum {
   Sixteen plain, running;
 };
 
-/// A whole number of texels or rows and what is left, from a place between 0 and `most`.
+/// The integer and the fractional part of a place, limited to between 0 and `most` texels or rows.
 struct Split {
   hn::Vec<IntTag> whole;
   Pack rest;
@@ -41,14 +41,14 @@ HWY_INLINE Split split(Pack place, int most) {
   return {whole, Pack(hn::Sub(inside, hn::ConvertTo(d, whole)))};
 }
 
-/// Steps of up to sixteen blocks. Each kind of work is done for all blocks before the next kind: so the
-/// processor need not wait for one block's light before it begins with another's.
+/// Steps of up to sixteen blocks. Each kind of operation is done for all blocks before the next kind, so that
+/// the processor need not wait for one block's light before it begins with the next.
 struct Steps {
-  HWY_ALIGN std::int32_t texel[16][kBlockSteps], row[16][kBlockSteps];  ///< where a float is in its table
+  HWY_ALIGN std::int32_t texel[16][kBlockSteps], row[16][kBlockSteps];  ///< index of a float in its table
   HWY_ALIGN float right[16][kBlockSteps], upper[16][kBlockSteps], above_row[16][kBlockSteps];
 };
 
-/// Steps without light look at the window's first texel, which is dark.
+/// Stores the places of steps. Steps without light refer to the window's first texel, which is dark.
 HWY_INLINE void keep_places(const StepPlaces& at, const TexelWindow& window, const StepProfile& profile,
                             int slot, int part, Steps& out) {
   const FloatTag d;
@@ -64,13 +64,13 @@ HWY_INLINE void keep_places(const StepPlaces& at, const TexelWindow& window, con
   hn::Store(row.rest.v, d, out.above_row[slot] + part);
 }
 
-/// Two neighbours of a row and those of the next.
+/// Loads two neighbouring texels of a row and the two of the next row.
 HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> four_texels(const float* texels, int columns) {
   const hn::FixedTag<float, 2> two;
   return hn::Combine(hn::FixedTag<float, 4>(), hn::LoadU(two, texels + columns), hn::LoadU(two, texels));
 }
 
-/// Between the texels around so many places as there are lanes.
+/// Interpolates between the texels around one place per lane.
 HWY_INLINE Pack bilinear(const float* texels, int columns, const std::int32_t* at, Pack right, Pack upper) {
   const FloatTag d;
   const auto of = [&](int i) { return four_texels(texels + at[i], columns); };
@@ -95,11 +95,11 @@ HWY_INLINE Pack bilinear(const float* texels, int columns, const std::int32_t* a
   return low + upper * (high - low);
 }
 
-/// The weights of the rows, one or two pairs for each step.
+/// The weights of the rows: one pair per step, or two if there are several energies.
 template <bool kEnergies>
 struct RowWeights {
   static constexpr int kPairs = kEnergies ? 2 : 1;
-  /// [step][lower, upper], and what is read beyond the last.
+  /// [step][lower, upper], and padding that is read beyond the last.
   HWY_ALIGN float of[kPairs][16][2 * kBlockSteps + 16];
 };
 
@@ -135,7 +135,7 @@ HWY_INLINE void find_weights(const TexelWindow& window, const StepProfile& profi
   }
 }
 
-/// Spreads the weights of 2 / kQuartets steps over sixteen lanes.
+/// Distributes the weights of 2 / kQuartets steps to sixteen lanes.
 template <int kQuartets>
 class WeightLanes {
  public:
@@ -152,7 +152,7 @@ class WeightLanes {
   decltype(hn::SetTableIndices(FloatTag(), static_cast<const std::int32_t*>(nullptr))) of_[kParts];
 };
 
-/// The rows of one unit of sixteen lanes: of steps from `at` on.
+/// Loads the rows of the steps from `at` on for one unit of sixteen lanes.
 template <int kQuartets>
 HWY_INLINE void load_rows(const float* rate, const std::int32_t* at, Sixteen& out) {
   const FloatTag d;

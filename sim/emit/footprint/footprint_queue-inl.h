@@ -1,4 +1,4 @@
-// Blocks with light, gathered over the spans of a bundle until there are sixteen to be lit together.
+// Collects blocks with light over the spans of a bundle until sixteen can be computed together.
 #if defined(VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_QUEUE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_QUEUE_INL_H_
 #undef VEGARD_SIM_EMIT_FOOTPRINT_FOOTPRINT_QUEUE_INL_H_
@@ -28,8 +28,8 @@ class SpanSum {
   HWY_INLINE void add(const BlockSum& sum, const MarchSpan& span, int block) {
     const FloatTag d;
     const double from_km = span.first_km + block * kBlockSteps * span.step_km;
-    // Of the sum over units u = 0, 1, ... of u x_u is left: their number times the sum, less the running
-    // sums.
+    // The sum over units u = 0, 1, ... of u x_u equals their number times the sum of x_u, less the sum of
+    // partial sums.
     const auto last = hn::Set(d, static_cast<float>(from_km + (kBlockSteps + 0.5) * span.step_km));
     const auto unit = hn::Set(d, static_cast<float>(2.0 / kQuartets * span.step_km));
     for (int p = 0; p < kParts; ++p) {
@@ -71,15 +71,15 @@ class SpanSum {
   double entry_km_ = std::numeric_limits<double>::infinity();
 };
 
-/// Takes blocks span by span, and of each in their order.
+/// Takes blocks span by span, and within each span in their order.
 template <int kQuartets, bool kEnergies>
 class LightQueue {
  public:
-  /// `out` has a place for each span, which must be dark.
+  /// `out` has an entry for each span, initially dark.
   HWY_INLINE LightQueue(const StepProfile& profile, const MarchSpan* spans, SpanLight* out)
       : profile_(profile), spans_(spans), out_(out) {}
 
-  /// `places_of(number of a step)` gives so many steps as there are lanes.
+  /// `places_of(number of a step)` gives the places of as many steps as there are lanes.
   template <class PlacesOf>
   HWY_INLINE void push(const TexelWindow& window, std::size_t span, int block, int width,
                        const PlacesOf& places_of) {
@@ -90,7 +90,7 @@ class LightQueue {
     ++blocks_;
   }
 
-  /// Returns the steps that were pushed.
+  /// Returns the number of steps that were pushed.
   HWY_INLINE std::size_t finish() {
     light_all();
     if (blocks_ > 0) sum_.finish(spans_[open_], out_[open_]);
@@ -131,7 +131,7 @@ class LightQueue {
   Slot slot_[16];
   int slots_ = 0;
   std::size_t blocks_ = 0, open_ = kNone;
-  SpanSum<kQuartets> sum_;  ///< of the span `open_`
+  SpanSum<kQuartets> sum_;  ///< light of the span `open_`
 };
 
 }  // namespace HWY_NAMESPACE

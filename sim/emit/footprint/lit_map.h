@@ -1,8 +1,8 @@
-// How far around a place of a footprint all is dark: what a march may pass over.
+// The radius around each place of a footprint within which it is dark, so that a march may skip it.
 //
 // Places are in texels of the footprint's grid: (x, y) is the middle of texel x of row y. The map is coarse,
-// a cell for 8 x 8 texels, and never says more than is true: the exact distance between the middles of cells,
-// less their diagonal.
+// with a cell for 8 x 8 texels, and never overestimates: it holds the exact distance between the middles of
+// cells, less their diagonal.
 #pragma once
 
 #include <array>
@@ -13,32 +13,33 @@
 
 namespace vegard::sim {
 
-/// Flux below this share of a footprint's greatest counts as none.
+/// Flux below this share of a footprint's largest flux is taken as 0.
 inline constexpr double kDarkShare = 1e-6;
 
 class LitMap {
  public:
   static constexpr int kCellTexels = 8;
 
-  /// Over the texels from `first` to `last`, across and down.
+  /// A map of the texels from `first` to `last` in x and y.
   LitMap(int first_x, int last_x, int first_y, int last_y);
 
-  /// Texels over which a texel's light reaches, by the bilinear interpolation.
+  /// Marks the area that a texel's light reaches by bilinear interpolation.
   void mark_texel(int x, int y) { mark(x - 1.0, x + 1.0, y - 1.0, y + 1.0); }
-  /// All cells that the rectangle touches.
+  /// Marks all cells that the rectangle touches.
   void mark(double low_x, double high_x, double low_y, double high_y);
-  /// What is beyond the map's edge is not known.
+  /// Marks the cells at the map's edge, since nothing is known beyond it.
   void mark_edge();
-  /// Works the distances out, from the marks.
+  /// Computes the distances from the marks.
   void finish(int threads);
 
-  /// No light is closer than so many texels. Beyond the map, as at its edge, which is not more than is true.
+  /// Returns a distance in texels within which there is no light. Beyond the map the value at its edge is
+  /// returned, which is a lower bound.
   double dark_texels(double x, double y) const {
     const int column = cell(x - first_x_, columns_), row = cell(y - first_y_, rows_);
     return dark_[static_cast<std::size_t>(row) * columns_ + column];
   }
 
-  /// The same as numbers for the kernel: [row][column] of cells, the first from (first_x, first_y) on.
+  /// The map for the kernel: [row][column] of cells, the first of which begins at (first_x, first_y).
   const float* dark() const { return dark_.data(); }
   int first_x() const { return first_x_; }
   int first_y() const { return first_y_; }
@@ -56,15 +57,15 @@ class LitMap {
   std::vector<float> dark_;
 };
 
-/// Flux, [row][column] of a grid, that is not dark.
+/// Returns which texels of a grid have a flux above `min_flux`, [row][column].
 template <class T>
 std::vector<std::uint8_t> lit_texels(const FootprintGrid<T>& grid, double min_flux);
 
-/// The map of a plane's footprint.
+/// Returns the map of a plane's footprint.
 LitMap plane_lit_map(int columns, int rows, const std::vector<std::uint8_t>& lit, int threads);
 
-/// The maps of a cube's faces. Each knows of the light on its neighbours for an eighth of a face beyond its
-/// own edges, as seen in its own plane. An empty list: a face in the dark.
+/// Returns the maps of a cube's faces. Each includes the light of the neighbouring faces up to an eighth of a
+/// face beyond its own edges, projected to its own plane. An empty list stands for a dark face.
 std::vector<LitMap> cube_lit_maps(int face_cells, const std::array<std::vector<std::uint8_t>, 6>& lit,
                                   int threads);
 

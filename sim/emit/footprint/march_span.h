@@ -1,4 +1,4 @@
-// A stretch of a ray cut into steps.
+// Cuts rays through a footprint into stretches (spans) of equal steps.
 #pragma once
 
 #include <algorithm>
@@ -16,46 +16,48 @@
 
 namespace vegard::sim {
 
-inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or passed over, together
+inline constexpr int kBlockSteps = 16;  ///< steps that are marched, or skipped, together
 
-/// How feet are found: of a box in the axes of its site (the observer's, or its home's), of a shell on the
-/// cube's faces in the body's, straight down or along a field.
+/// How feet are found, vertically below or along a field: for a box in the axes of its site (the observer's,
+/// or its own home), for a shell on the cube's faces in the body's axes.
 enum class FootProjection { vertical, field, dipole, reference, shell, shell_dipole, shell_reference };
 
 constexpr bool is_shell_projection(FootProjection projection) { return projection >= FootProjection::shell; }
-/// Whether the foot is the place below.
+/// True if the foot is vertically below.
 constexpr bool is_vertical_projection(FootProjection projection) {
   return projection == FootProjection::vertical || projection == FootProjection::shell;
 }
 
-/// What feet are found by.
+/// The rule to find feet, with its data.
 template <class T>
 struct FootRule {
   FootProjection projection = FootProjection::vertical;
   double sphere_km = kEarthRadiusKm;      ///< radius of the body
-  T axis[3] = {T(0.0), T(0.0), T(-1.0)};  ///< the direction of fall, or the dipole's
-  /// Of the way `reference` the first one only, of `shell_reference` one for each face.
+  T axis[3] = {T(0.0), T(0.0), T(-1.0)};  ///< direction of fall, or axis of the dipole
+  /// For the projection `reference` only the first is used, for `shell_reference` one for each face.
   std::shared_ptr<const std::array<FieldPatch, 6>> patches;
 };
 
-/// The direction of fall at a place of the body, a unit vector from its centre in the march's axes.
+/// Computes the direction of fall at a place on the body, given as a unit vector from its centre in the
+/// march's axes.
 void fall_at_place(const FootRule<double>& rule, const double up[3], double fall[3]);
 
-/// Whether a box is given about another site than the scene's.
+/// True if a box has a site of its own that differs from the scene's.
 inline bool is_given_elsewhere(const Scene& scene, const Footprint& footprint) {
   return footprint.home && (footprint.home->latitude_deg != scene.site.latitude_deg ||
                             footprint.home->longitude_deg != scene.site.longitude_deg);
 }
 
-/// About a place in its middle, so that floats keep their digits. T is double or FreeDual.
+/// A stretch of a ray cut into steps, relative to a place in its middle to keep precision in floats. T is
+/// double or FreeDual.
 template <class T>
 struct MarchSpanOf {
   T place_km[3];   ///< from the body's centre
-  T direction[3];  ///< of length 1
-  T square_km2;    ///< of the place, see AirPoint
-  T along_km;      ///< the part of the place along the direction
-  T at_km;         ///< where on the ray the place is
-  T first_km;      ///< where the first step begins, from the place: negative
+  T direction[3];  ///< unit vector
+  T square_km2;    ///< `square` of the place (AirPoint)
+  T along_km;      ///< component of the place along the direction
+  T at_km;         ///< distance of the place along the ray
+  T first_km;      ///< beginning of the first step relative to the place: negative
   T step_km;
   int steps;
 };
@@ -64,22 +66,22 @@ using MarchSpan = MarchSpanOf<double>;
 /// Cuts rays from the scene's observer into spans with steps.
 class MarchRays {
  public:
-  /// In the axes of the site that it is given about for a box, in the Earth's for a shell. A shell has
-  /// turned to the east by `turned_deg` as a whole.
+  /// Spans are in the axes of the footprint's site for a box, in the Earth's axes for a shell. A shell is
+  /// turned to the east by `turned_deg`.
   MarchRays(const Scene& scene, const Footprint& footprint, double bottom_km, double turned_deg = 0.0);
 
-  /// No step shall move the foot by more than `foot_km`.
+  /// Limits the steps so that none moves the foot by more than `foot_km`.
   void limit_feet(const FootRule<double>& rule, double foot_km) {
     rule_ = rule;
     foot_km_ = foot_km;
   }
 
-  /// Each span has a whole number of equal steps, not longer than march.step_km, so that a ray's light does
-  /// not jump as the ray is turned a little.
+  /// Cuts a ray into at most two spans and returns their number. Each span has a whole number of equal steps,
+  /// not longer than march.step_km, so that a ray's light does not jump when the ray is turned a little.
   template <class T>
   int cut(const T enu[3], double end_km, MarchSpanOf<T> out[2]) const {
     const double r0 = sphere_km_ + observer_km_;
-    // The source's rule against ghosts takes what lies ahead of the body's middle, on either side of the
+    // The source's rule against ghosts uses all points ahead of the body's middle, also those behind the
     // camera.
     const T from = literal_ghosts_ ? enu[2] * -r0 : T(0.0);
     RaySpan<T> spans[2];
@@ -105,8 +107,8 @@ class MarchRays {
     return count;
   }
 
-  /// A point of the observer's east, north and up, from the body's centre in the march's own axes; and the
-  /// square of its distance less that of the body's radius.
+  /// Converts a point from the observer's east, north and up to the march's own axes, from the body's centre;
+  /// also gives the square of its distance less that of the body's radius.
   void place_of(const double enu_km[3], double place_km[3], double& square_km2) const {
     const double up = enu_km[2] + sphere_km_ + observer_km_;
     for (int a = 0; a < 3; ++a)
@@ -114,7 +116,7 @@ class MarchRays {
     const double height = enu_km[2] + observer_km_;
     square_km2 = enu_km[0] * enu_km[0] + enu_km[1] * enu_km[1] + height * (height + 2.0 * sphere_km_);
   }
-  /// The other way round.
+  /// Converts a point back to the observer's east, north and up.
   void enu_of(const double place_km[3], double enu_km[3]) const {
     for (int i = 0; i < 3; ++i)
       enu_km[i] = place_km[0] * axes_[i][0] + place_km[1] * axes_[i][1] + place_km[2] * axes_[i][2];
@@ -140,10 +142,10 @@ class MarchRays {
     return std::min(step_km_, foot_km_ / std::max(share, 1e-6));
   }
 
-  /// Kilometres that the foot of a point moves by as the point does by one.
+  /// Returns how many km the foot of a point moves per km of the point's motion.
   double foot_share(const double place_km[3], const double direction[3]) const;
 
-  static constexpr double kMaxFootShare = 10.0;  ///< at fields steeper than 6 degrees
+  static constexpr double kMaxFootShare = 10.0;  ///< reached where the field is inclined by 6 degrees
 
   double sphere_km_, observer_km_, bottom_km_, top_km_, step_km_;
   bool literal_ghosts_;
@@ -152,8 +154,8 @@ class MarchRays {
   double foot_km_ = std::numeric_limits<double>::infinity();
 };
 
-/// Which table of the profile is for the steps of a block: the one whose width is nearest to the altitude
-/// that they pass through. The radius is taken from the middle of the span, which is good to 2 %.
+/// Chooses the table of the profile for the steps of a block: the one whose width is nearest to the range of
+/// altitude of a step. The radius is that of the middle of the span, which is accurate to 2 %.
 class WidthOfBlock {
  public:
   WidthOfBlock(const StepProfile& profile, const MarchSpan& span, double sphere_km)
@@ -164,7 +166,7 @@ class WidthOfBlock {
         most_(profile.widths() - 1) {}
 
   int operator()(int first_step) const {
-    // Half up and not away from zero, which is the same here and quicker.
+    // Rounds half up instead of away from zero, which is the same here and faster.
     return std::min(
         static_cast<int>(std::fabs(along_ + first_step * step_) * widths_per_km_ + 0.5),  // NOLINT
         most_);

@@ -9,14 +9,14 @@
 
 namespace vegard::sim {
 
-/// From and to, in km along a ray.
+/// Beginning and end of a stretch, in km along a ray.
 template <class T>
 struct RaySpan {
   T from_km, to_km;
 };
 
-/// The spans between two altitudes, in their order along the ray: none, one, or one before and one behind the
-/// point closest to the body's centre. Only what lies between `from_km` and `end_km` counts.
+/// Finds the spans between two altitudes, in their order along the ray: none, one, or one before and one
+/// behind the point closest to the body's centre. They are cut to the range from `from_km` to `end_km`.
 template <class T>
 int shell_spans(double observer_altitude_km, const T& up, double bottom_km, double top_km, const T& from_km,
                 double end_km, double sphere_km, RaySpan<T> out[2]) {

@@ -1,5 +1,5 @@
-// The march through a footprint one step after the other: in double, which the packs of floats are compared
-// with, and in dual numbers, which carry the derivatives.
+// The march through a footprint one step after the other: in double, as a reference for the packs of floats,
+// and in dual numbers, for derivatives.
 //
 // T is the number type of the rays, G that of the footprint.
 #pragma once
@@ -19,18 +19,18 @@ namespace vegard::sim {
 template <class T, class G>
 struct ScalarFootprint {
   FootProjection projection = FootProjection::vertical;
-  T axis[3];  ///< as FootprintKernel's
+  T axis[3];  ///< as in FootprintKernel
   const FieldPatch* patches = nullptr;
   double texels = 1.0, first_x = 0.0, first_y = 0.0;
   std::array<const FootprintGrid<G>*, 6> grid{};
-  std::array<const LitMap*, 6> lit{};  ///< null: nothing is passed over
+  std::array<const LitMap*, 6> lit{};  ///< null: nothing is skipped
   const StepProfile* profile = nullptr;
   double sphere_km = kEarthRadiusKm;             ///< radius of the body
   T ln_energy_shift;                             ///< 0, with the tangents of ln(energy)
-  const StepProfile* profile_by_flux = nullptr;  ///< its slopes are by the energy flux; null: none
+  const StepProfile* profile_by_flux = nullptr;  ///< slopes with respect to energy flux; null: none
   T flux_shift;                                  ///< 0, with the tangents of the energy flux
   const StepProfile* profile_by_oxygen =
-      nullptr;     ///< its slopes are by the tables' oxygen factor; null: none
+      nullptr;     ///< slopes with respect to the tables' oxygen factor; null: none
   T oxygen_shift;  ///< 0, with the tangents of that factor
 };
 
@@ -80,9 +80,10 @@ class ScalarMarch {
     return {foot.east_km * f_.texels + f_.first_x, foot.north_km * f_.texels + f_.first_y, foot.is_there};
   }
 
-  /// Photons cm^-3 s^-1 per mW m^-2 of each line. Between the energies of the profiles' ladder rates are
-  /// linear, and so are their slopes by ln E, which the tangents go by: a rung's chord is only a mean of
-  /// them, and at the ladder's ends, where a map of even energy lies, there is none to one side.
+  /// Computes the rates of each line, photons cm^-3 s^-1 per mW m^-2. Between the energies of the profiles'
+  /// ladder both the rates and their stored slopes with respect to ln E are interpolated linearly. The
+  /// tangents use the stored slopes: the difference between two rungs is only a mean of them, and at the
+  /// ladder's ends, where a map of constant energy lies, one neighbour is missing.
   void rates(const T& altitude, const T& ln_energy, int width, T rate[]) const {
     const T place = (altitude - profile_.bottom_km()) * (1.0 / HeightProfile::kStepKm);
     const double most = profile_.rows() - 1;
@@ -91,7 +92,7 @@ class ScalarMarch {
     const double ln = value_of(ln_energy), last = profile_.energies() - 1;
     const double at = last > 0.0 ? (ln - profile_.ln_first()) / profile_.ln_step() : 0.0;
     const double kept = profile_.ln_first() + std::clamp(at, 0.0, last) * profile_.ln_step();
-    // Beyond the ladder, which reaches as far as the map and the emission tables both do, energy is limited.
+    // Beyond the ladder, which covers the common range of map and emission tables, the energy is limited.
     const T shift = std::fabs(ln - kept) > kBeyondLadder ? T(0.0) : f_.ln_energy_shift + (ln_energy - ln);
     const int energy = static_cast<int>(std::clamp(at, 0.0, last));
     of_energy(energy, width, row, part, shift, rate);
@@ -102,15 +103,15 @@ class ScalarMarch {
     for (int l = 0; l < profile_.lines(); ++l) rate[l] = rate[l] + (next[l] - rate[l]) * share;
   }
 
-  /// Volume emission rates at a point, photons cm^-3 s^-1, by the profile's table of that width; false where
-  /// there is none.
+  /// Computes the volume emission rates at a point, photons cm^-3 s^-1, with the profile's table of this
+  /// width; returns false if the point is dark.
   bool light_at(const AirPoint<T>& p, int width, T light[]) const {
     const int face = face_of(p);
     if (f_.grid[face] == nullptr || f_.grid[face]->flux_mw_m2.empty()) return false;
     const FootprintGrid<G>& grid = *f_.grid[face];
     const Place<T> place = place_of(p, f_.axis, face);
     if (!place.is_there) return false;
-    // Dark outside: the texels beyond the edge count as 0.
+    // Dark outside: the texels beyond the edge are taken as 0.
     const double x = std::floor(value_of(place.x)), y = std::floor(value_of(place.y));
     if (!(x >= -1.0 && y >= -1.0 && x < grid.columns && y < grid.rows)) return false;
     const int column = static_cast<int>(x), row = static_cast<int>(y);
@@ -131,7 +132,8 @@ class ScalarMarch {
     return true;
   }
 
-  /// Whether all points have their feet in the dark: their middle, and what they may be away from it.
+  /// True if the feet of all points are in the dark, judged by the foot of `middle` and the largest distance
+  /// of the others from it.
   bool are_dark(const AirPoint<double>& middle, const AirPoint<double>* others, int count) const {
     if (f_.lit[0] == nullptr) return false;
     const double axis[3] = {value_of(f_.axis[0]), value_of(f_.axis[1]), value_of(f_.axis[2])};
@@ -174,7 +176,7 @@ class ScalarMarch {
     return p;
   }
 
-  /// The face that the foot of a point is on.
+  /// Returns the face on which the foot of a point lies.
   template <class V>
   int face_of(const AirPoint<V>& p) const {
     if (!is_shell_projection(f_.projection)) return 0;
@@ -212,7 +214,7 @@ class ScalarMarch {
     return are_dark(at(middle), ends, 2);
   }
 
-  /// Whether there is light.
+  /// Adds the light of a step; returns true if there is any.
   bool add(const MarchSpanOf<T>& span, int step, int width, ScalarLight<T>& out) const {
     const T u = span.first_km + span.step_km * (step + 0.5);
     T light[kMaxLines];

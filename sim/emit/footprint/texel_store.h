@@ -11,11 +11,11 @@ namespace vegard::sim {
 class TexelStore {
  public:
   TexelStore() = default;
-  /// Texels of no more than min_flux are 0 in it, and a border of those stands around. `with_energy`: it
-  /// has ln_energy even where the grid has none.
+  /// Texels with a flux of at most min_flux become 0, and the part has a border of such texels.
+  /// `with_energy`: ln_energy is stored even if the grid has none.
   TexelStore(const FootprintGrid<double>& grid, double min_flux, bool with_energy);
 
-  /// Points into this.
+  /// Returns a window that points into this object.
   TexelWindow window() const;
 
  private:

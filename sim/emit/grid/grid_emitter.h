@@ -1,12 +1,12 @@
-// Light from a grid: an emitter for cameras.
+// The emitter of a grid: its light along rays.
 //
-// A ray is sampled every step_voxels of a voxel's edge, in the middles of steps counted from the camera, by
-// linear interpolation between the voxels' centres. A kilometre of 1 photon cm^-3 s^-1 is 0.1 rayleigh; light
-// of a density is as the scene says (grid_home.h). Where the grid has a density and the scene an extinction
-// for it, light of a step is weakened by what lies before it, and by the step itself as a uniform one:
-// rayleighs += kept 0.1 e h (1 - exp(-x)) / x with x = extinction density h, and kept *= exp(-x).
-// With an albedo and a lamp the step scatters the lamp's light besides (grid_lamp.h): rayleighs += kept (1 -
-// exp(-x)) albedo 4 pi p F exp(-extinction column).
+// A ray is sampled in steps of step_voxels voxel edges, at the middles of steps that begin at the camera, by
+// linear interpolation between the voxels' centres. A kilometre of 1 photon cm^-3 s^-1 gives 0.1 rayleigh;
+// the light of a density is given by the scene (grid_home.h). Where the grid has a density and the scene an
+// extinction for it, the light of a step is attenuated by the grid in front of it, and by the step itself as
+// a uniform one: rayleighs += kept 0.1 e h (1 - exp(-x)) / x with x = extinction density h, and kept *=
+// exp(-x). With an albedo and a lamp the step also scatters the lamp's light (grid_lamp.h): rayleighs += kept
+// (1 - exp(-x)) albedo 4 pi p F exp(-extinction column).
 #pragma once
 
 #include <memory>
@@ -24,10 +24,10 @@ namespace vegard::sim {
 template <class T>
 class GridEmitter : public Emitter<T> {
  public:
-  /// `grid` must outlive it. `number` gives the volume's and the Sun's numbers as T; `sun` is the scene's,
-  /// for a volume whose frame it is or that it lights; `share` is a factor of the grid's own light,
-  /// `turned_rad` as by grid_turn_rad(). What the lamp's light passes is taken over from `other`, of the same
-  /// volume, where its lamp is in the same place of the grid.
+  /// `grid` must outlive it. `number` gives the parameters of volume and Sun as T; `sun` is the scene's Sun,
+  /// needed if the volume is in its frame or lit by it; `share` is a factor on the grid's own light;
+  /// `turned_rad` is that of grid_turn_rad(). The columns of density towards the lamp are taken over from
+  /// `other`, an emitter of the same volume, if its lamp is at the same place in the grid.
   GridEmitter(const GridBricks& grid, const Volume& volume, const NumberAs<T>& number,
               const Sun* sun = nullptr, double share = 1.0, double turned_rad = 0.0, int threads = 1,
               const GridEmitter* other = nullptr);
@@ -42,7 +42,7 @@ class GridEmitter : public Emitter<T> {
   T extinction_;
   double step_km_;
   bool absorbs_;
-  // What scatters a lamp's light:
+  // For the scattering of a lamp's light:
   bool is_lit_ = false;
   T albedo_, asymmetry_;
   LampPlace lamp_;

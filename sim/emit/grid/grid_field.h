@@ -1,4 +1,4 @@
-// A grid as a field in space, to be sampled again.
+// A grid as a field in space, to be resampled.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace vegard::sim {
 
 class GridField : public LightField {
  public:
-  /// `grid` must outlive it. With a volume whose frame is "sun" the field's is that too, `sun` the scene's,
-  /// and it has turned by `turned_rad` (grid_home.h).
+  /// `grid` must outlive it. If the volume's frame is "sun", the field is in the Sun's frame too; `sun` is
+  /// then the scene's Sun, and `turned_rad` the grid's rotation (grid_home.h).
   GridField(const GridBricks& grid, const Volume& volume, const Sun* sun = nullptr, double share = 1.0,
             double turned_rad = 0.0);
 
@@ -23,13 +23,13 @@ class GridField : public LightField {
               float* density) const override;
 
  private:
-  /// The smallest box in voxels about one of the frame.
+  /// Returns the smallest box in voxels that contains a box of the frame.
   Box3 in_voxels(const Box3& box) const;
 
   const GridBricks& grid_;
   double unit_km_, from_[3];
   double turn_[3][3];         ///< from the frame to voxels: index = turn p + from
-  std::vector<double> gain_;  ///< [line] photons cm^-3 s^-1 of 1
+  std::vector<double> gain_;  ///< [line] photons cm^-3 s^-1 for the value 1
 };
 
 }  // namespace vegard::sim

@@ -1,12 +1,12 @@
-// How a scene's rays come to the voxels of one of its grids, and what the numbers there are worth.
+// The transformation of a scene's rays to the voxels of a grid, and the light that the grid's numbers mean.
 //
-// A grid is at home on the ground (GridBricks::place() leads to its voxels) or on the Sun: then its place is
-// that of the heliographic frame of sim/emit/sun/sun_frame.h, whose unit is sun.unit_km. The Sun's own
-// numbers may be free, so what leads there is worked out in T.
+// A grid is either in a frame on the ground (GridBricks::place() transforms it to voxels) or on the Sun; then
+// its place is given in the heliographic frame of sim/emit/sun/sun_frame.h, whose unit is sun.unit_km. The
+// Sun's own parameters may be free, so the transformation is computed in T.
 //
-// Digits: voxels are counted from the grid's corner, which the observer is some 1.5e5 units away from. A
-// place on a ray, from + t along, is the difference of two such numbers, each right to 1e-16 of it: some
-// 1e-10 of a unit is left.
+// Rounding: on the Sun the observer is some 1.5e5 units away from the grid's corner, the origin of voxels. A
+// place on a ray, from + t along, is the difference of two such numbers, each with a relative error of 1e-16,
+// so it has an error of some 1e-10 units.
 #pragma once
 
 #include <vector>
@@ -22,13 +22,13 @@ namespace vegard::sim {
 template <class T>
 struct GridHome {
   T turn[3][3];          ///< from the observer's east, north, up in km to voxels
-  T from[3];             ///< where rays begin, in voxels
+  T from[3];             ///< origin of the rays, in voxels
   double voxel_km;       ///< edge of a voxel
-  std::vector<T> light;  ///< [line] rayleighs of 1 to a kilometre, the volume's gain in them
+  std::vector<T> light;  ///< [line] rayleighs per km for the value 1, times the volume's gain
 };
 
-/// By how much a volume is moved, in its unit along the axes that GridPlace takes: given by east, north, up
-/// of the observer, or of the volume's home, or by the axes of the Sun's frame.
+/// Computes the shift of a volume, in its unit and along the axes of GridPlace. The scene gives it along
+/// east, north, up of the observer or of the volume's home, or along the axes of the Sun's frame.
 template <class T, class Number>
 void shift_of_volume(const GridBricks& grid, const Volume& volume, double unit_km, const Number& number,
                      T shift[3]) {
@@ -39,15 +39,14 @@ void shift_of_volume(const GridBricks& grid, const Volume& volume, double unit_k
   }
 }
 
-/// By how much a grid of frame "sun" has turned about the Sun's axis at an instant of the scene's clock, in
-/// radians to the west: as one body, with the rate of solar_rotation.h at the latitude of the middle of its
-/// box, or, where that lies within the photosphere, at the equator's.
+/// Returns the rotation of a grid of frame "sun" about the Sun's axis at an instant of the scene's clock, in
+/// radians to the west. The grid turns rigidly, with the rate of solar_rotation.h at the latitude of the
+/// middle of its box, or at the equator if the middle lies within the photosphere.
 double grid_turn_rad(const GridBricks& grid, const Volume& volume, const Sun* sun, double instant_s);
 
-/// Of a frame "sun" `sun` is the scene's Sun, else it may be null. Light of density (density_rayleigh) is
-/// counted to a kilometre, or to a unit of the Sun's frame; else a number is photons cm^-3 s^-1. The shift is
-/// by east, north, up of the observer (of the volume's home, if it has one), or on the Sun by its frame's x,
-/// y, z. `turned_rad` as by grid_turn_rad().
+/// Returns the transformation to voxels and the light of a volume. `sun` is the scene's Sun for a volume of
+/// frame "sun"; otherwise it may be null. density_rayleigh is per kilometre, or per unit of the Sun's frame;
+/// without it a grid's number is in photons cm^-3 s^-1. `turned_rad` is that of grid_turn_rad().
 template <class T>
 GridHome<T> grid_home(const GridBricks& grid, const Volume& volume, const Sun* sun, const NumberAs<T>& number,
                       double turned_rad = 0.0) {

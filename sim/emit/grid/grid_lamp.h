@@ -1,16 +1,16 @@
-// What lights a grid that scatters, and how much of its light comes to each voxel.
+// The lamp of a grid that scatters light, and how much of its light reaches each voxel.
 //
-// Single scattering, as the volumes of pbrt have it (M. Pharr and G. Humphreys 2004, "Physically based
-// rendering", section 16.3; S. Chandrasekhar 1950, "Radiative transfer", chapter I): of the lamp's photons F,
-// per area, what the grid itself leaves on the way to a place, exp(-tau), is scattered there once, and then
-// only weakened. With sigma the extinction at a place, a the albedo and p the phase function, a ray of light
-// from s = 0 to the end has
+// Single scattering, as for the volumes of pbrt (M. Pharr and G. Humphreys 2004, "Physically based
+// rendering", section 16.3; S. Chandrasekhar 1950, "Radiative transfer", chapter I): of the lamp's photon
+// flux F the grid itself transmits exp(-tau) on the way to a place; this light is scattered there once, and
+// then only attenuated. With sigma the extinction at a place, a the albedo and p the phase function, a ray
+// from s = 0 to the end collects
 //   photons per area, time and solid angle = integral of T(s) sigma(s) a p F exp(-tau(s)) ds,
-// T what is left of the way to the camera. A rayleigh is 10^6 / (4 pi) photons cm^-2 s^-1 sr^-1, so that with
-// F in 10^6 photons cm^-2 s^-1 the rayleighs are 4 pi times that.
+// where T is the transmission from the place to the camera. A rayleigh is 10^6 / (4 pi) photons cm^-2 s^-1
+// sr^-1, so that with F in 10^6 photons cm^-2 s^-1 the rayleighs are 4 pi times that.
 //
-// The column of density between lamp and voxel is worked out once for the corners of the grid's cells, as the
-// exact integral of the interpolated density, and is linear in between.
+// The column of density between lamp and voxel is computed once for the corners of the grid's cells, as the
+// exact integral of the interpolated density, and interpolated linearly.
 #pragma once
 
 #include <cstddef>
@@ -23,20 +23,22 @@
 
 namespace vegard::sim {
 
-/// Where a lamp is, in the voxels of its grid.
+/// The place of a lamp, in voxels of its grid.
 struct LampPlace {
   bool is_far = true;
-  double at[3] = {0.0, 0.0, 0.0};  ///< of a lamp that is far the direction to it, of length 1; else its place
-  double stop = 0.0;               ///< radius about the place where its light begins, in voxels
+  double at[3] = {0.0, 0.0, 0.0};  ///< if is_far, the unit vector to the lamp; else its place
+  double stop = 0.0;               ///< radius around the place at which its light begins, in voxels
 };
 
-/// Of the Sun as a lamp: parallel light from where it stands in the sky, or for a grid on the Sun the middle
-/// of its frame, its light beginning at the photosphere. `turned_rad` of the grid as by grid_turn_rad().
+/// Returns the place of the Sun as a lamp: parallel light from its direction in the sky; or, for a grid on
+/// the Sun, the middle of the Sun's frame, with the light beginning at the photosphere. `turned_rad` is that
+/// of grid_turn_rad().
 LampPlace lamp_place(const GridBricks& grid, const Volume& volume, const Sun* sun, double turned_rad = 0.0);
 
-/// Per line, in 10^6 photons cm^-2 s^-1: parallel, or of a point at a distance of one voxel's edge. The Sun's
-/// is that of its disc, photosphere_rayleigh / 4 (R / d)² (1 - u / 3 - v / 6): brightness over 4 pi times
-/// solid angle times the disc's mean (photosphere_emitter.h).
+/// Returns the lamp's flux per line, in 10^6 photons cm^-2 s^-1: of parallel light, or of a point lamp at the
+/// distance of one voxel's edge. The Sun's flux is that of its disc, photosphere_rayleigh / 4 (R / d)² (1 - u
+/// / 3 - v / 6): the brightness over 4 pi, times the solid angle, times the disc's mean limb darkening
+/// (photosphere_emitter.h).
 std::vector<double> lamp_flux(const GridBricks& grid, const Volume& volume, const Sun* sun);
 
 /// Columns of density from the lamp.

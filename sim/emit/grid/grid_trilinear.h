@@ -1,4 +1,4 @@
-// Linear interpolation between the eight voxels about a point.
+// Linear interpolation between the eight voxels around a point.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace vegard::sim {
 
-/// A point's cell in its brick and where in the cell it is.
+/// The cell of a point in its brick, and the point's place in the cell.
 struct GridCell {
-  int offset;        ///< of the lowest of the eight voxels
+  int offset;        ///< index of the lowest of the eight voxels
   double within[3];  ///< 0 to 1
 
   /// `local`: in voxels from the brick's corner.
@@ -23,13 +23,13 @@ struct GridCell {
     offset = (voxel[0] * GridBricks::kSide + voxel[1]) * GridBricks::kSide + voxel[2];
   }
 
-  /// Of numbers `stride` apart.
+  /// Returns the interpolated value of numbers that are `stride` apart.
   double value(const float* numbers, int stride) const {
     double slope[3];
     return value(numbers, stride, slope);
   }
 
-  /// The same and its slopes, per voxel.
+  /// Returns the value, and sets its slopes per voxel.
   double value(const float* numbers, int stride, double slope[3]) const {
     double v[2][2][2];
     for (int i = 0; i < 2; ++i)

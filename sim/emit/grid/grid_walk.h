@@ -1,4 +1,5 @@
-// The path of a ray through bricks: from one to the next, and over what is empty in strides of four.
+// The path of a ray through bricks: from one to the next, and over empty space in coarse cells of four
+// bricks.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 
 namespace vegard::sim {
 
-/// A ray in voxels: at a distance t, in km, it is at from + t along.
+/// A ray in voxels: its point at the distance t, in km, is from + t along.
 struct GridRay {
   double from[3], along[3];
   double inverse[3];  ///< of `along`
 
-  /// An axis along which the ray takes for ever stands still.
+  /// Sets `inverse`. Along an axis on which it is infinite, the ray is taken not to move.
   void aim() {
     for (int a = 0; a < 3; ++a) {
       inverse[a] = 1.0 / along[a];
@@ -26,8 +27,8 @@ struct GridRay {
 
 /// The cells of a lattice of pitch `edge` that a ray meets between `begin` and `end`, in their order, after
 /// Amanatides and Woo (1987), A fast voxel traversal algorithm for ray tracing, Eurographics '87. Calls
-/// use(cell, begin of it, end of it) for those inside [low, high). Where one ends the next begins, to the
-/// last bit.
+/// use(cell, begin of it, end of it) for those inside [low, high). Each cell begins exactly where the
+/// previous one ends.
 template <class Use>
 inline void walk_cells(const GridRay& ray, double edge, const int low[3], const int high[3], double begin,
                        double end, const Use& use) {
@@ -62,8 +63,8 @@ inline void walk_cells(const GridRay& ray, double edge, const int low[3], const 
   }
 }
 
-/// Calls use(brick, its coordinates, begin, end) for the bricks that a ray meets before `end_km`, in order:
-/// none of a ray whose numbers are not finite, or that stands still for ever.
+/// Calls use(brick, its coordinates, begin, end) for the bricks that a ray meets before `end_km`, in order.
+/// Does nothing for a ray with numbers that are not finite, or that does not move along any axis.
 template <class Use>
 void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, const Use& use) {
   constexpr int kCoarse = GridBricks::kCoarse;
@@ -100,7 +101,8 @@ void walk_bricks(const GridBricks& grid, const GridRay& ray, double end_km, cons
   });
 }
 
-/// Samples stand in the middles of steps counted from the ray's beginning: the first one not before t.
+/// Returns the number of the first sample not before t. Samples are at the middles of steps that begin at the
+/// ray's origin.
 inline std::int64_t first_sample(double t, double steps_per_km) {
   constexpr double kMax = 4e18;  // what is farther is no number of a step
   return static_cast<std::int64_t>(std::clamp(std::ceil(t * steps_per_km - 0.5), -kMax, kMax));

@@ -1,4 +1,4 @@
-// To which sides light is scattered.
+// The phase function: the angular distribution of scattered light.
 #pragma once
 
 #include "sim/base/number/constants.h"
@@ -6,9 +6,9 @@
 
 namespace vegard::sim {
 
-/// L. G. Henyey and J. L. Greenstein (1941, ApJ 93, 70): per steradian, by the cosine of the angle between
-/// the directions in which light travels before and after, and its mean, g, from above -1 to below 1. Its
-/// integral over all directions is 1.
+/// L. G. Henyey and J. L. Greenstein (1941, ApJ 93, 70): phase function per steradian; `cosine` is that of
+/// the angle between the directions of light before and after scattering, and g, between -1 and 1, the mean
+/// cosine. Its integral over all directions is 1.
 ///   (1 - g²) / (4 pi (1 + g² - 2 g cosine)^(3/2))
 template <class T>
 T henyey_greenstein(const T& cosine, const T& g) {

@@ -1,12 +1,12 @@
-// What a nebula is made of at a point: gas, glow and dust, and what they do to light.
+// The gas, glow and dust of a nebula at a point, and their emission and absorption.
 //
 // With the signed distance d of a node and the nebula's edge e the density is clamp(1 - d / e, 0, 1). Light,
 // in rayleighs to a unit of path, is
 //
 //     brightness (gas^p (inner + (outer - inner) s) + glow glow_rayleigh)
 //
-// per line, s a smooth step of the distance from the middle between inner_radius and outer_radius; what takes
-// light away is dust_depth dust (λ / 550 nm)^-dust_exponent to a unit of path.
+// per line, where s is a smooth step of the distance from the middle between inner_radius and outer_radius.
+// The extinction is dust_depth dust (λ / 550 nm)^-dust_exponent per unit of path.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace vegard::sim {
 
-/// Per line, to a unit of path.
+/// Emission and extinction per line and unit of path.
 template <class T>
 struct CloudAt {
   T light[kMaxLines], loss[kMaxLines];
@@ -36,10 +36,11 @@ class NebulaCloud {
 
   bool has_dust() const { return dust_ >= 0; }
 
-  /// How far about the point there is nothing for certain, in units of length; 0 or less: it is not known.
+  /// Returns the radius around the point within which the nebula is certainly empty, in the nebula's unit; 0
+  /// or less if it is not known.
   double empty_about(const double point[3]) const;
 
-  /// False if there is nothing; `at` is then not set.
+  /// Returns false if the nebula is empty at the point; `at` is then not set.
   bool sample(const T point[3], CloudAt<T>& at) const;
 
   CloudDensity densities(const double point[3]) const;
@@ -50,7 +51,7 @@ class NebulaCloud {
   NodeMap<T> nodes_;
   int gas_, glow_, dust_, lines_;
   T edge_, power_, brightness_, inner_radius_, outer_radius_;
-  T inner_[kMaxLines], outer_[kMaxLines], of_glow_[kMaxLines];  ///< brightness is in them
+  T inner_[kMaxLines], outer_[kMaxLines], of_glow_[kMaxLines];  ///< multiplied by the brightness
   T depth_[kMaxLines];
 };
 

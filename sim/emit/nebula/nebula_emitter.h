@@ -1,10 +1,10 @@
 // A nebula's light along rays: emission and absorption, in rayleighs.
 //
-// A ray's way through the bound is cut at multiples of `step` from its place nearest to the middle; each
-// piece is taken as uniform, with what stands in its middle. Within one of optical depth tau, (1 - exp(-tau))
-// / tau of its light comes out and exp(-tau) of the light behind it (S. Chandrasekhar, "Radiative Transfer",
-// 1950, chapter I). Pieces about which there is nothing for certain are passed over; that does not change the
-// light. For T = FreeDual the derivatives are those of the very sum.
+// A ray's path through the bound is cut at multiples of `step` from its point nearest to the middle; each
+// piece is taken as uniform, with the values at its middle. From a piece of optical depth tau, (1 -
+// exp(-tau)) / tau of its own light emerges, and exp(-tau) of the light behind it (S. Chandrasekhar,
+// "Radiative Transfer", 1950, chapter I). Pieces that are certainly empty are skipped, which does not change
+// the light. For T = FreeDual the derivatives are exactly those of this sum.
 #pragma once
 
 #include "sim/emit/nebula/nebula_cloud.h"
@@ -16,7 +16,7 @@ namespace vegard::sim {
 template <class T>
 class NebulaEmitter : public Emitter<T> {
  public:
-  /// `skip` false: every piece is looked at, as a test asks for.
+  /// `skip` false: empty pieces are not skipped; for tests.
   NebulaEmitter(const Scene& scene, const Nebula& nebula, const NumberAs<T>& number, bool skip = true);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;

@@ -1,4 +1,4 @@
-// A nebula as a field in space, in its own frame: for grids.
+// A nebula as a field in space, in its own frame, for grids.
 #pragma once
 
 #include "sim/emit/nebula/nebula_cloud.h"
@@ -7,8 +7,8 @@
 
 namespace vegard::sim {
 
-/// Its density is that of the dust, or of the gas if there is no dust. A column through its light holds the
-/// rayleighs that a ray through the nebula would collect without dust: 1 R is 10^6 photons cm^-2 s^-1.
+/// The field's density is that of the dust, or of the gas if there is no dust. The integral of its emission
+/// along a ray gives the rayleighs that the ray would collect without dust: 1 R is 10^6 photons cm^-2 s^-1.
 class NebulaField : public LightField {
  public:
   NebulaField(const Scene& scene, const Nebula& nebula);

@@ -1,5 +1,5 @@
-// Where a nebula stands, and a ray in its frame: that of sim/light/sky_frame.h, turned by the position angle,
-// with `unit_pc` for its unit.
+// The frame of a nebula, and rays in it. It is the frame of sim/light/sky_frame.h, turned by the position
+// angle, with the unit `unit_pc`.
 #pragma once
 
 #include "sim/emit/nebula/node_shapes.h"
@@ -13,8 +13,8 @@ inline constexpr double kKmPerParsec = 3.0856775814913673e13;  // IAU 2015, reso
 
 template <class T>
 struct NebulaRay : SkyRay<T> {
-  T half_chord;  ///< half its way through the bound; only where `meets`
-  bool meets;    ///< whether it goes through the bound
+  T half_chord;  ///< half the length of its path through the bound; only if `meets`
+  bool meets;    ///< true if it goes through the bound
 };
 
 template <class T>

@@ -1,11 +1,11 @@
-// The density nodes of a scene, worked out for asking: signed distances of any node at any point.
+// The density nodes of a scene, prepared for evaluation: the signed distance of any node at any point.
 //
-// Two things may be asked. distance() is the node's. hull() is below it everywhere, costs no noise, and falls
-// no faster than steepness() to a unit of length, so that from h = hull(p) the distance stays above e for
-// (h - e) / steepness() about p: that is how a march knows what it may skip.
+// distance() is the node's signed distance. hull() is a lower bound of it, needs no evaluation of noise, and
+// decreases by at most steepness() per unit of length. So, with h = hull(p), the distance is above e within
+// (h - e) / steepness() around p; a march skips this.
 //
-// With a cutoff, distance() is exact below it, and no less than it elsewhere: nodes then leave work undone
-// where nothing can come below.
+// With a cutoff, distance() is exact where it is below the cutoff, and otherwise any number not below the
+// cutoff, which saves work.
 #pragma once
 
 #include <limits>
@@ -23,10 +23,10 @@ namespace vegard::sim {
 template <class T>
 class NodeMap {
  public:
-  /// `number` gives the scene's numbers as T.
+  /// `number` gives the scene's parameters as T.
   NodeMap(const Scene& scene, const NumberAs<T>& number);
 
-  /// The index of a node, or -1 of no name. The name must be that of a node.
+  /// Returns the index of a node; -1 for an empty name. Any other name must be that of a node.
   int node(const std::string& name) const;
 
   T distance(int node, const T point[3], double cutoff = std::numeric_limits<double>::infinity()) const;
@@ -38,15 +38,15 @@ class NodeMap {
   struct Placed {
     Kind kind;
     std::vector<int> of;
-    bool is_placed;  ///< anywhere but upright, unstretched in the middle
+    bool is_placed;  ///< false: upright and unstretched, in the middle
     T center[3];
-    T turn[9];  ///< rows: from the outside to the inside, after shifting
+    T turn[9];  ///< matrix by rows, from outer to inner coordinates, after the shift
     T stretch[3];
-    T scale;  ///< of distances, from the inside to the outside
+    T scale;  ///< factor on distances, from inner to outer coordinates
     T radius, thickness, length, waist, amplitude, blend;
     NoiseNumbers<T> noise;
     std::shared_ptr<const NoiseLattice> lattice;
-    double steepness = 0.0;  ///< how fast the hull may fall to a unit of length; 0: not known yet
+    double steepness = 0.0;  ///< largest decrease of the hull per unit of length; 0: not known yet
   };
 
   Placed worked_out(const Scene& scene, const Node& node, const NumberAs<T>& number);

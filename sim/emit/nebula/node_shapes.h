@@ -1,9 +1,9 @@
-// The shapes of density nodes: signed distances, negative inside, how two are joined, and where a node
-// stands. The axis of a shape is `up`; points are (right, up, near).
+// The shapes of density nodes as signed distances, negative inside; the blending of two shapes; and the
+// placement of nodes. The axis of a shape is `up`; points are (right, up, near).
 //
 // Sphere, shell, torus, tube and slab are Euclidean distances (as in J. C. Hart, "Sphere tracing", The Visual
 // Computer 12, 1996, 527). Lobes are of first order: G / |grad G| of an implicit surface (G. Taubin, 1994,
-// ACM Trans. Graph. 13, 3), held up where |grad G| vanishes.
+// ACM Trans. Graph. 13, 3), with a lower limit on |grad G| where it vanishes.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ template <class T>
 T magnitude(const T& a) {
   return value_of(a) < 0.0 ? T(0.0) - a : a;
 }
-/// The root, whose tangents at 0 are taken as 0: there a distance has a corner.
+/// Returns the square root. Its derivatives at 0, where a distance has a corner, are taken as 0.
 template <class T>
 T root(const T& square) {
   return value_of(square) > 0.0 ? square_root(square) : T(0.0);
@@ -37,20 +37,20 @@ T sphere_distance(const T p[3], const T& radius) {
   return root(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - radius;
 }
 
-/// The wall of a sphere, `thickness` from side to side.
+/// Distance to the wall of a sphere of thickness `thickness`.
 template <class T>
 T shell_distance(const T p[3], const T& radius, const T& thickness) {
   return magnitude(sphere_distance(p, radius)) - thickness * 0.5;
 }
 
-/// A ring about the axis.
+/// Distance to a ring around the axis.
 template <class T>
 T torus_distance(const T p[3], const T& radius, const T& thickness) {
   const T aside = root(p[0] * p[0] + p[2] * p[2]) - radius;
   return root(aside * aside + p[1] * p[1]) - thickness * 0.5;
 }
 
-/// A cylinder with round ends, `length` from its middle to either.
+/// Distance to a cylinder with round ends; `length` is from its middle to either end.
 template <class T>
 T tube_distance(const T p[3], const T& radius, const T& length) {
   const T beyond = magnitude(p[1]) - larger(length - radius, T(0.0));
@@ -58,13 +58,13 @@ T tube_distance(const T p[3], const T& radius, const T& length) {
   return root(p[0] * p[0] + along * along + p[2] * p[2]) - radius;
 }
 
-/// Across the axis, without end.
+/// Distance to an infinite slab perpendicular to the axis.
 template <class T>
 T slab_distance(const T p[3], const T& thickness) {
   return magnitude(p[1]) - thickness * 0.5;
 }
 
-/// The distance to a cylinder with flat ends; inside, minus that to the nearer side.
+/// Distance to a cylinder with flat ends; inside, minus the distance to the nearer surface.
 template <class T>
 T cylinder_distance(const T p[3], const T& radius, const T& length) {
   const T aside = root(p[0] * p[0] + p[2] * p[2]) - radius, along = magnitude(p[1]) - length;
@@ -72,12 +72,12 @@ T cylinder_distance(const T p[3], const T& radius, const T& length) {
   return root(out_aside * out_aside + out_along * out_along) + smaller(larger(aside, along), T(0.0));
 }
 
-/// The wall of two lobes along the axis. With v = (up / length)², the lobes' radius R is
+/// Distance to the wall of two lobes along the axis. With v = (up / length)², the lobes' radius R is
 ///
 ///     R² = (1 - v) (waist² + a v),   a = 2 radius² - waist² + 2 radius √(radius² - waist²),
 ///
-/// so that R is `waist` in the middle, `radius` where it is largest, and 0 at the ends. A waist of `radius`
-/// or more is taken as `radius`: a spheroid, nearly.
+/// so that R is `waist` in the middle, `radius` where it is largest, and 0 at the ends. A waist above
+/// `radius` is taken as `radius`, which gives nearly a spheroid.
 template <class T>
 T lobes_distance(const T p[3], const T& radius, const T& length, const T& waist, const T& thickness) {
   const T narrow = smaller(waist, radius), square = narrow * narrow, wide = radius * radius;
@@ -92,10 +92,10 @@ T lobes_distance(const T p[3], const T& radius, const T& length, const T& waist,
   return larger(wall, cylinder_distance(p, radius, length)) - thickness * 0.5;
 }
 
-/// The lesser of two distances (their union), rounded: min(a, b) - b_l/4 h^2, h = max(1 - |a - b| / b_l, 0),
-/// with the blend's length b_l: a parabola where the two are nearer to each other than that, the sharp one
-/// elsewhere; continuous with its slope. It is never more than the sharp one, and never less than that minus
-/// b_l/4.
+/// Returns the smaller of two distances (the union of the shapes), rounded: min(a, b) - b_l/4 h^2, h = max(1
+/// - |a - b| / b_l, 0), with the blend's length b_l: a parabola where the two differ by less than b_l, the
+/// sharp minimum elsewhere; continuous with its slope. It is never above the sharp minimum, and never below
+/// it by more than b_l/4.
 template <class T>
 T blended_least(const T& a, const T& b, const T& blend) {
   const T least = smaller(a, b);
@@ -104,13 +104,14 @@ T blended_least(const T& a, const T& b, const T& blend) {
   return value_of(near) > 0.0 ? least - blend * near * near * 0.25 : least;
 }
 
-/// The greater (their intersection), rounded in the same way.
+/// Returns the larger of two distances (the intersection of the shapes), rounded in the same way.
 template <class T>
 T blended_most(const T& a, const T& b, const T& blend) {
   return T(0.0) - blended_least(T(0.0) - a, T(0.0) - b, blend);
 }
 
-/// The turns about right, up and near, one after the other: from the outside to the inside.
+/// Computes the matrix from outer to inner coordinates for turns about right, up and near, one after the
+/// other.
 template <class T>
 void turn_inside(const T angle_deg[3], T turn[9]) {
   T sin[3], cos[3];
@@ -130,7 +131,7 @@ void turn_inside(const T angle_deg[3], T turn[9]) {
   turn[8] = cos[1] * cos[0];
 }
 
-/// A point as what stands inside sees it. N is double or T.
+/// Converts a point from outer coordinates to the node's inner ones. N is double or T.
 template <class N, class Place>
 void to_inside(const Place& node, const N outer[3], N inner[3]) {
   const auto as = [](const auto& number) {

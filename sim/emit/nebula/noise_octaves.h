@@ -1,8 +1,9 @@
-// Octaves of noise for density nodes: their sum, and ridges of it.
+// Octaves of noise for density nodes: their sum, and their ridges.
 //
 // Each octave is twice as fine as the one before and `gain` times as high; it is turned and shifted, so that
-// neither its lattice nor its period coincides with the last one's. Who only wants to know whether a sum
-// exceeds something may stop early: what the octaves to come can add is known.
+// neither its lattice nor its period coincides with the previous one's. If only the comparison of a sum with
+// a bound matters, the functions stop early, since the largest contribution of the remaining octaves is
+// known.
 #pragma once
 
 #include <cmath>
@@ -19,7 +20,7 @@ struct NoiseNumbers {
   int octaves = 1;
 };
 
-/// What gain and octaves add up to: 1 + gain + gain² ...
+/// Returns the sum of the octaves' heights: 1 + gain + gain² ...
 template <class T>
 double octave_total(const NoiseNumbers<T>& noise) {
   double total = 0.0, height = 1.0;
@@ -27,7 +28,7 @@ double octave_total(const NoiseNumbers<T>& noise) {
   return total;
 }
 
-/// To the next octave's point: twice as far, turned, and shifted.
+/// Changes a point to that of the next octave: scaled by 2, turned, and shifted.
 template <class T>
 void to_next_octave(T point[3]) {
   // A turn by the angles of the 3-4-5 triangle about two axes: rational, and of no lattice.
@@ -38,8 +39,8 @@ void to_next_octave(T point[3]) {
   point[2] = z * 2.0 + 5.9;
 }
 
-/// The sum of octaves, each within ±NoiseLattice::kLargest times its height. If `times` times it must come to
-/// `most` or more, `most` / `times` may come back.
+/// Returns the sum of octaves, each within ±NoiseLattice::kLargest times its height. If `times` times the sum
+/// is certain to reach `most`, the function may return `most` / `times` instead.
 template <class T>
 T octaves_of(const NoiseLattice& lattice, const NoiseNumbers<T>& noise, const T at[3], double shift = 0.0,
              double times = 1.0, double most = std::numeric_limits<double>::infinity()) {
@@ -57,10 +58,10 @@ T octaves_of(const NoiseLattice& lattice, const NoiseNumbers<T>& noise, const T 
   return sum;
 }
 
-/// Ridges, from 0 to 1 on their crests. An octave's ridge is (1 - |n| / 0.6)², 0 where |n| is larger: narrow
-/// about the surfaces on which the noise n is 0. An octave counts in proportion to the ridge that it stands
-/// on (after F. K. Musgrave's ridged multifractal, in Ebert et al., "Texturing and Modeling", 2003). If the
-/// sum must stay below `least`, that or anything smaller may come back.
+/// Returns ridges, from 0 to 1 on their crests. An octave's ridge is (1 - |n| / 0.6)², 0 where |n| is larger:
+/// narrow around the surfaces on which the noise n is 0. An octave is weighted by the ridge of the previous
+/// octave (after F. K. Musgrave's ridged multifractal, in Ebert et al., "Texturing and Modeling", 2003). If
+/// the sum is certain to stay below `least`, the function may return any number below `least`.
 template <class T>
 T ridges_of(const NoiseLattice& lattice, const NoiseNumbers<T>& noise, const T at[3], double least = 0.0) {
   constexpr double kReach = 0.6, kRounding = 0.02;  // of the crest, so that it has a slope everywhere

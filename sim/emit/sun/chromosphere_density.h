@@ -1,12 +1,14 @@
-// The density of a chromosphere: turbulence, cut off, and a bias from a map (rows C2 to C5 of the source).
+// The density of a chromosphere: turbulence with a cutoff, plus a bias from a map (rows C2 to C5 of the
+// source).
 //
 //   x(place)  = sum over octaves i of roughness^i |n(1.99^i p)|,   p = place / scale + shift,
 //   F(x)      = amplitude (1 - exp(-(x - coverage) sharpness)), 0 where that is negative,
 //   density   = F(x) + peak texel(latitude, longitude), 0 where that is negative;
-// without the cutoff x stands for F(x). The turbulence is that of M. Pharr and G. Humphreys, "Physically
-// based rendering" (2004), chapter 11, whose lattice is 1.99 and not 2 times finer by the octave so that the
-// zeros of the lattices do not fall together; n is the gradient noise of sim/base/number/noise_lattice.h.
-// Where the Sun turns (solar_rotation.h), noise and map are those of the place that has come here by then.
+// without the cutoff F(x) is x. The turbulence is that of M. Pharr and G. Humphreys, "Physically based
+// rendering" (2004), chapter 11, whose lattice becomes finer by 1.99 and not 2 per octave, so that the zeros
+// of the lattices do not coincide; n is the gradient noise of sim/base/number/noise_lattice.h. Where the Sun
+// turns (solar_rotation.h), noise and map are evaluated at the place that has moved to this point by the
+// instant.
 #pragma once
 
 #include <memory>
@@ -21,7 +23,7 @@
 
 namespace vegard::sim {
 
-/// F of the head of this file.
+/// The function F of this file's first comment.
 template <class T>
 T cloud_cutoff(const T& x, const T& coverage, const T& sharpness, const T& amplitude) {
   const T over = (x - coverage) * sharpness;
@@ -32,16 +34,16 @@ T cloud_cutoff(const T& x, const T& coverage, const T& sharpness, const T& ampli
 template <class T>
 class ChromosphereDensity {
  public:
-  /// Of chromosphere `index` of the scene, at an instant of its clock: without one, at time.start_s.
-  /// `biasmap` is its picture, of one channel, or null; it must outlive this.
+  /// The density of chromosphere `index` of the scene at an instant of its clock; by default at time.start_s.
+  /// `biasmap` is its picture, with one channel, or null; it must outlive this object.
   ChromosphereDensity(const Scene& scene, int index, const Image* biasmap, const NumberAs<T>& number,
                       std::optional<double> instant_s = std::nullopt);
 
-  /// At a place in the Sun's frame, whatever the two radii are.
+  /// Returns the density at a place in the Sun's frame, without regard to the inner and outer radius.
   T at(const T place[3]) const;
 
  private:
-  /// The turbulence x; where it stays below `least` for certain, anything below that.
+  /// Returns the turbulence x; if x is certain to be below `least`, it may return any number below `least`.
   T turbulence(const T place[3], double least) const;
 
   T at_first(const T place[3]) const;

@@ -1,11 +1,11 @@
 // A chromosphere's light along rays: emission and absorption, in rayleighs.
 //
-// A ray has one way through it or two: from the sphere outside to the one inside, and out again; where it
-// misses the one inside they meet at its place nearest to the middle. Each way is cut at multiples of `step`
-// from its beginning, so that neighbouring rays look at the same depths; a piece is taken as uniform, with
-// what stands in its middle. Within one of optical depth tau, (1 - exp(-tau)) / tau of its light comes out
-// and exp(-tau) of the light behind it (S. Chandrasekhar, "Radiative Transfer", 1950, chapter I). For T =
-// FreeDual the derivatives are those of the very sum.
+// A ray has one or two paths through it: from the outer sphere to the inner one, and out again; if it misses
+// the inner sphere, the paths meet at its point nearest to the middle. Each path is cut at multiples of
+// `step` from its beginning, so that neighbouring rays are sampled at the same depths; a piece is taken as
+// uniform, with the values at its middle. From a piece of optical depth tau, (1 - exp(-tau)) / tau of its own
+// light emerges, and exp(-tau) of the light behind it (S. Chandrasekhar, "Radiative Transfer", 1950, chapter
+// I). For T = FreeDual the derivatives are exactly those of this sum.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,8 @@ namespace vegard::sim {
 template <class T>
 class ChromosphereEmitter : public Emitter<T> {
  public:
-  /// Of chromosphere `index` of the scene; `biasmap` and instant as in sim/emit/sun/chromosphere_density.h.
+  /// The emitter of chromosphere `index` of the scene; `biasmap` and `instant_s` are as in
+  /// sim/emit/sun/chromosphere_density.h.
   ChromosphereEmitter(const Scene& scene, int index, const Image* biasmap, const NumberAs<T>& number,
                       std::optional<double> instant_s = std::nullopt);
 
@@ -31,7 +32,7 @@ class ChromosphereEmitter : public Emitter<T> {
   struct RaySum;
   void march_ray(const SkyRay<T>& ray, const T& end_km, std::size_t index, std::size_t rays,
                  const BundleLight<T>& out) const;
-  /// False once nothing more comes through.
+  /// Marches one path. Returns false once the transmission is negligible.
   bool march_way(const SkyRay<T>& ray, const T& first, const T& last, RaySum& sum) const;
 
   SunFrame<T> frame_;

@@ -1,9 +1,9 @@
-// The light that a corona gives off at a place.
+// The light that a corona emits or scatters at a place.
 //
 //   density = density0 (Σ share (r / R)^-power) (1 + (polar - 1) sin²(latitude)),
-// and the light is that, its square, or, "scattered", density times the photosphere's light that reaches the
-// place and is scattered to the observer (sim/emit/sun/thomson.h), of what density 1 would scatter at the
-// photosphere at a right angle.
+// and the light is the density, its square, or, for "scattered", the density times the photosphere's light
+// that is scattered at the place to the observer (sim/emit/sun/thomson.h), relative to that scattered at a
+// right angle at the photosphere.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ class CoronaSource {
 
   /// `square` is r², in the Sun's unit.
   T density(const T& square, const T& square_sine_latitude) const;
-  /// What `rayleigh` of the scene is to be multiplied by; chi is the angle between the vertical and the
-  /// direction to the observer.
+  /// Returns the factor on `rayleigh` of the scene; chi is the angle between the vertical and the direction
+  /// to the observer.
   T light(const T& square, const T& square_sine_latitude, const T& square_sine_chi) const;
 
  private:

@@ -1,4 +1,4 @@
-// A picture by heliographic latitude and longitude.
+// A picture as a function of heliographic latitude and longitude.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,16 @@
 
 namespace vegard::sim {
 
-/// Equirectangular: rows from the north pole down to the south pole, columns from longitude -180° to 180°;
-/// pixels are areas, their values stand in their middles. Linear in between, round the Sun and up to the
-/// first and last row's middles, beyond which, at the poles, those rows' values stand.
+/// An equirectangular picture: rows from the north pole to the south pole, columns from longitude -180° to
+/// 180°; pixels are areas whose values apply at their middles. The interpolation is linear, and periodic in
+/// longitude; between the middles of the first and last rows and the poles these rows' values are used.
 class LatitudeMap {
  public:
-  /// Of one channel. `picture` must outlive it.
+  /// `picture` has one channel and must outlive this object.
   explicit LatitudeMap(const Image& picture) : picture_(picture) {}
 
-  /// At a place in the Sun's frame (sim/emit/sun/sun_frame.h), at any height but 0.
+  /// Returns the value at a place in the Sun's frame (sim/emit/sun/sun_frame.h), at any distance but 0 from
+  /// the middle.
   template <class T>
   T at(const T place[3]) const {
     constexpr double kTurn = 6.28318530717958647693;

@@ -1,4 +1,4 @@
-// Light of density 1 to a unit of path, per emission line, of something on the Sun.
+// The light of density 1 per unit of path and emission line, of emitters on the Sun.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace vegard::sim {
 
-/// What is left of a line's light at a temperature in MK, above 0 (sim/scene/lines/solar_lines.h).
+/// Returns the factor on a line's light at a temperature in MK, above 0 (sim/scene/lines/solar_lines.h).
 template <class T>
 T response_at(const TemperatureResponse& response, const T& temperature_mk) {
   const T off = (logarithm(temperature_mk) * (1.0 / std::log(10.0)) + (6.0 - response.peak_log_k)) *
@@ -18,8 +18,8 @@ T response_at(const TemperatureResponse& response, const T& temperature_mk) {
   return exponential(off * off * -0.5);
 }
 
-/// `rayleigh` per line of the scene, or empty: dark. Of a temperature in MK that is not 0, lines that have a
-/// response to it are weakened by it (sim/scene/lines/solar_lines.h).
+/// Returns `rayleigh`, per line of the scene (or empty: dark). If the temperature in MK is not 0, lines with
+/// a response to temperature are multiplied by it (sim/scene/lines/solar_lines.h).
 template <class T>
 std::vector<T> line_light(const Scene& scene, const std::vector<double>& rayleigh,
                           const double& temperature_mk, const NumberAs<T>& number) {

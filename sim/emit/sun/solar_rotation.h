@@ -1,7 +1,7 @@
-// How what stands on the Sun turns about its axis as the scene's clock runs.
+// The rotation of places on the Sun about its axis with the scene's clock.
 //
-// Longitudes of a scene are those at time 0; at the time t, what stands at the latitude b has gone on to the
-// west by omega(b) t. The sidereal rates, those that the stars see:
+// Longitudes of a scene are those at time 0; at the time t, a place at the latitude b has moved to the west
+// by omega(b) t. The sidereal rates (relative to the stars) are:
 //   differential  omega = 2.879 - 0.339 sin² b - 0.485 sin⁴ b microradians per second, that is 14.252 - 1.678
 //                 sin² b - 2.401 sin⁴ b degrees a day: the surface's magnetic field (H. B. Snodgrass and R.
 //                 K. Ulrich 1990, ApJ 351, 309), in which loops and active regions have their feet;
@@ -17,8 +17,8 @@
 
 namespace vegard::sim {
 
-/// Radians per second at a latitude, by the square of its sine; 0 without rotation. T is double or
-/// FreeDual.
+/// Returns the rate in radians per second at a latitude, given by the square of its sine; 0 without rotation.
+/// T is double or FreeDual.
 template <class T>
 T rotation_rad_s(SolarRotation rotation, RotationFrame frame, const T& square_sine_latitude) {
   constexpr double kTurn_rad = 6.28318530717958647693, kDay_s = 86400.0;
@@ -40,22 +40,22 @@ T rotation_rad_s(SolarRotation rotation, RotationFrame frame, const T& square_si
   return frame == RotationFrame::synodic ? sidereal - kYear_rad_s : sidereal;
 }
 
-/// By how much the Sun of a scene has turned at an instant of its clock.
+/// The rotation of a scene's Sun at an instant of the scene's clock.
 class SolarTurn {
  public:
   SolarTurn(const Sun& sun, double instant_s)
       : rotation_(sun.rotation), frame_(sun.rotation_frame), instant_s_(instant_s) {}
 
-  /// False: nothing is turned, to the last bit.
+  /// False if nothing is turned; places then stay exactly the same.
   bool turns() const { return rotation_ != SolarRotation::none && instant_s_ != 0.0; }
 
-  /// In radians to the west.
+  /// Returns the rotation in radians to the west.
   template <class T>
   T angle_rad(const T& square_sine_latitude) const {
     return rotation_rad_s(rotation_, frame_, square_sine_latitude) * instant_s_;
   }
 
-  /// The same at the latitude of a place of the Sun's frame, which is not its middle.
+  /// Returns the rotation at the latitude of a place in the Sun's frame other than its middle.
   template <class T>
   T angle_at_rad(const T& x, const T& y, const T& z) const {
     const T north = z * z;
@@ -68,14 +68,14 @@ class SolarTurn {
   double instant_s_;
 };
 
-/// A place turned about the Sun's axis, to the west.
+/// Returns a place turned about the Sun's axis, to the west.
 template <class T>
 Vec3<T> turned_west(const Vec3<T>& place, const T& angle_rad) {
   const T c = cosine(angle_rad), s = sine(angle_rad);
   return {place[0] * c - place[1] * s, place[0] * s + place[1] * c, place[2]};
 }
 
-/// What stands at a place of the Sun's frame as it stands at the instant.
+/// Returns where a place of the Sun's frame has moved by the instant.
 template <class T>
 Vec3<T> turned_by(const SolarTurn& turn, const Vec3<T>& place) {
   if (!turn.turns()) return place;

@@ -1,4 +1,4 @@
-// What stands about the Sun as fields in space, in its frame and unit: for grids.
+// The chromosphere and the corona as fields in space, in the Sun's frame and unit, for grids.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace vegard::sim {
 
-/// Between two spheres about the Sun's middle.
+/// A field between two spheres around the Sun's middle.
 class ShellField : public LightField {
  public:
   double unit_cm() const override { return unit_cm_; }
@@ -21,19 +21,19 @@ class ShellField : public LightField {
 
  protected:
   struct Here {
-    double light, density;  ///< light where the line's is 1
+    double light, density;  ///< `light` for rayleigh = 1 of the line
   };
 
-  /// `light`: rayleighs of density 1 to a unit of path, per line, or empty.
+  /// `light`: rayleighs of density 1 per unit of path, per line, or empty.
   ShellField(const Sun& sun, double inner, double outer, const std::vector<double>& light, int lines);
   virtual Here here(const double place[3]) const = 0;
 
  private:
   double unit_cm_, inner_, outer_;
-  std::vector<double> rate_;  ///< photons cm^-3 s^-1 of density 1, per line
+  std::vector<double> rate_;  ///< photons cm^-3 s^-1 for density 1, per line
 };
 
-/// Its density is what absorbs; 0 if extinction is.
+/// The field's density is the absorbing one; it is 0 if the extinction is 0.
 class ChromosphereField : public ShellField {
  public:
   ChromosphereField(const Scene& scene, int index, const Image* biasmap);
@@ -45,7 +45,7 @@ class ChromosphereField : public ShellField {
   bool absorbs_;
 };
 
-/// Scattered light is that which goes to the scene's observer. It absorbs nothing.
+/// Scattered light is that towards the scene's observer. The corona absorbs nothing.
 class CoronaField : public ShellField {
  public:
   CoronaField(const Scene& scene, const Corona& corona);

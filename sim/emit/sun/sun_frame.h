@@ -1,4 +1,4 @@
-// Where the Sun stands, and a ray in its frame.
+// The Sun's frame, and rays in it.
 //
 // The frame is heliographic and Cartesian: x to latitude 0, longitude 0; y to longitude 90° (west); z to the
 // north pole. Its origin is the Sun's middle, its unit `sun.unit_km`. Longitude grows to the west, to the
@@ -39,20 +39,20 @@ class SunFrame {
   double unit_km() const { return unit_km_; }
   const SkyFrame<T>& sky() const { return sky_; }
 
-  /// From right, up, near to the frame.
+  /// Converts a vector from right, up, near to the Sun's frame.
   void from_sky(const T in_sky[3], T in_sun[3]) const {
     for (int i = 0; i < 3; ++i)
       in_sun[i] = axis_[i][0] * in_sky[0] + axis_[i][1] * in_sky[1] + axis_[i][2] * in_sky[2];
   }
 
-  /// Where the observer is.
+  /// Computes the observer's place.
   void observer(T place[3]) const {
     const T in_sky[3] = {T(0.0), T(0.0), sky_.observer_distance()};
     from_sky(in_sky, place);
   }
 
-  /// A ray from the observer: places along it are nearest + s direction, in units, and s = observer + km /
-  /// unit_km() at so many km from the observer.
+  /// Returns a ray from the observer. Places along it are nearest + s direction, in units; at a distance of d
+  /// km from the observer s = observer + d / unit_km().
   SkyRay<T> ray(const T enu[3]) const {
     const SkyRay<T> in_sky = sky_.ray(enu);
     SkyRay<T> ray = in_sky;
@@ -67,8 +67,8 @@ class SunFrame {
   T axis_[3][3];
 };
 
-/// Where a ray meets a sphere about the Sun's middle: s from -half to half, along the ray from its nearest
-/// place. False if it passes by.
+/// Finds where a ray is inside a sphere around the Sun's middle: s from -half to half, relative to the ray's
+/// nearest point. Returns false if the ray misses it.
 template <class T>
 bool meets_sphere(const SkyRay<T>& ray, const T& radius, T& half) {
   const T square = radius * radius - ray.aside;
@@ -77,7 +77,7 @@ bool meets_sphere(const SkyRay<T>& ray, const T& radius, T& half) {
   return true;
 }
 
-/// A place on the Sun and its directions: east is where longitude falls.
+/// A place on the Sun and its directions; longitude decreases towards east.
 template <class T>
 struct SunPlace {
   T up[3], north[3], west[3];
@@ -92,11 +92,12 @@ SunPlace<T> sun_place(const T& latitude_deg, const T& longitude_deg) {
           {T(0.0) - sin_l, cos_l, T(0.0)}};
 }
 
-// Where a ray to the Sun is stopped.
+// Where a ray towards the Sun is stopped.
 
-/// As a place along the ray, from its nearest place: the photosphere, or what stands nearer to the observer
-/// at `end_km` (RayBundle::end()). It holds the photosphere's distance too, but as a plain number: here it
-/// moves with the Sun, so that derivatives know that it does.
+/// Returns s, relative to the ray's nearest point, where the ray is stopped: at the photosphere, or at
+/// `end_km` (RayBundle::end()) if an object stops the ray nearer to the observer. `end_km` includes the
+/// photosphere too, but as a plain number; here its distance is computed from the Sun's parameters, so that
+/// derivatives include its motion.
 template <class T>
 T ray_stop(const SunFrame<T>& frame, const SkyRay<T>& ray, double radius, const T& end_km) {
   const T stop = ray.observer + end_km * (1.0 / frame.unit_km());

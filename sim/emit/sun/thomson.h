@@ -1,15 +1,15 @@
-// The photosphere's light that free electrons scatter (Thomson).
+// Thomson scattering of the photosphere's light by free electrons.
 //
 // An electron at the distance r sees the Sun as a disc of the half-angle Omega, sin(Omega) = R / r. With
 // c = cos(theta), theta the angle from the disc's middle, mu² = 1 - sin²(theta) / sin²(Omega), and
 //   a = 2 pi ∫ I dc,   b = 2 pi ∫ I c² dc   from c = cos(Omega) to 1,
 //   I = I0 (1 - u (1 - mu) - v (1 - mu)²),
-// what it scatters to where the angle with the vertical is chi, of both polarisations, is
+// the light of both polarisations that it scatters in a direction at the angle chi from the vertical is
 //   (re² / 2) ((a + b) - sin²(chi) (3 b - a) / 2)
-// to a unit of solid angle; re is the classical radius of the electron. With v = 0 these are the functions of
-// H. C. van de Hulst (1950, Bulletin of the Astronomical Institutes of the Netherlands 11, 135), as in
-// D. E. Billings, "A guide to the solar corona" (1966), and T. A. Howard and S. J. Tappin (2009, Space
-// Science Reviews 147, 31): a + b = 2 pi I0 ((1 - u) C + u D), (3 b - a) / 2 = pi I0 ((1 - u) A + u B).
+// per unit of solid angle; re is the classical radius of the electron. With v = 0 these are the functions of
+// H. C. van de Hulst (1950, Bulletin of the Astronomical Institutes of the Netherlands 11, 135), as in D. E.
+// Billings, "A guide to the solar corona" (1966), and T. A. Howard and S. J. Tappin (2009, Space Science
+// Reviews 147, 31): a + b = 2 pi I0 ((1 - u) C + u D), (3 b - a) / 2 = pi I0 ((1 - u) A + u B).
 #pragma once
 
 #include "sim/base/number/constants.h"
@@ -17,7 +17,8 @@
 
 namespace vegard::sim {
 
-/// (a + b) - sin²(chi) (3 b - a) / 2 for I0 = 1; in steradians. `square_sine` is (R / r)², from 0 to 1.
+/// Returns (a + b) - sin²(chi) (3 b - a) / 2 for I0 = 1, in steradians. `square_sine` is (R / r)², from 0 to
+/// 1.
 template <class T>
 T scattered_light(const T& square_sine, const T& square_sine_chi, const T& u, const T& v) {
   constexpr double kMin = 1e-24;  // of cos²(Omega): at the photosphere its root would have no slope

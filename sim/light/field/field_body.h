@@ -1,16 +1,17 @@
-// The field of a patch at a place: one source, included into the plain namespace (double and dual numbers;
-// see sim/light/field/patch_field.h) and into that of every instruction set (packs of floats). No include
-// guard.
+// The field of a patch at a place. This source is included into the ordinary namespace (for double and dual
+// numbers; see sim/light/field/patch_field.h) and into that of every instruction set (for packs of floats).
+// Therefore it has no include guard.
 
-/// A face's place as evenly by the angle as is needed: Padé's approximant of the arctangent.
+/// Transforms a coordinate on a face so that it is nearly proportional to the angle: the Padé approximant of
+/// the arctangent.
 template <class L>
 VEGARD_INLINE L evened(const L& u) {
   const L square = u * u;
   return u * (L(15.0) + L(4.0) * square) / (L(15.0) + L(9.0) * square);
 }
 
-/// `c` is FieldPatch's `coefficient`, or `rounded` for packs of floats; x and y are places times per_place.
-/// Beyond the patch it is the field of its edge.
+/// Computes the field. `c` is FieldPatch's `coefficient`, or `rounded` for packs of floats; x and y are
+/// coordinates times per_place. Beyond the patch the field is that at its edge.
 template <class L, class Number>
 VEGARD_INLINE void field_of_patch(const Number* c, const L& x, const L& y, L field[3]) {
   const auto within = [](const L& place) {
@@ -37,8 +38,8 @@ VEGARD_INLINE void field_of_patch(const Number* c, const L& x, const L& y, L fie
   }
 }
 
-/// The direction of fall at a place of the Earth, a unit vector from its centre: along the field where that
-/// points into the Earth, against it elsewhere.
+/// Computes the direction in which electrons fall at `place`, a unit vector from the Earth's centre: along
+/// the field if it points into the Earth, otherwise against it.
 template <class L>
 VEGARD_INLINE void fall_in_field(const L field[3], const L place[3], L along[3]) {
   const L up = place[0] * field[0] + place[1] * field[1] + place[2] * field[2];

@@ -1,9 +1,10 @@
-// A magnetic field over a part of the Earth as polynomials: what is worked out once, and then read at every
-// foot, by packs of floats as by dual numbers.
+// A magnetic field over a part of the Earth as polynomials, which are computed once and then evaluated at
+// every foot, for packs of floats and for dual numbers.
 //
-// Of each component a sum of products of Chebyshev polynomials of two places, each of a degree of at most
-// kFieldDegree; interpolated at Chebyshev's nodes (W. H. Press et al., "Numerical recipes", 2007, section
-// 5.8). A face's places are first made even by the angle, in which the field is smooth.
+// Each component is a sum of products of Chebyshev polynomials of two coordinates, each of a degree of at
+// most kFieldDegree, interpolated at Chebyshev nodes (W. H. Press et al., "Numerical recipes", 2007,
+// section 5.8). Coordinates on a cube's face are first made nearly proportional to the angle (evened() in
+// field_body.h), in which the field is smooth.
 #pragma once
 
 #include <array>
@@ -13,16 +14,16 @@ namespace vegard::sim {
 inline constexpr int kFieldDegree = 12;
 inline constexpr int kFieldTerms = (kFieldDegree + 1) * (kFieldDegree + 1);
 
-/// How far a patch of a plane reaches to each side, in km; beyond it the field is that of its edge.
+/// Half the width, in km, of a patch in the tangent plane; beyond it the field is that at its edge.
 inline constexpr double kFieldReachKm = 3000.0;
-/// The same of a cube's face, whose own places go from -1 to 1.
+/// Half the width of a patch on a cube's face, whose coordinates go from -1 to 1.
 inline constexpr double kFieldReachOfFace = 1.3;
 
 struct FieldPatch {
-  double per_place = 1.0;  ///< times a place, of a face evened(): from -1 to 1 over the patch
-  /// [component][term], of T_i(x) T_j(y) by i and then j; in units of 50000 nT.
+  double per_place = 1.0;  ///< factor on coordinates (on a face: after evened()) to -1 .. 1 over the patch
+  /// [component][term] of T_i(x) T_j(y), ordered by i and then j; in units of 50000 nT.
   std::array<double, 3 * kFieldTerms> coefficient{};
-  std::array<float, 3 * kFieldTerms> rounded{};  ///< the same
+  std::array<float, 3 * kFieldTerms> rounded{};  ///< `coefficient` as floats
 
   template <class Number>
   const Number* numbers() const;

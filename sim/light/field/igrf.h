@@ -1,9 +1,9 @@
 // The International Geomagnetic Reference Field, IGRF-14: the main field of the Earth by place and time.
 //
-// Source: data/field/igrf14.csv, which names its own; the expansion and Schmidt's normalisation as in P.
-// Alken et al., Earth Planets Space 73, 49, 2021, equations 1 and 2; recurrences of the associated Legendre
-// functions of R. A. Langel in J. A. Jacobs (ed.), Geomagnetism 1, 1987. Geodetic places by the ellipsoid
-// WGS 84. Between its years, five apart, the coefficients are linear.
+// Source: data/field/igrf14.csv, which names its own source; the expansion and Schmidt's normalisation as in
+// P. Alken et al., Earth Planets Space 73, 49, 2021, equations 1 and 2; recurrences of the associated
+// Legendre functions of R. A. Langel in J. A. Jacobs (ed.), Geomagnetism 1, 1987. Geodetic coordinates are
+// those of the ellipsoid WGS 84. The coefficients are given every five years and interpolated linearly.
 #pragma once
 
 #include <array>
@@ -21,14 +21,14 @@ struct FieldVector {
 /// The field at a time.
 class Igrf {
  public:
-  /// From kFirstIgrfYear to kLastIgrfYear, with its fraction.
+  /// `year`: decimal, from kFirstIgrfYear to kLastIgrfYear.
   explicit Igrf(double year);
 
-  /// At a geodetic place, north, east and down of the ellipsoid there.
+  /// Returns the field at a geodetic place; north, east and down are those of the ellipsoid.
   FieldVector at(double latitude_deg, double longitude_deg, double altitude_km) const;
 
  private:
-  /// At a geocentric place: north, east and down of the sphere.
+  /// Returns the field at a geocentric place; north, east and down are those of the sphere.
   FieldVector on_sphere(double sin_latitude, double cos_latitude, double longitude_rad,
                         double radius_km) const;
 

@@ -1,4 +1,4 @@
-// Patches of the reference field, and the field of a patch at a place, for double and for dual numbers.
+// Computes patches of the reference field, and evaluates them for double and for dual numbers.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ inline T select(bool which, const T& yes, const T& no) {
 #include "sim/light/field/field_body.h"
 #undef VEGARD_INLINE
 
-/// In the site's east, north and up, by east and north of the foot at kFootAltitudeKm in the tangent plane,
-/// in km. Latitudes of the scene's sphere count as geodetic ones.
+/// Returns the field in the site's east, north and up, as a function of the foot's east and north at
+/// kFootAltitudeKm in the tangent plane, in km. Latitudes on the scene's sphere are used as geodetic ones.
 std::shared_ptr<const FieldPatch> plane_field(const Igrf& igrf, const Site& site);
 
-/// In the Earth's axes, by the places on the faces of a cube about its centre
-/// (sim/emit/footprint/map/footprint_map.h). The field stands where the Earth is; the cube has been turned to
-/// the east by an angle.
+/// Returns the field in the Earth's axes, as a function of the coordinates on the faces of a cube about its
+/// centre (sim/emit/footprint/map/footprint_map.h). The field is fixed to the Earth; the cube is rotated to
+/// the east by `turned_deg`.
 std::shared_ptr<const std::array<FieldPatch, 6>> face_fields(const Igrf& igrf, double turned_deg);
 
 }  // namespace vegard::sim

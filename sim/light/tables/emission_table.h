@@ -1,4 +1,5 @@
-// Volume emission rates against altitude and the energy of electrons: one table of a folder of them.
+// An emission table: volume emission rates against altitude and the energy of electrons, from one file of a
+// folder of tables.
 #pragma once
 
 #include <map>
@@ -10,7 +11,7 @@
 
 namespace vegard::sim {
 
-/// A rate and how it grows with the logarithms of the electrons' energy and of the factor of atomic oxygen.
+/// A rate and its derivatives by the logarithms of the electrons' energy and of the factor of atomic oxygen.
 struct Emission1d {
   double rate = 0.0;  ///< photons cm^-3 s^-1 at Q = 1 mW m^-2
   double d_rate_d_ln_energy = 0.0;
@@ -19,14 +20,15 @@ struct Emission1d {
 
 /// A table such as data/glow/ver_maxwellian.csv (Solomon 2017, doi:10.1002/2017JA024314): Q = 1 mW m^-2,
 /// background subtracted. Between the tabulated energies log(rate) is a natural cubic spline in log(E);
-/// rates below 1e-6 of a line's peak at that energy are raised to it, so that the logarithm exists. Between
-/// factors of atomic oxygen the same is a natural cubic spline in log(factor).
+/// rates below 1e-6 of a line's peak at that energy are raised to this value, so that the logarithm exists.
+/// Between factors of atomic oxygen log(rate) is a natural cubic spline in log(factor).
 class EmissionTable {
  public:
-  /// Out of columns called oxygen_factor (which may be missing: then the factor is 1), `energy_column` and
-  /// altitude_km, and any others, which are rates: factor by factor and energy by energy with the same
-  /// altitudes. Throws Error(unreadable_input) with the row unless all rows are there in that order, factors
-  /// (16 at most, one of them 1), energies and altitudes increase, and no rate is negative.
+  /// Reads a table with the columns oxygen_factor (optional; 1 if missing), `energy_column` and altitude_km;
+  /// all other columns are rates. Rows are ordered by factor, then energy, then altitude, with the same
+  /// energies and altitudes throughout. Throws Error(unreadable_input) with the row unless all rows are
+  /// present in this order, factors (16 at most, one of them 1), energies and altitudes increase, and no rate
+  /// is negative.
   explicit EmissionTable(const CsvTable& table, const std::string& energy_column = "E0_keV");
 
   const std::vector<double>& energies_kev() const { return energies_kev_; }
@@ -35,8 +37,8 @@ class EmissionTable {
   bool has(const std::string& column) const { return log_rate_.count(column) > 0; }
   std::vector<std::string> columns() const;  ///< of rates, in alphabetical order
 
-  /// The rate at every tabulated altitude, for one column ("ver_5577") and one energy inside the table's
-  /// range.
+  /// Returns the rate at every tabulated altitude, for one column ("ver_5577") and one energy, which must be
+  /// inside the table's range.
   std::vector<Emission1d> at_energy(const std::string& column, double energy_kev,
                                     double oxygen_factor = 1.0) const;
 
@@ -50,9 +52,10 @@ class EmissionTable {
   std::map<std::string, std::vector<double>> log_curvature_;  ///< likewise, of the splines in log energy
 };
 
-/// What each of `factors` counts for at `factor`, since a natural cubic spline in ln(factor) is linear in its
-/// values; `slope` is the derivative of that by ln(factor). Beyond the factors the spline goes on straight,
-/// as a power law of the rates. Of a single factor {1, 0}.
+/// Returns the weights by which values at `factors` are interpolated at `factor`: a natural cubic spline in
+/// ln(factor) is linear in its values. SplineValue::slope is the derivative of the weight by ln(factor).
+/// Beyond the factors the spline continues linearly, that is, rates as a power law. For a single factor {1,
+/// 0}.
 std::vector<SplineValue> oxygen_weights(const std::vector<double>& factors, double factor);
 
 }  // namespace vegard::sim

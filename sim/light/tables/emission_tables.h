@@ -1,8 +1,8 @@
-// The emission tables of a scene: all numbers by which electrons become light.
+// The emission tables of a scene: all numbers that relate electrons to their light.
 //
-// A set of them is a folder (docs/file_formats.md, "Emission tables") that emission.tables names: GLOW's,
-// which come with the program, or one of the user's own. Each is read once for the whole process and shared
-// between threads.
+// A set of tables is a folder (docs/file_formats.md, "Emission tables") that emission.tables names: GLOW's,
+// which are part of vegard, or one of the user. Each folder is read once per process and shared between
+// threads.
 #pragma once
 
 #include <memory>
@@ -19,14 +19,14 @@
 
 namespace vegard::sim {
 
-/// The altitudes that tables must reach: those of height profiles (sim/light/height_profile.h).
+/// The altitudes that tables must cover: those of height profiles (sim/light/height_profile.h).
 inline constexpr double kTablesBottomKm = 80.0, kTablesTopKm = 640.0;
 
 class EmissionTables {
  public:
-  /// Throws Error(unreadable_input) with file and line for whatever is wrong: a column that a line needs is
-  /// missing, rows are (emission_table.h, flux_law.h, tables_air.h), altitudes do not reach from 80 to 640 km
-  /// or energies from 0.1 to 19.9 keV, or the tables have different factors of oxygen.
+  /// Throws Error(unreadable_input) with file and line if a column that a line needs is missing, if rows are
+  /// missing or invalid (emission_table.h, flux_law.h, tables_air.h), if altitudes do not cover 80 to 640 km
+  /// or energies 0.1 to 19.9 keV, or if the tables have different factors of oxygen.
   explicit EmissionTables(std::shared_ptr<const TableFolder> folder);
   explicit EmissionTables(const TableFolder& folder)
       : EmissionTables(std::make_shared<const TableFolder>(folder)) {}
@@ -35,11 +35,12 @@ class EmissionTables {
   const FluxFactors& flux_factors() const { return flux_factors_; }
   const std::vector<StoppingAir>& air() const { return air_; }
 
-  /// Read at the first call, and made where the folder has no ver_mono.csv. Throws as the constructor does.
+  /// The table of mono-energetic electrons: read at the first call, or computed from the others if the folder
+  /// has no ver_mono.csv. Throws as the constructor does.
   const MonoEnergeticTable& mono() const;
   bool has_mono_file() const;
 
-  /// Of Maxwellian electrons: what all energies are limited to.
+  /// Energies of the table for Maxwellian electrons; energies of scenes are limited to their range.
   const std::vector<double>& energies_kev() const { return maxwellian_.energies_kev(); }
 
  private:
@@ -53,20 +54,20 @@ class EmissionTables {
   mutable std::unique_ptr<MonoEnergeticTable> mono_;
 };
 
-/// Those of the program by name, such as "glow", and those of a scene. They live as long as the process.
-/// Throw what EmissionTables and built_in_tables() throw.
+/// Return vegard's own tables by name, such as "glow", and the tables of a scene. The reference is valid
+/// until the process ends. Throw what EmissionTables and built_in_tables() throw.
 const EmissionTables& emission_tables(const std::string& built_in);
 const EmissionTables& emission_tables(const Scene& scene);
 
-/// What every height profile begins with: tables, and the factor of atomic oxygen, inside of theirs.
+/// The inputs of every height profile: tables, and the factor of atomic oxygen, within the tables' range.
 struct EmissionSource {
   const EmissionTables& tables;
   double oxygen_factor = 1.0;
 };
 EmissionSource emission_source(const Scene& scene);
 
-/// Where tables have a line's light: a column of its own, called by its wavelength ("ver_6705"), or that of
-/// EmissionLine::table_column times its ratio. For lines of the aurora.
+/// The column of a table that has a line's light: the line's own column, named by its wavelength
+/// ("ver_6705"), or that of EmissionLine::table_column times its ratio. For lines of the aurora.
 struct LineColumn {
   std::string name;
   double ratio = 1.0;
@@ -74,13 +75,13 @@ struct LineColumn {
 template <class Table>
 LineColumn column_of(const EmissionLine& line, const Table& table);
 
-/// Throws Error unless the scene's tables can be read and have its factor of atomic oxygen: Error(scene) at
-/// emission.oxygen_factor where it, or a limit or start that fit.free has for it, is outside of theirs, or it
-/// is free and they have but one.
+/// Throws Error unless the scene's tables can be read and suit its factor of atomic oxygen: Error(scene) at
+/// emission.oxygen_factor if the factor, or a limit or start in fit.free, is outside of the tables' range, or
+/// if the factor is free and the tables have only one.
 void check_emission_tables(const Scene& scene);
 
-/// Of a scene that has passed: an entry of fit.free for emission.oxygen_factor without limits gets those of
-/// the tables.
+/// Sets the missing limits of an entry of fit.free for emission.oxygen_factor to those of the tables. The
+/// scene must have passed check_emission_tables().
 void limit_free_oxygen(Scene& scene);
 
 }  // namespace vegard::sim

@@ -1,25 +1,24 @@
-// The light of mono-energetic electrons: a table of its own (ver_mono.csv) where the emission tables have
-// one, beyond whose energies the light is that of its end; else made so that the Maxwellian made out of it is
-// that of the emission tables.
+// The light of mono-energetic electrons. If the emission tables include a table of it (ver_mono.csv), this is
+// used; beyond its energies the light is that at its end. Otherwise the light is derived from the tables for
+// Maxwellian electrons, so that its integral over a Maxwellian spectrum reproduces these tables.
 //
-// Of tables that know Maxwellian electrons only, a line's light at an altitude is taken to be
+// Then a line's light at an altitude is assumed to be
 //
 //     v(h; E) = q(h; s(E)) Y(h; E/2)
 //
 // with q the ion pairs of Fang et al. 2010 (sim/light/tables/ionisation.h) and Y the light per ion pair of
-// the Maxwellian electrons that have the same mean energy, E0 = E/2: the tables' light over the ion pairs of
-// the Maxwellian that is made out of q. What Fang's and GLOW's transport have in common with both, ion pairs
-// per energy and the line's photochemistry, cancels. Two things are ours, and were chosen by what they bring
-// (docs/validation.md, "Mono-energetic electrons"):
+// Maxwellian electrons with the same mean energy, E0 = E/2: the tables' light over the ion pairs that q gives
+// for this Maxwellian. Errors that the single energy and the Maxwellian have in common, in the ion pairs per
+// energy and in the line's photochemistry, cancel. Two choices are vegard's own; their effects are in
+// docs/validation.md, "Mono-energetic electrons":
 //
 // - s(E) = 0.76 E (E/keV)^0.03. GLOW's two streams lose a fifth of the energy to space and stop higher up:
-// with
-//   s = E the ionisation of a Maxwellian peaks 1.2 km (E0 above 5 keV) to 20 km (below 0.5 keV) too low. The
-//   two numbers bring the shapes of ionisation_electron together, on average over the tables' energies.
-// - Y is corrected once: the Maxwellian made out of v is compared with the tables, and the quotient
-// multiplies Y.
+//   with s = E the ionisation of a Maxwellian peaks 1.2 km (E0 above 5 keV) to 20 km (below 0.5 keV) too low.
+//   With the two numbers the shapes of ionisation_electron agree best, on average over the tables' energies.
+// - Y is corrected once: the integral of v over a Maxwellian is compared with the tables, and Y is multiplied
+//   by the quotient.
 //
-// Beyond the tables' energies (of data/glow below E = 0.2 keV and above 40 keV) Y is that of their end.
+// Beyond the tables' energies (for data/glow below E = 0.2 keV and above 40 keV) Y is that at their end.
 // Between factors of atomic oxygen ln Y is a natural cubic spline in the logarithm of the factor, as the
 // tables' rates are.
 #pragma once
@@ -34,8 +33,8 @@
 
 namespace vegard::sim {
 
-/// The logarithm of a rate, and how it grows with those of the electrons' energy and of the factor of atomic
-/// oxygen.
+/// The logarithm of a rate, and its derivatives by the logarithms of the electrons' energy and of the factor
+/// of atomic oxygen.
 struct MonoRate {
   double value = 0.0;
   double slope = 0.0;
@@ -44,18 +43,18 @@ struct MonoRate {
 
 class MonoEnergeticTable {
  public:
-  /// Of a table of mono-energetic electrons.
+  /// Uses a table of mono-energetic electrons.
   explicit MonoEnergeticTable(EmissionTable table);
 
-  /// Made for all columns of a table of Maxwellian electrons, in this air, which has its altitudes. Takes a
-  /// tenth of a second.
+  /// Derives the light for all columns of a table of Maxwellian electrons, in this air, which must have the
+  /// table's altitudes. Takes a tenth of a second.
   MonoEnergeticTable(const EmissionTable& maxwellian, const std::vector<StoppingAir>& air);
 
   const std::vector<double>& altitudes_km() const { return altitudes_km_; }
   bool has(const std::string& column) const;
 
-  /// ln of the rate at altitudes_km(), at Q = 1 mW m^-2, for a column of the tables. Of a made one twice
-  /// differentiable in the energy but where Y is held, once there.
+  /// Returns ln of the rate at altitudes_km(), at Q = 1 mW m^-2, for a column of the tables. A derived rate
+  /// is twice differentiable by the energy, but only once where Y becomes constant.
   std::vector<MonoRate> at_energy(const std::string& column, double energy_kev,
                                   double oxygen_factor = 1.0) const;
 
@@ -68,18 +67,19 @@ class MonoEnergeticTable {
 
   std::optional<EmissionTable> table_;
   std::vector<double> altitudes_km_;
-  // Of a made one:
+  // Of a derived table:
   std::vector<StoppingAir> air_;
   std::vector<double> factors_;
   std::vector<double> log_energies_;  ///< of the mono-energetic electrons, twice the tables' E0
   std::map<std::string, std::vector<Yield>> yields_;  ///< [factor * altitudes + altitude]
 };
 
-/// The energy that reaches as deep after Fang et al. 2010 as E does in GLOW: s(E) above.
+/// Returns s(E) (see the file's comment): the energy that penetrates as deep by Fang et al. 2010 as E does in
+/// GLOW.
 double range_energy_kev(double energy_kev);
 
-/// The electrons of a Maxwellian, phi(E) = E exp(-E/E0), in pieces: energies evenly spaced in ln(E), and of
-/// each the share of the energy flux.
+/// One term of the sum for a Maxwellian, phi(E) = E exp(-E/E0): energies are evenly spaced in ln(E), each
+/// with its share of the energy flux.
 struct SpectrumPiece {
   double energy_kev = 0.0;
   double share = 0.0;

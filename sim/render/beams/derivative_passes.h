@@ -1,4 +1,4 @@
-// Which free parameters one pass of the kernel takes the derivatives by.
+// Divides the free parameters among passes of the kernel, which carries a limited number of derivatives.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ struct DerivativePass {
   std::size_t first = 0, count = 0;
 };
 
-/// As few passes as will do, at least one: none has more than kTangentWidth parameters, nor more that beams
-/// share than the kernel carries (kMaxCarried less beam_inputs, sim/light/sample.h). `free` are numbers of
-/// the scene.
+/// Returns the smallest number of passes, at least one, of which none has more than kTangentWidth parameters,
+/// nor more parameters common to all beams than the kernel carries (kMaxCarried - beam_inputs,
+/// sim/light/sample.h). `free` are parameters of the scene.
 std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free);
 
 }  // namespace vegard::sim

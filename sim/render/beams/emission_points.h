@@ -1,5 +1,5 @@
-// Points of space that give off light: what a beam's deflection points are to programs that render in their
-// own way (sim/render/beams/points.h).
+// Points in space that emit light: the deflection points of beams for other rendering programs
+// (sim/render/beams/points.h).
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace vegard::sim {
 
-/// Some of the points, in order.
+/// A batch of points, in order.
 struct EmissionPoints {
   int lines = 0;
   std::vector<float> position_in_enu_km;  ///< [point * 3]: east, north, up of the observer

@@ -1,4 +1,4 @@
-// Beams on a film, by whatever lens is before it: values, records and derivatives.
+// Lets beams fall and adds their light to a film, for any lens: values, records and derivatives.
 #if defined(VEGARD_SIM_RENDER_FALLS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_RENDER_FALLS_INL_H_
 #undef VEGARD_SIM_RENDER_FALLS_INL_H_
@@ -53,8 +53,8 @@ HWY_INLINE void splat_from_profile(float column, float row, float light, float a
                    light_at<kQuartets>(altitude, light * static_cast<float>(kFilmUnitsPerRayleigh), profile));
 }
 
-/// Where the samples of a block go: what splat_from_profile works out for one sample, for sixteen at a time.
-/// Nothing in it means anything where the light is 0.
+/// Where the samples of a block go: computes for sixteen samples at a time what splat_from_profile computes
+/// for one. Entries are undefined where the light is 0.
 struct BlockPlaces {
   HWY_ALIGN std::int32_t cell[kBlockSteps][kGroup], profile_row[kBlockSteps][kGroup];
   HWY_ALIGN float left[kBlockSteps][kGroup], right[kBlockSteps][kGroup];
@@ -86,15 +86,15 @@ struct BlockPlaces {
   }
 };
 
-/// A thread's block. A function of its own, so that there is one of a kind: what is thread_local is taken out
-/// of every thread's stack, used or not, and too much of it leaves none.
+/// Returns a thread's block. This is a separate function so that there is only one block for each kLocals:
+/// thread_local objects take stack space in every thread, used or not.
 template <int kLocals>
 SampleBlock<float, kLocals>& block_of_thread() {
   static thread_local SampleBlock<float, kLocals> block;
   return block;
 }
 
-/// Gives every block with something to see to `take`.
+/// Passes every block with visible samples to `take`.
 template <template <class> class Film, bool kSee = true, class Take>
 HWY_INLINE std::uint64_t fall_values(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      const Take& take) {
@@ -157,7 +157,7 @@ std::uint64_t fall_and_record(const KernelScene& scene, const BeamGroup* groups,
       });
 }
 
-/// The parts of fall_on_film before the film, to no effect.
+/// Does the part of fall_on_film before the film without any result.
 template <template <class> class Film>
 std::uint64_t fall_until_phase(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                FallPhase phase) {
@@ -183,7 +183,8 @@ std::uint64_t record_on(const KernelScene& scene, const BeamGroup* groups, std::
                                        : fall_and_record<Film, 2>(scene, groups, count, record);
 }
 
-/// From a group's local inputs to the free parameters: the chain rule, once per number.
+/// Converts derivatives with respect to a group's local inputs to those with respect to the free parameters
+/// by the chain rule, once per number.
 template <int kLocals>
 class Expansion {
  public:
@@ -209,8 +210,8 @@ class Expansion {
   Wide rows_[kLocals];
 };
 
-/// The local inputs that the kernel is to carry, at most kMaxCarried: the beams' own, then those of the
-/// shared ones that are free, then others, so that any number of the first will do.
+/// The local inputs whose derivatives the kernel carries, at most kMaxCarried: first the beams' own, then the
+/// shared ones that are free, then others, so that any number of leading ones can be used.
 class CarriedInputs {
  public:
   explicit CarriedInputs(const SharedChain& shared) {

@@ -1,7 +1,7 @@
-// The kernel's door: beams in, light on a film out. One call works through groups of sixteen beams on one
-// thread.
+// The interface of the kernel: beams in, light on a film out. One call processes groups of sixteen beams on
+// one thread.
 //
-// Behind it is what is compiled once per instruction set; what crosses the door are plain arrays
+// The implementation is compiled once per instruction set; the interface passes plain arrays
 // (sim/render/beams/kernel_types.h).
 #pragma once
 
@@ -14,38 +14,39 @@
 
 namespace vegard::sim {
 
-/// Lets the groups fall on `film`, [row][column][stride] integers, stride as in the profiles. Returns the
-/// number of deflection points computed.
+/// Adds the light of the groups to `film`, [row][column][stride] integers, with the stride of the profiles.
+/// Returns the number of deflection points computed.
 std::uint64_t fall_on_film(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                            std::int64_t* film);
 
-/// The same, and the derivatives on `tangents`.
+/// Does the same, and adds the derivatives to `tangents`.
 std::uint64_t fall_on_film_with_tangents(const KernelScene& scene, const SharedChain& shared,
                                          const BeamGroup* groups, const GroupChain* chains, std::size_t count,
                                          std::int64_t* film, TangentFilm& tangents);
 
-/// The reference: the same kernel over double, on a film of rayleighs in double. Slow.
+/// The reference for tests: the same kernel in double precision, on a film of rayleighs in double. Slow.
 std::uint64_t fall_on_film_reference(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                                      double* film);
 
-/// Adds precomputed light at precomputed places in the very way of fall_on_film: the floor that benchmarks
-/// compare with. Points are beam by beam; weights[point * stride + line] in rayleighs, column and row in
-/// cells as the splat has them.
+/// Adds precomputed light at precomputed places exactly as fall_on_film does: the lower limit of its time in
+/// benchmarks. Points are in the order of the beams; weights[point * stride + line] are in rayleighs, column
+/// and row in cells.
 void splat_on_film(const FilmGeometry& geometry, int stride, const float* column, const float* row,
                    const float* weights, std::size_t points, std::int64_t* film);
 
-/// The part of fall_on_film before the film, to no effect: for benchmarks.
+/// Does the part of fall_on_film before the film without any result; for benchmarks.
 std::uint64_t fall_until(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                          FallPhase phase);
 
-/// Appends to `record` what fall_on_film would splat. Returns the number of deflection points computed.
+/// Appends to `record` the samples that fall_on_film would add to the film. Returns the number of deflection
+/// points computed.
 std::uint64_t record_splats(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                             SplatRecord& record);
 
-/// Appends the points of the groups to `out`, whether the film has them or not.
+/// Appends the points of the groups to `out`, whether they are on the film or not.
 void list_points(const KernelScene& scene, const BeamGroup* groups, std::size_t count, EmissionPoints& out);
 
-/// The instruction set that fall_on_film was dispatched to, "AVX3".
+/// Returns the instruction set that fall_on_film was dispatched to, such as "AVX3".
 const char* kernel_instruction_set();
 
 }  // namespace vegard::sim

@@ -1,5 +1,4 @@
-// What is behind the kernel's door for every lens but a plain pinhole: the same functions as in
-// sim/render/beams/kernel.h.
+// The functions of sim/render/beams/kernel.h for every lens except a plain pinhole.
 #pragma once
 
 #include <cstddef>

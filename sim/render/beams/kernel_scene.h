@@ -1,4 +1,4 @@
-// What a scene's beams share, in the kernel's terms; and how the numbers of a scene become dual numbers.
+// Makes the kernel's data that all beams of a sheet share, and turns parameters of a scene into dual numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace vegard::sim {
 
-/// Turns numbers of a scene into dual numbers: the tangent is 1 for a free parameter's own number. Stands for
-/// `count` free parameters from `first` on, one pass of the kernel. Whoever works out light holds plain
-/// structs of the scene and asks for their members: here alone a member is looked up among the places of the
-/// free.
+/// Turns parameters of a scene into dual numbers: a free parameter has the tangent 1 for itself. One object
+/// covers one pass of the kernel, `count` free parameters from `first` on. The code that computes light uses
+/// plain structs of the scene and passes their members; only here is a member's address looked up among those
+/// of the free parameters.
 class Seeds {
  public:
   Seeds(const Scene& scene, const std::vector<ParameterId>& free, std::size_t first, std::size_t count);
@@ -27,28 +27,29 @@ class Seeds {
   std::vector<const double*> places_;
 };
 
-/// The same for who wants no derivatives.
+/// Replaces Seeds where no derivatives are wanted.
 struct NoSeeds {
   double operator()(const double& number, double scale = 1.0) const { return number * scale; }
 };
 
-/// The shape of one arc of a sheet's system at an instant.
+/// Returns the shape of one arc of a sheet's system at an instant.
 SheetShape<double> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const NoSeeds& seed);
 SheetShape<FreeDual> shape_of(const Scene& scene, int sheet, int arc, double instant_s, const Seeds& seed);
 
-/// What all beams of a sheet share. Kernel scenes differ between sheets in their deflections only.
-/// `path_step` is the layout's (sim/render/beams/beams.h). `profiles` must live as long as the result.
+/// Returns the data that all beams of a sheet share; only the deflections differ between sheets. `path_step`
+/// is that of BeamLayout (sim/render/beams/beams.h). `profiles` must live as long as the result.
 KernelScene kernel_scene(const Scene& scene, const Sheet& sheet, double path_step, const FilmGeometry& film,
                          const std::vector<HeightProfile>& profiles);
 
-/// The LocalInput that a parameter is for the beams of a sheet; -1 for one that is none, or each beam's own.
+/// Returns which LocalInput a parameter is for the beams of a sheet; -1 if it is none, or one that differs
+/// from beam to beam.
 int local_input_of(const Scene& scene, int sheet, const ParameterId& id);
 
-/// One height profile per sheet, in their order; behind them those of the ladders of energies, sheet by
+/// Returns one height profile per sheet, in their order, and after them those of the energy ladders, sheet by
 /// sheet.
 std::vector<HeightProfile> height_profiles(const Scene& scene);
 
-/// Where among them the profiles of a sheet are: the one at the sheet's index, or the ladder's.
+/// Which of height_profiles() belong to a sheet: the one at the sheet's index, or those of its ladder.
 struct ProfilesOfSheet {
   int first = 0;
   EnergyLadder ladder;
@@ -56,7 +57,7 @@ struct ProfilesOfSheet {
 };
 ProfilesOfSheet profiles_of_sheet(const Scene& scene, int sheet);
 
-/// How many there are in all.
+/// Returns the number of height_profiles().
 int profile_count(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// The plain numbers and arrays that cross the kernel's doors: beams in groups of sixteen, what they share,
-// and what comes back.
+// The plain numbers and arrays of the kernel's interfaces: beams in groups of sixteen, their common data, and
+// the results.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace vegard::sim {
 
-inline constexpr int kGroup = 16;  ///< beams that fall side by side
+inline constexpr int kGroup = 16;  ///< beams that are computed side by side
 
 /// A rayleigh on the value film is 2^20 units of a 64-bit integer: sums do not depend on their order, a
 /// thousandth of a rayleigh still has three digits. A cell overflows at 8e12 rayleighs, and one sample may
 /// add up to 2e9 (2^31): IBC 4, the brightest aurora, is 1e6 along the field.
 inline constexpr double kFilmUnitsPerRayleigh = 1048576.0;
 
-/// A number with its derivatives by the local inputs that it depends on, for sixteen beams.
+/// A number with its derivatives with respect to the local inputs that it depends on, for sixteen beams.
 struct GroupNumber {
   double value[kGroup];
   double tangent[place_inputs][kGroup];
@@ -36,90 +36,92 @@ struct GroupAxes {
 struct BeamGroup {
   GroupNumber start_in_enu_km[3];
   GroupNumber length_km;
-  GroupNumber vertical;  ///< how much of the light of a vertical kilometre a kilometre of path has
+  GroupNumber vertical;  ///< light of a kilometre of path over that of a vertical kilometre
   double flux_km2_mw_m2[kGroup];
   double end_of_path[kGroup];
-  double altitude_shift_km[kGroup];  ///< how much lower the light of a point is read than it stands
-  double stretch_above[kGroup];      ///< of the height profile above its peak; then not 0
-  double first_node[kGroup];         ///< what is left of the path there, plus the offset; of beams in nodes
-  double tube_along[2][kGroup];      ///< likewise: PlaceInTube (sim/emit/aurora/place_in_tube.h)
+  double altitude_shift_km[kGroup];  ///< altitude of a point less that at which its profile is read
+  double stretch_above[kGroup];      ///< of the height profile above its peak; not 0 if reads_elsewhere
+  double first_node[kGroup];         ///< at quadrature nodes: rest of the path at the first, plus the offset
+  double tube_along[2][kGroup];      ///< at nodes: PlaceInTube (sim/emit/aurora/place_in_tube.h)
   double tube_across[2][kGroup];     ///< likewise
   double sheet_width_km[kGroup];     ///< likewise
   std::uint32_t index[kGroup];
-  bool reads_elsewhere = false;     ///< else shift and stretch are not looked at
-  double peak_km = 0.0;             ///< of the height profile, from which on it is stretched
+  bool reads_elsewhere = false;     ///< false: shift and stretch are not used
+  double peak_km = 0.0;             ///< of the height profile, which is stretched above it
   std::uint32_t layer_address = 0;  ///< sheet and layer, as in the random streams
   int profile = 0;                  ///< which of KernelScene::profiles
   const GroupAxes* axes = nullptr;  ///< only where KernelScene::beams_own_field
 
-  BeamGroup() {}  // NOLINT: the numbers are left to whoever packs the group, they are many
+  BeamGroup() {}  // NOLINT: the code that packs a group sets the numbers; they are many
 };
 
-/// At which altitude of the height profile the light is read for a point that stands at `altitude_km`.
+/// Returns the altitude at which the height profile is read for a point at `altitude_km`.
 inline double altitude_read_km(const BeamGroup& group, int beam, double altitude_km) {
   if (!group.reads_elsewhere) return altitude_km;
   const double off = altitude_km - group.altitude_shift_km[beam] - group.peak_km;
   return group.peak_km + (off > 0.0 ? off / group.stretch_above[beam] : off);
 }
 
-/// The other way round: where a point stands whose light is read at `read_km`.
+/// Returns the inverse: the altitude of a point whose height profile is read at `read_km`.
 inline double altitude_of_read_km(const BeamGroup& group, int beam, double read_km) {
   if (!group.reads_elsewhere) return read_km;
   const double off = read_km - group.peak_km;
   return group.peak_km + group.altitude_shift_km[beam] + (off > 0.0 ? off * group.stretch_above[beam] : off);
 }
 
-/// How a group's local inputs follow from the free parameters: derivatives of each beam's foot and log(flux).
+/// Derivatives of a group's local inputs, each beam's foot and log(flux), with respect to the free
+/// parameters.
 struct GroupChain {
   float foot_east[kGroup][kTangentWidth];
   float foot_north[kGroup][kTangentWidth];
   float log_flux[kGroup][kTangentWidth];
 };
 
-/// What all beams share.
+/// Data that all beams share.
 struct KernelScene {
   FallFrame<PlaceDual> fall;     ///< of the uniform field
   bool beams_own_field = false;  ///< the beams fall along BeamGroup::axes instead
-  FootField field;               ///< that those follow
+  FootField field;               ///< the field that these beams follow
   Deflection<LocalDual> deflection;
-  PathNodes nodes;  ///< if any, beams are looked at there, and nothing is drawn
+  PathNodes nodes;  ///< if any, paths are evaluated at them and no steps are drawn
   CameraView<LocalDual> view;
-  bool plain_pinhole = true;  ///< no distortion, and none whose derivatives are wanted
+  bool plain_pinhole = true;  ///< no distortion, and no derivatives with respect to distortion
   FilmGeometry film;
   FilmEdges edges;  ///< of the film; none where a film without columns leaves nothing out
   double observer_altitude_km = 0.0;
   double sphere_km = kEarthRadiusKm;  ///< radius of the body
-  bool earth_hides = false;           ///< some of the film looks below the horizon
+  bool earth_hides = false;           ///< some cells of the film look below the horizon
   bool nearest_cell = false;          ///< the paper's forward map, instead of bilinear
-  bool unit_weight = false;           ///< every point counts alike, instead of rayleighs
+  bool unit_weight = false;           ///< every point has the weight 1, instead of rayleighs
   std::uint64_t seed = 0;
-  const HeightProfile* profiles = nullptr;  ///< as height_profiles() has them
+  const HeightProfile* profiles = nullptr;  ///< in the order of height_profiles()
 };
 
-/// How the chain goes on from the local inputs that all beams share, and from the energies.
+/// Maps the local inputs that all beams share, and the energies, to free parameters.
 struct SharedChain {
   int parameter_of_local[local_inputs];      ///< index of the free parameter, -1 if it is not free
   const int* parameter_of_energy = nullptr;  ///< per height profile, -1 if not free
 };
 
-/// What becomes of a line's light whose atoms wander before they shine, and where it goes. The film of the
-/// KernelScene has cells of one pixel and covers all that can fall on any level; nothing is kept for it.
+/// Spread of a line's light whose atoms move before they emit, and the films of the levels. The film of the
+/// KernelScene has cells of one pixel and covers everything that can fall on any level; no memory is
+/// allocated for it.
 struct KernelLevels {
   const float* lifetime_s = nullptr;    ///< [HeightProfile::kAltitudes]
   const float* variance_km2 = nullptr;  ///< likewise
   double wind_enu_km_s[3] = {0.0, 0.0, 0.0};
-  int count = 0;  ///< of levels
+  int count = 0;  ///< number of levels
   const FilmGeometry* films = nullptr;
   const float* variance_px2 = nullptr;
 };
 
 /// How far fall_until() goes.
 enum class FallPhase {
-  path,     ///< deflection points in the beams' own frame
-  samples,  ///< and where on the film and how bright those in view are
+  path,     ///< up to deflection points in the beams' own frame
+  samples,  ///< also place on the film and brightness of the points in view
 };
 
-/// The samples that fall_on_film splats, in its order, as splat_on_film takes them.
+/// The samples that fall_on_film adds to the film, in its order and in the form that splat_on_film takes.
 struct SplatRecord {
   std::vector<float> column, row;
   std::vector<float> weights;  ///< [point * stride + line], rayleighs

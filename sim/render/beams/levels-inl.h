@@ -1,5 +1,5 @@
-// Samples on the films of a ladder of blurs: where their light is after the atoms' lifetime, how widely it is
-// spread, and its shares of two levels.
+// Adds samples to the films of a ladder of blurs: computes the place of their light after the atoms'
+// lifetime, the width of its spread, and its shares of two levels.
 #if defined(VEGARD_SIM_RENDER_LEVELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_RENDER_LEVELS_INL_H_
 #undef VEGARD_SIM_RENDER_LEVELS_INL_H_
@@ -23,13 +23,14 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// What becomes of sixteen samples. Nothing in it means anything where the light is 0.
+/// Place, spread and light of sixteen samples after the motion of the atoms. Entries are undefined where the
+/// light is 0.
 struct SpreadSamples {
   HWY_ALIGN float x_px[kGroup], y_px[kGroup], variance_px2[kGroup], light[kGroup];
 };
 
-/// The excited atoms' way, from a sample as SampleMaker has it. Its distance is not among what a sample
-/// holds: it follows from the direction and the altitude.
+/// Motion of the excited atoms, from the samples of SampleMaker. A sample does not hold its distance; it
+/// follows from direction and altitude.
 class AtomDrift {
  public:
   AtomDrift(const KernelScene& scene, const KernelLevels& levels) : scene_(scene), levels_(levels) {
@@ -81,7 +82,7 @@ class AtomDrift {
         z = select(in_front, z, one);
         x = (tx * depth + time * Pack(wind_km_s_[0])) / z;
         y = (ty * depth + time * Pack(wind_km_s_[1])) / z;
-        // A volume counts for r / Z^3 in its cell (sim/view/camera/project-inl.h).
+        // The light of a volume in its cell is proportional to r / Z^3 (sim/view/camera/project-inl.h).
         const Pack nearer = depth / z;
         if (!scene_.unit_weight) light = light * nearer * nearer * (square_root(one + x * x + y * y) / slant);
         light = select(in_front, light, Pack(0.0f));
@@ -89,7 +90,7 @@ class AtomDrift {
       store(x * focal + Pack(center_x_px_), out.x_px);
       store(y * focal + Pack(center_y_px_), out.y_px);
       // Off the axis a pinhole draws the sphere as an ellipse: f/Z across, f/Z sqrt(1 + tan^2) outwards. The
-      // mean of the two variances stands for both.
+      // mean of the two variances is used for both.
       const Pack scale = focal / z;
       store(load(variance) * scale * scale * (one + half * (x * x + y * y)), out.variance_px2);
       store(light, out.light);
@@ -97,7 +98,8 @@ class AtomDrift {
   }
 
  private:
-  /// Where a sample is, in steps of the height profile: not where its light is read.
+  /// Returns the altitude of a sample, in steps of the height profile, from that at which the profile is
+  /// read.
   static HWY_INLINE float stands_at(float read_at, const BeamGroup& group, int beam) {
     if (!group.reads_elsewhere) return read_at;
     const double read_km = HeightProfile::kBottomKm + static_cast<double>(read_at) * HeightProfile::kStepKm;
@@ -122,9 +124,9 @@ HWY_INLINE std::int64_t nearest_integer(double x) {
   return bits - magic_bits;
 }
 
-/// Adds light (in film units) at a place of the picture to a level's film: by the quadratic B-spline to 3 x 3
-/// cells where these are larger than a pixel, else bilinearly to 2 x 2. What is not wholly on the film is too
-/// far from the picture to matter to it.
+/// Adds light (in film units) at a place of the picture to a level's film: with the quadratic B-spline to 3 x
+/// 3 cells if these are larger than a pixel, otherwise bilinearly to 2 x 2. Light that is not completely on
+/// the film is too far from the picture to matter and is dropped.
 HWY_INLINE void splat_on_level(const FilmGeometry& film, float x_px, float y_px, double light,
                                std::int64_t* cells) {
   const double cell_px = film.cell_width_px;

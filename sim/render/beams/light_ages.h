@@ -1,9 +1,9 @@
-// How old the excitation is of the light that a sheet gives off at an instant.
+// Splits the light that a sheet emits at an instant by the age of its excitation.
 //
-// A sheet that changes in time is looked at in several intervals of age (age_intervals.h): in the first as it
-// is at the instant, in each of the others at as many times as it has beams there. Each interval has height
-// profiles of its own, those of the sheet times its share. A sheet that does not change has one age, and the
-// profiles that it has anyway.
+// A sheet that changes in time is evaluated in several intervals of age (age_intervals.h): in the first one
+// at the instant, in each of the others at as many past times as there are beams for it. Each interval has
+// its own height profiles: those of the sheet times the interval's share. A sheet that does not change has
+// one interval with the sheet's profiles.
 #pragma once
 
 #include <vector>
@@ -17,29 +17,30 @@ namespace vegard::sim {
 class LightAges {
  public:
   LightAges() = default;
-  /// By emission.lag, the scene's lines and how soon each sheet changes; none where every point counts alike.
+  /// The intervals depend on emission.lag, the scene's lines and how fast each sheet changes; there is only
+  /// one if film.weight is "unit".
   explicit LightAges(const Scene& scene);
 
   bool lags(int sheet) const { return count(sheet) > 1; }
   bool any() const;
-  /// Of intervals; 1 if the sheet's light is all of its instant.
+  /// Returns the number of intervals; 1 if the sheet's light has no lag.
   int count(int sheet) const {
     return sheet < static_cast<int>(of_sheet_.size()) ? of_sheet_[sheet].count() : 1;
   }
   double from_s(int sheet, int age) const { return of_sheet_[sheet].from_s(age); }
   double to_s(int sheet, int age) const { return of_sheet_[sheet].to_s(age); }
-  /// The age of a beam that stands at `place` of 0 to 1 in its interval.
+  /// Returns the age of a beam at `place`, from 0 to 1, in its interval.
   double age_s(int sheet, int age, double place) const { return of_sheet_[sheet].age_s(age, place); }
 
-  /// Splits profiles, those that height_profiles() has of a scene with these sheets: the first interval's are
-  /// in the place of the sheet's own, the others' behind all of them.
+  /// Splits `profiles`, which height_profiles() has made for a scene with these sheets: those of the first
+  /// interval replace the sheet's own, those of the others are appended.
   void split(const Scene& scene, std::vector<HeightProfile>& profiles) const;
 
-  /// Where the profiles of a sheet's interval begin among them.
+  /// Returns the index of the first of these profiles for a sheet's interval.
   int first_profile(const Scene& scene, int sheet, int age) const;
 
-  /// A line's rates of one profile of a sheet after the other ([altitude]) in every interval, one interval
-  /// after the other: what split() makes of them.
+  /// Splits the rates of one line as split() does. `rates` has one profile ([altitude]) of the sheet after
+  /// the other; the result has this list for one interval after the other.
   std::vector<float> split_rates(int sheet, double wavelength_nm, const std::vector<float>& rates) const;
 
  private:

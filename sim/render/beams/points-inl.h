@@ -1,5 +1,5 @@
-// Deflection points as points of space with the light they give off, without a camera. In double, so that
-// they are the same on every instruction set.
+// Lists deflection points as points in space with the light that they emit, without a camera. The code is in
+// double precision, so that the points are the same on every instruction set.
 #if defined(VEGARD_SIM_RENDER_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_RENDER_POINTS_INL_H_
 #undef VEGARD_SIM_RENDER_POINTS_INL_H_
@@ -44,7 +44,7 @@ inline void list_point(const double position_in_enu_km[3], double volume_cm3_mw_
   }
 }
 
-/// A beam's axes, as SampleMaker has them.
+/// Returns a beam's axes, as SampleMaker uses them.
 inline FallFrame<double> frame_of(const KernelScene& scene, const BeamGroup& group, int beam) {
   FallFrame<double> frame;
   for (int i = 0; i < 3; ++i) {
@@ -61,7 +61,8 @@ inline FallFrame<double> frame_of(const KernelScene& scene, const BeamGroup& gro
   return frame;
 }
 
-/// A point stands for the volume stretch * vertical * area, which emits as the height profile says.
+/// Appends all points of the groups. A point represents the volume stretch * vertical * area, which emits at
+/// the rate of the height profile.
 inline void list_every_point(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
                              EmissionPoints& out) {
   constexpr double kCm3PerKm3 = 1e15;

@@ -1,5 +1,5 @@
-// The reference that tests compare the kernel with: the same samples in double, splatted one by one in
-// double.
+// The reference with which tests compare the kernel: the same samples in double precision, added to the film
+// one by one.
 #if defined(VEGARD_SIM_RENDER_REFERENCE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_RENDER_REFERENCE_INL_H_
 #undef VEGARD_SIM_RENDER_REFERENCE_INL_H_

@@ -1,4 +1,5 @@
-// From beams to samples: sixteen beams fall, and where their points are seen is worked out block by block.
+// From beams to samples: lets sixteen beams fall and computes, block by block, where the camera sees their
+// points.
 #if defined(VEGARD_SIM_RENDER_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_RENDER_SAMPLES_INL_H_
 #undef VEGARD_SIM_RENDER_SAMPLES_INL_H_
@@ -25,7 +26,7 @@ namespace HWY_NAMESPACE {
 
 constexpr int kBlockSteps = 32;
 
-/// Samples of a group for kBlockSteps steps, ready for the film. kLocals derivatives go with every number.
+/// Samples of a group for kBlockSteps steps, ready for the film. Every number has kLocals derivatives.
 template <class S, int kLocals>
 struct SampleBlock {
   S column[kBlockSteps][1 + kLocals][kGroup];
@@ -35,7 +36,8 @@ struct SampleBlock {
   int first_step, end_step;                      ///< there is nothing to see outside these
 };
 
-// Numbers with kLocals derivatives, in and out of arrays. `inputs` are the local inputs that they are by.
+// Loading and storing of numbers with kLocals derivatives. `inputs`: the local inputs with respect to which
+// the derivatives are taken.
 inline constexpr int kFirstInputs[kMaxCarried] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
 
 template <class L, int kLocals>
@@ -71,7 +73,7 @@ HWY_INLINE void keep(const LaneDual<L, kLocals>& from, S (*to)[kGroup], int firs
   LaneTraits<L>::store(from.v, to[0] + first);
   for (int k = 0; k < kLocals; ++k) LaneTraits<L>::store(from.d.t[k], to[1 + k] + first);
 }
-/// A number that is zero, with its derivatives, outside the mask.
+/// Returns the number with its derivatives inside the mask, and zero outside.
 template <class L, class M>
 HWY_INLINE L only_where(M mask, const L& x) {
   return select(mask, x, L(0.0f));
@@ -84,7 +86,7 @@ HWY_INLINE LaneDual<L, kLocals> only_where(M mask, const LaneDual<L, kLocals>& x
   return r;
 }
 
-/// One of two numbers with its derivatives, lane by lane.
+/// Selects one of two numbers with its derivatives, lane by lane.
 template <class L, class M>
 HWY_INLINE L select_where(M mask, const L& yes, const L& no) {
   return select(mask, yes, no);
@@ -102,7 +104,7 @@ HWY_INLINE LaneDual<L, kLocals> select_where(M mask, const LaneDual<L, kLocals>&
 template <class F>
 struct BeamAxes {
   F in_enu[3][3];     ///< along, across1, across2
-  F in_camera[3][3];  ///< the same in right, down, forward
+  F in_camera[3][3];  ///< the three axes in right, down, forward
 };
 
 /// The chain from beams to samples. Film: PinholeFilm or LensFilm; L: lane type; P: positions; C: what all
@@ -113,7 +115,7 @@ class SampleMaker {
   using Traits = LaneTraits<L>;
   using Block = SampleBlock<typename Traits::Scalar, kLocals>;
 
-  /// `inputs`: the kLocals local inputs that the derivatives are by, the beams' own first.
+  /// `inputs`: the kLocals local inputs with respect to which derivatives are taken, the beams' own first.
   explicit SampleMaker(const KernelScene& scene, const int* inputs = kFirstInputs)
       : scene_(scene), inputs_(inputs) {
     for (int i = 0; i < 3; ++i)
@@ -171,8 +173,8 @@ class SampleMaker {
     }
   }
 
-  /// Fills a block; false, and the block untouched, when every beam has come to its end or can no more be
-  /// seen. Adds to `points` those on a path. Without kSee the beams only fall.
+  /// Fills a block. Returns false, with the block unchanged, if every beam has ended or can no longer be
+  /// seen. Adds the number of points on paths to `points`. If kSee is false, the points are not projected.
   template <bool kSee = true>
   bool next_block(Block& block, std::uint64_t& points) {
     if (!alive_) return false;
@@ -230,8 +232,8 @@ class SampleMaker {
       }
     turn_to_camera(axes);
   }
-  /// A beam's number as one of its axes. Where the axes are of another type they are the uniform field's, and
-  /// this is never called.
+  /// Converts a number of a beam to the type of its axes. If the types differ, the field is uniform and this
+  /// function is never called.
   static HWY_INLINE F own(const P& x) {
     if constexpr (std::is_same_v<F, P>)
       return x;
@@ -239,8 +241,9 @@ class SampleMaker {
       return F(value_of(x));
   }
 
-  /// The stretch of the path outside of which a beam surely misses the film. A point strays from the straight
-  /// line by no more than its path times the pitch angle; the film's edges are planes through the camera.
+  /// Finds the stretch of the path outside of which a beam certainly misses the film. A point strays from the
+  /// straight line by no more than its path times the pitch angle; the film's edges are planes through the
+  /// camera.
   HWY_INLINE void find_stretch_in_view(L length_km, int part) {
     const L slack_km(0.05f);  // far above the rounding of floats
     L start[3], way[3];
@@ -264,9 +267,9 @@ class SampleMaker {
     last_in_view_[part] = last;
   }
 
-  /// Whether the body's sphere leaves the view of a point free. Seen from its centre the line of
-  /// sight sinks by u = -up . point over its length l; it is nearest to the centre, at the square of the
-  /// distance o^2 - (o u / l)^2 with o = R + observer's altitude, before it reaches the point if o u < l^2.
+  /// Returns the mask of points that the body's sphere does not hide. Seen from its centre the line of sight
+  /// sinks by u = -up . point over its length l; it is nearest to the centre, at the square of the distance
+  /// o^2 - (o u / l)^2 with o = R + observer's altitude, before it reaches the point if o u < l^2.
   HWY_INLINE auto before_the_earth(const P in_camera_km[3]) const {
     const double altitude = scene_.observer_altitude_km, from_centre = scene_.sphere_km + altitude;
     L length2(0.0f), sinks(0.0f);
@@ -281,8 +284,9 @@ class SampleMaker {
     return hidden < L(0.5f);
   }
 
-  /// Between the centres of two wide cells a place moves along the ramp about their border alone. A ramp is
-  /// smooth, or the few beams on it would show their own number in every derivative by a place.
+  /// Maps a column to that between the centres of two wide cells, where it changes only along the ramp around
+  /// their border. The ramp is smooth; otherwise the few beams on it would add their sampling noise to every
+  /// derivative with respect to a place.
   HWY_INLINE P on_ramp(const P& column) const {
     const L steep(static_cast<float>(scene_.film.cell_width_px / scene_.film.ramp_px));
     const L whole = round_to_nearest(value_of(column) - L(0.5f));
@@ -346,9 +350,9 @@ class SampleMaker {
   L end_[kGroup], first_in_view_[kGroup], last_in_view_[kGroup];
   L shift_[kGroup], stretch_above_[kGroup], peak_;  ///< in steps of the height profile
   bool reads_elsewhere_ = false;
-  bool alive_ = false;  ///< some beam of the group goes on
+  bool alive_ = false;  ///< some beam of the group has not ended
   double up_[3];        ///< the vertical at the observer, in the camera's axes
-  double stray_;        ///< from the straight line, as a fraction of the path
+  double stray_;        ///< largest distance from the straight line, as a fraction of the path
 };
 
 }  // namespace HWY_NAMESPACE

@@ -1,6 +1,6 @@
-// How densely sheets are looked at, by the pixels of a film where the camera sees them nearest: the nodes
-// that give the expected picture, which is the mean over all draws of beams, and the beams that a picture of
-// one draw takes to be free of grain.
+// How densely sheets are sampled, according to the size of a film's pixels at the part of a sheet nearest to
+// the camera: the quadrature nodes for the expected picture, which is the mean over all draws of beams, and
+// the number of beams with which a picture of one draw is free of visible grain.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@
 
 namespace vegard::sim {
 
-/// Whether a scene's picture has a mean that nodes can give. Folds, curls and undulating borders stand where
-/// a seed has put them: of them there are realisations alone.
+/// True if quadrature nodes can give the mean of a scene's picture. Folds, curls and undulating borders are
+/// placed by the seed; the program has only realisations of them, not their mean.
 bool has_expected_picture(const Scene& scene);
 
-/// One per sheet, fine enough for means over bands of the film's columns, row by row, that are smoothed over
-/// rows by `smooth_px`; `fineness` makes every distance so many times smaller.
+/// Returns the nodes of every sheet, fine enough for means over bands of the film's columns, row by row, that
+/// are smoothed over rows by `smooth_px`. All distances between nodes are divided by `fineness`.
 std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film, double smooth_px = 0.0,
                                     double fineness = 1.0);
 
-/// The scene with as many beams as Sheet::points_per_px asks for on this film, at least those that it has, at
-/// most 16 times as many, and else those times a power of the square root of 2: what moves a little keeps
-/// its beams.
+/// Returns the scene with the number of beams that Sheet::points_per_px requires on this film, but at least
+/// its own number and at most 16 times it. The factor is a power of the square root of 2, so that small
+/// movements do not change the number.
 Scene with_enough_beams(const Scene& scene, const FilmGeometry& film);
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// How the kinds of emitters shine: the other half of each row of the registry (sim/scene/emitters/
-// emitter_kinds.h), joined to it by the name of the table.
+// Makes the emitters of a scene. Each EmitterMaker completes a row of the registry of emitter kinds
+// (sim/scene/emitters/emitter_kinds.h); the name of the table joins the two halves.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace vegard::sim {
 template <class T>
 using Emitters = std::vector<std::unique_ptr<Emitter<T>>>;
 
-/// What emitters are made of; they look into scene and files.
+/// What emitters are made from; they refer to scene and files.
 template <class T>
 struct EmitterInputs {
   const Scene& scene;
@@ -32,10 +32,11 @@ struct FieldInputs {
   const Scene& scene;
   const VolumeFiles& files;
   int threads;
-  std::uint64_t memory_limit;  ///< in bytes, of what one element takes to know where it is
+  std::uint64_t memory_limit;  ///< in bytes, for the data with which one element is located in space
 };
 
-/// Whose frame a field is in: fields of one frame can go into one grid, but a nebula's is its own alone.
+/// Frame of a field. Fields in one frame can go into one grid, except that each nebula has a frame of its
+/// own.
 enum class FieldFrame { ground, sun, nebula };
 
 struct NamedField {
@@ -44,7 +45,7 @@ struct NamedField {
   FieldFrame frame = FieldFrame::ground;
 };
 
-/// Voxels larger than that would miss some of it.
+/// The thinnest part of what is drawn. Voxels larger than its radius would miss some of it.
 struct ThinPart {
   std::string what;                                         ///< "loop 'arcade'"; empty if nothing is thin
   double radius = std::numeric_limits<double>::infinity();  ///< in the unit of the field's lengths
@@ -57,26 +58,27 @@ struct EmitterMaker {
   void (*emitters)(const EmitterInputs<double>&, Emitters<double>&);
   void (*emitters_with_derivatives)(const EmitterInputs<FreeDual>&, Emitters<FreeDual>&);
 
-  /// Adds the same as fields in space, for grids. Null: it has none (a surface). Throws Error(usage) where
-  /// one would take more than the limit.
+  /// Adds the emitters as fields in space, for grids. Null: the kind has none (a surface). Throws
+  /// Error(usage) if one would take more than the limit.
   void (*fields)(const FieldInputs&, std::vector<NamedField>&) = nullptr;
 
-  /// The first element that has no field in space; its complaint's hint is left empty. Null: all have.
+  /// Returns a complaint about the first element that has no field in space, with an empty hint. Null: all
+  /// have one.
   std::optional<Complaint> (*why_no_field)(const Scene&) = nullptr;
 
-  /// The thinnest of it. Null: it is as thick as it is large.
+  /// Returns the thinnest part of this kind. Null: it has no thin parts.
   ThinPart (*thinnest)(const Scene&) = nullptr;
 };
 
-/// In the order in which light is added up, on which the last bits of a picture depend: those that programs
-/// have added come last. A kind may have two, whose emitters then stand apart.
+/// Returns all makers, in the order in which light is added up, on which the last bits of a picture depend;
+/// those added by programs come last. A kind may have two makers, whose emitters need not be neighbours.
 const std::vector<EmitterMaker>& emitter_makers();
 
-/// Adds a kind to the registry, both halves of its row, as add_emitter_kind() does. Throws std::logic_error
-/// as that does, and for halves of different tables.
+/// Adds a kind to the registry, both halves of its row. Throws std::logic_error as add_emitter_kind() does,
+/// and if the halves have different tables.
 void add_emitter(const EmitterKind& kind, const EmitterMaker& maker);
 
-/// The emitters of a scene. They must not outlive scene and files. T is double or FreeDual.
+/// Makes the emitters of a scene. They must not outlive scene and files. T is double or FreeDual.
 template <class T>
 Emitters<T> make_emitters(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number,
                           int threads);
@@ -86,16 +88,16 @@ extern template Emitters<double> make_emitters(const Scene&, const VolumeFiles&,
 extern template Emitters<FreeDual> make_emitters(const Scene&, const VolumeFiles&, const NumberAs<FreeDual>&,
                                                  int);
 
-/// The emitters as fields in space. They must not outlive scene and files. Throws Error(usage) for strands so
-/// thin that where they are takes more than `memory_limit` bytes, of each loop, bundle or rope, and
-/// Error(scene) for a loop whose own grid does.
+/// Makes the emitters as fields in space. They must not outlive scene and files. Throws Error(usage) if the
+/// strands of a loop, bundle or rope are so thin that the data to locate them take more than `memory_limit`
+/// bytes, and Error(scene) for a loop whose own grid does.
 std::vector<NamedField> light_fields(const Scene& scene, const VolumeFiles& files, int threads,
                                      std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
-/// Why some emitter of the scene is none in space; none if all are.
+/// Returns why some emitter of the scene has no field in space; nothing if all have one.
 std::optional<Complaint> why_no_light_field(const Scene& scene);
 
-/// Of all that is drawn the thinnest.
+/// Returns the thinnest part of all that is drawn.
 ThinPart thinnest_part(const Scene& scene);
 
 // The built-in rows.
@@ -105,8 +107,8 @@ EmitterMaker volume_maker();
 EmitterMaker photosphere_maker();
 EmitterMaker chromosphere_maker();
 EmitterMaker corona_maker();
-EmitterMaker loop_maker();          ///< strand by strand, and all loops' fields
-EmitterMaker gridded_loop_maker();  ///< of loops that are drawn by a grid
+EmitterMaker loop_maker();          ///< loops drawn strand by strand, and the fields of all loops
+EmitterMaker gridded_loop_maker();  ///< loops that are drawn by a grid
 EmitterMaker bundle_maker();
 EmitterMaker ejection_maker();
 

@@ -1,8 +1,8 @@
-// When a footprint's picture is looked at, for the light of an exposure.
+// The instants at which a footprint's map is evaluated for the light of an exposure.
 //
-// A footprint that moves by itself is looked at in each instant of an exposure; and, since excited atoms
-// shine after a while, as it was before (sim/render/beams/age_intervals.h): of each interval of age at as
-// many times as it changes in it. Where no more than the substorm's level changes it is looked at once.
+// A footprint that changes by itself is evaluated at each instant of an exposure and, since excited atoms
+// emit with a delay, at earlier instants (sim/render/beams/age_intervals.h): in each interval of age as often
+// as the footprint changes in it. If only the substorm's level changes, it is evaluated once.
 #pragma once
 
 #include <cstddef>
@@ -14,27 +14,28 @@
 namespace vegard::sim {
 
 struct FootprintLook {
-  std::vector<double> instants_s{};  ///< whose mean counts; none: the scene's start
-  double share = 1.0;                ///< of its light
-  LightShare of_lines{};             ///< what of each line's light counts besides; empty: all
+  std::vector<double> instants_s{};  ///< the light is the mean over them; empty: the scene's start
+  double share = 1.0;                ///< factor on the light
+  LightShare of_lines{};             ///< further factor for each line's light; empty: 1
 };
 
-/// All that add up to the light of an exposure. A footprint of colours shines at once, and so does everything
-/// where emission.lag is "none". In an interval of age a footprint of a box that only drifts is looked at 64
-/// times at most, a curtain 16 times, one whose map must be made again each time 8 times, one around the
-/// Earth, or whose flow must be followed, 4 times: the past of all of an exposure's instants in so many
-/// groups of neighbours. Each instant counts alike.
+/// Returns the looks whose sum is the light of an exposure. A footprint in two colours emits without delay,
+/// and so does everything if emission.lag is "none". The number of evaluations in an interval of age is at
+/// most 64 for a footprint of a box that only drifts, 16 for a curtain, 8 if the map must be made again each
+/// time, and 4 around the Earth or if a flow must be followed. The past instants of the whole exposure are
+/// put into this many groups of neighbours; all instants have the same weight.
 std::vector<FootprintLook> footprint_looks(const Scene& scene, const Footprint& footprint);
 
-/// What the maps of all looks take in memory, in bytes, with numbers of this size.
+/// Returns the bytes that the maps of all looks take, with numbers of `number_bytes` bytes.
 double map_bytes(const Scene& scene, const Footprint& footprint, std::size_t number_bytes);
 
-/// How soon a footprint becomes something else, in seconds: by drifting over its own width or cells, by its
-/// noise's lifetime, its flow's turn by a radian, the phases of a substorm, or what its sheets do. Infinite
-/// for one that stays.
+/// Returns the shortest time, in seconds, in which a footprint changes notably: by drifting over its own
+/// width or cells, by its noise's lifetime, by a turn of its flow through one radian, by the phases of a
+/// substorm, or by the changes of its sheets. Infinite for a steady one.
 double soonest_change_s(const Scene& scene, const Footprint& footprint);
 
-/// What the substorm leaves of a footprint's light, where its source does not go by it already.
+/// Returns the factor of the substorm on a footprint's light; 1 if the footprint's source includes it
+/// already.
 double substorm_share(const Scene& scene, const Footprint& footprint, double instant_s);
 
 }  // namespace vegard::sim

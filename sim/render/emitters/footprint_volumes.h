@@ -13,29 +13,31 @@
 
 namespace vegard::sim {
 
-/// T is double or FreeDual. The footprint is one of the scene's. An exposure's light is the sum of all looks,
-/// of which this is one. Those of a box may have several instants.
+/// Makes the emitter of one look at a footprint of the scene; the light of an exposure is the sum over all
+/// looks. A look at a box may have several instants. T is double or FreeDual.
 template <class T>
 std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprint& footprint,
                                               const VolumeFiles& files, const NumberAs<T>& number,
                                               int threads, const FootprintLook& look = {});
 
-/// As a field in the observer's east, north and up, at the scene's start.
+/// Makes the footprint's field in the observer's east, north and up, at the scene's start.
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,
                                             const VolumeFiles& files, int threads);
 
-// Which of the pictures that have been read a footprint is made from.
+// The pictures from which a footprint is made.
 
-/// Those of one footprint, of what has been read (sim/scene/file/scene_pictures.h). They live as long as
-/// `files`.
+/// Returns the pictures of one footprint among those that have been read (sim/scene/file/scene_pictures.h).
+/// They live as long as `files`.
 FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& footprint);
 
-// The height profiles of a scene's footprints, as their key `light` asks for them.
+// The height profiles of a scene's footprints, according to their key `light`.
 
-/// The two colours of a footprint as amounts of the scene's lines, by what its sensor makes of them.
+/// Returns the two colours of a footprint as amounts of the scene's lines, by the colours that the sensor
+/// gives these lines.
 ColourLadder colour_ladder(const Scene& scene, const Footprint& footprint);
 
-/// profile_table() of the scene's lines, or of light = "colours" that table in its colours.
+/// Returns profile_table() of the scene's lines; with light = "colours", that table in the footprint's
+/// colours.
 ProfileTable footprint_profiles(const Scene& scene, const Footprint& footprint, double ln_least,
                                 double ln_most);
 

@@ -1,5 +1,5 @@
-// Loops that are drawn by a grid (`voxel` above 0): strands to voxels, blur, sharpen, and then as a volume in
-// the Sun's frame is drawn (sim/emit/grid/).
+// Loops that are drawn by a grid (`voxel` above 0): the strands are put on voxels, blurred and sharpened, and
+// the grid is drawn like a volume in the Sun's frame (sim/emit/grid/).
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace vegard::sim {
 
-/// The density of loop `index` on voxels, as it stands at an instant of the scene's clock, in the Sun's frame
-/// and unit, after its passes of blur and sharpen: one channel, "density". Throws Error(scene) with the key
-/// of `voxel` if it would take more than `memory_limit` bytes.
+/// Returns the density of loop `index` on voxels at an instant of the scene's clock, in the Sun's frame and
+/// unit, after its passes of blur and sharpen: one channel, "density". Throws Error(scene) with the key of
+/// `voxel` if it would take more than `memory_limit` bytes.
 SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, int threads,
                      std::uint64_t memory_limit = std::uint64_t{4} << 30);
 
-/// Its light along rays. For T = FreeDual derivatives are those by where the rays and the Sun are; the loop's
-/// own numbers may not be free then (sim/scene/emitters/loop.cpp).
+/// Makes the emitter of this grid. For T = FreeDual the derivatives are those with respect to the positions
+/// of camera and Sun; the loop's own parameters must not be free (sim/scene/emitters/loop.cpp).
 template <class T>
 std::unique_ptr<Emitter<T>> loop_grid_emitter(const Scene& scene, std::uint32_t index, double instant_s,
                                               const NumberAs<T>& number, int threads);
 
-/// The same in space at time.start_s, dark within the photosphere.
+/// Makes the grid's field in space at time.start_s; it is dark within the photosphere.
 std::unique_ptr<LightField> loop_grid_field(const Scene& scene, std::uint32_t index, int threads,
                                             std::uint64_t memory_limit = std::uint64_t{4} << 30);
 

@@ -1,8 +1,8 @@
-// Several emitters that are one at different instants of an exposure: their mean.
+// The mean of several emitters that are the same object at different instants of an exposure.
 //
-// Of light and of what comes through alike, since a film adds up what reaches it: for one such emitter before
-// what stands still, that is the mean of the pictures. Of two that move and hide each other it is not: which
-// of their instants belong together is lost.
+// Both the emitted light and the transmission are averaged, since a film adds up all light that reaches it.
+// For one such emitter in front of objects that stand still this is the mean of the pictures. For two that
+// move and hide each other it is an approximation: it does not pair their instants.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace vegard::sim {
 template <class T>
 class MeanOfInstants : public Emitter<T> {
  public:
-  /// All of one kind, at least one.
+  /// `instants`: at least one emitter, all of the same kind.
   explicit MeanOfInstants(Emitters<T> instants) : instants_(std::move(instants)) {}
 
   bool absorbs() const override { return instants_.front()->absorbs(); }
@@ -65,13 +65,13 @@ class MeanOfInstants : public Emitter<T> {
   Emitters<T> instants_;
 };
 
-/// The instants of the scene's exposure, of what moves; of what stands still its beginning alone.
+/// Returns the instants of the scene's exposure for an object that moves, otherwise only its beginning.
 inline std::vector<double> instants_of(const Scene& scene, bool moves) {
   if (!moves || scene.time.exposure_s == 0.0) return {scene.time.start_s};
   return instants_s(scene.time);
 }
 
-/// Adds what `make` makes of an instant: itself, or of several their mean.
+/// Adds the emitter that `make` makes for a single instant, or the mean of the emitters for several instants.
 template <class T>
 void add_mean(const std::vector<double>& instants,
               const std::function<std::unique_ptr<Emitter<T>>(double instant_s)>& make, Emitters<T>& all) {

@@ -1,4 +1,4 @@
-// What a scene's volumes read from files.
+// The files that a scene's volumes are made from.
 #pragma once
 
 #include <map>
@@ -15,16 +15,16 @@
 namespace vegard::sim {
 
 struct VolumeFiles {
-  DepthImage depth;                              ///< march.depth
-  std::map<std::string, Image> pictures;         ///< one channel, 0 to 1, by the name that the scene has
-  std::map<std::string, PrecipitationMap> maps;  ///< of precipitation, likewise
+  DepthImage depth;                                      ///< march.depth
+  std::map<std::string, Image> pictures;                 ///< one channel, 0 to 1, by the name in the scene
+  std::map<std::string, PrecipitationMap> maps;          ///< maps of precipitation, by the name in the scene
   std::vector<std::shared_ptr<const GridBricks>> grids;  ///< [volume of the scene]
 };
 
-/// Throws Error(unreadable_input) that names the key.
+/// Reads all files. Throws Error(unreadable_input) that names the key.
 VolumeFiles read_volume_files(const Scene& scene);
 
-/// Null if it has none. It lives as long as `files`.
+/// Returns the chromosphere's map of bias, which lives as long as `files`; null if it has none.
 inline const Image* bias_map(const VolumeFiles& files, const Chromosphere& chromosphere) {
   const auto found = files.pictures.find(chromosphere.biasmap);
   return found == files.pictures.end() ? nullptr : &found->second;

@@ -1,9 +1,9 @@
 // Cells of the ground, on the sphere of the feet at 110 km altitude: what a map of precipitation is made of.
 //
-// Places are feet in the site's tangent plane, east and north (docs/physics.md, "Where things are"). About a
-// single camera the cells are rings cut into arcs, since its picture tells less the farther away they are;
-// for several stations they are squares. A grid has a list of cells that are in use, which its numbers
-// count.
+// Places are feet in the site's tangent plane, east and north (docs/physics.md, "Where things are"). Around a
+// single camera the cells are rings cut into arcs, since its picture resolves less with distance; for several
+// stations they are squares. A grid has a list of the cells that are in use, and numbers them in this list's
+// order.
 #pragma once
 
 #include <cstddef>
@@ -32,26 +32,26 @@ class GroundGrid {
   explicit GroundGrid(RingCells rings);
   explicit GroundGrid(const SquareCells& squares);
 
-  /// Leaves only those cells that are kept, in their order. One entry per cell so far.
+  /// Keeps only the cells for which `kept`, with one entry per present cell, is true; their order stays.
   void keep(const std::vector<bool>& kept);
 
   int cells() const { return static_cast<int>(place_of_.size()); }
 
-  /// The cell over a foot; -1 where there is none.
+  /// Returns the cell that contains a foot; -1 if there is none.
   int cell_at(double east_km, double north_km) const {
     const int place = place_at(east_km, north_km);
     return place < 0 ? -1 : cell_of_[static_cast<std::size_t>(place)];
   }
 
-  /// Whether the grid reaches a foot, be a cell there in use or not.
+  /// True if the grid covers a foot, whether its cell is in use or not.
   bool reaches(double east_km, double north_km) const { return place_at(east_km, north_km) >= 0; }
 
   EastNorth middle_km(int cell) const;
   double area_km2(int cell) const;
-  /// Extents along and across the line of sight from the site (of squares, their step).
+  /// Extents of a cell along and across the direction from the site (the step, for squares).
   double depth_km(int cell) const;
   double breadth_km(int cell) const;
-  /// The shorter side of the cells near a foot; what a march must not step over.
+  /// Returns the shorter side of the cells near a foot, which limits the step of a march.
   double finest_km(double east_km, double north_km) const;
 
   /// A cell beside another, and how far apart their middles are.
@@ -59,7 +59,8 @@ class GroundGrid {
     int cell = 0;
     double east_km = 0.0, north_km = 0.0;
   };
-  /// All cells in use whose middles are at most so far away, the cell itself among them; in their order.
+  /// Returns all cells in use whose middles are at most `reach_km` away, including the cell itself, in their
+  /// order.
   std::vector<Neighbour> near(int cell, double reach_km) const;
 
  private:
@@ -73,11 +74,11 @@ class GroundGrid {
   std::vector<int> ring_by_step_;   ///< the ring at a multiple of kLookUpStep_km
   SquareCells squares_;
   std::vector<int> cell_of_;   ///< by place among all cells; -1: not in use
-  std::vector<int> place_of_;  ///< the inverse
+  std::vector<int> place_of_;  ///< inverse of `cell_of_`
 };
 
-/// Rings whose depths and arcs' lengths are those that a camera at the site resolves: the lower border of an
-/// aurora moves by `resolution_rad` from one to the next, but no cell is smaller than `min_km`.
+/// Returns rings whose depths and arc lengths a camera at the site can resolve: the lower border of an aurora
+/// moves by `resolution_rad` from one cell to the next, but no cell is smaller than `min_km`.
 RingCells rings_resolved(double resolution_rad, double min_km, double farthest_km);
 
 }  // namespace vegard::sim

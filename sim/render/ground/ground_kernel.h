@@ -1,4 +1,4 @@
-// The sums of light along lines of sight, for sixteen energies at once: for sim/render/ground/ground_light.h.
+// Sums of light along lines of sight for sixteen energies at once; used by sim/render/ground/ground_light.h.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace vegard::sim {
 
-/// Energies of the electrons that a cell knows, side by side in a vector. Fewer leave zeros.
+/// Number of electron energies of a cell, side by side in a vector; if fewer are in use, the rest are 0.
 inline constexpr int kGroundEnergies = 16;
 
 /// Rates by altitude bin, line and energy: [(bin * lines + line) * kGroundEnergies + energy].

@@ -1,4 +1,4 @@
-// The light of a map of precipitation in a film, and its adjoint.
+// The light of a map of precipitation on a film, and the adjoint of this linear map.
 //
 // The map x has an energy flux in mW m^-2 for every cell of the ground and each of a few energies of
 // Maxwellian electrons. Its light in rayleighs of a line towards a ray is linear in it:
@@ -7,7 +7,8 @@
 //     energy)
 //
 // with the rates of the emission tables (photons cm^-3 s^-1 per mW m^-2; means over the bins of altitude) and
-// T what the air lets through. Neither side is stored as a matrix. <Ax, y> = <x, A'y> to rounding.
+// T the transmission of the air. Neither the map A nor its adjoint A' is stored as a matrix. <Ax, y> = <x,
+// A'y> to rounding.
 #pragma once
 
 #include <vector>
@@ -19,24 +20,25 @@ namespace vegard::sim {
 
 class GroundLight {
  public:
-  /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the flux
-  /// whose light per mW m^-2 is taken (sim/light/tables/flux_law.h), under the law "linear" without an
-  /// effect. Light that the tables have at an altitude stands at `altitude_scale` times that, as much of it
-  /// in all but for what would stand below 80 km.
+  /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the
+  /// energy flux at which the rates per mW m^-2 are taken (sim/light/tables/flux_law.h); it has no effect
+  /// under the law "linear". `altitude_scale`: the altitudes of the tables are multiplied by it; the column
+  /// brightness is kept, except for light that would be below 80 km.
   GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
               const std::vector<std::uint8_t>& wanted, const std::vector<double>& energies_kev,
               double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0);
 
   int lines() const { return lines_of_light_; }
   std::size_t rays() const { return sight_.rays(); }
-  std::size_t numbers() const { return numbers_; }  ///< of a map: cells x kGroundEnergies
+  std::size_t numbers() const { return numbers_; }  ///< size of a map: cells x kGroundEnergies
   const SightLines& sight() const { return sight_; }
   const GroundRates rates() const { return {lines_of_light_, rate_.data()}; }
 
-  /// rayleighs[ray * lines + line] of a map [cell * kGroundEnergies + energy].
+  /// Computes rayleighs[ray * lines + line] from a map [cell * kGroundEnergies + energy].
   void forward(const std::vector<float>& map, std::vector<float>& rayleighs) const;
 
-  /// Adds A' y to `map`; the sums' order does not depend on the threads. Not for two threads at once.
+  /// Adds A' y to `map`; the order of summation does not depend on the number of threads. Two threads must
+  /// not call it at once.
   void add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const;
 
  private:
@@ -44,8 +46,9 @@ class GroundLight {
   int lines_of_light_ = 0, threads_ = 0;
   std::size_t numbers_ = 0;
   std::vector<float> rate_;
-  std::vector<float> transmission_;          ///< [ray * lines + line]
-  std::vector<std::size_t> first_of_share_;  ///< rays with like numbers of stretches
+  std::vector<float> transmission_;  ///< [ray * lines + line]
+  std::vector<std::size_t>
+      first_of_share_;  ///< first ray of each share of the work; shares have similar numbers of stretches
   // Memory of add_adjoint(), kept from call to call.
   mutable std::vector<float> weighted_;
   mutable std::vector<std::vector<float>> sums_;

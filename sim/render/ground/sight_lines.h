@@ -1,9 +1,9 @@
-// The lines of sight of a film through bundles of field lines: which cell of the ground each stretch of a ray
-// hangs over, and at what altitude.
+// The lines of sight of a film, cut into stretches: over which cell of the ground, along the field line, each
+// stretch of a ray lies, and at what altitude.
 //
-// Light of a point has its foot where the field line through it meets the sphere of the feet
-// (sim/emit/footprint/foot.h), the geometry of footprints. A ray is cut at the bounds of the altitude bins
-// and wherever its foot goes on to another cell; eight bytes a stretch are all that the light's sums need.
+// The foot of a point is where the field line through it meets the sphere of the feet
+// (sim/emit/footprint/foot.h), as in the geometry of footprints. A ray is cut at the bounds of the altitude
+// bins and where its foot passes to another cell. A stretch takes eight bytes.
 #pragma once
 
 #include <cstddef>
@@ -32,23 +32,24 @@ struct SightStretch {
   std::uint16_t bin;
   std::uint16_t length;  ///< in kSightUnitKm
 };
-/// What a ray's stretches are rounded to; the remainder goes on to the next, so that none is lost.
+/// Unit to which the lengths of a ray's stretches are rounded; the remainder is carried to the next stretch,
+/// so that no length is lost.
 inline constexpr double kSightUnitKm = 1.0 / 256.0;
 
-/// Rays by the film's cells, row by row.
+/// The stretches of all rays; there is one ray per cell of the film, row by row.
 struct SightLines {
   std::vector<SightStretch> stretch;
-  std::vector<std::size_t> first;  ///< of a ray; one more than there are rays
+  std::vector<std::size_t> first;  ///< first stretch of each ray, and one entry more for the end
   std::size_t rays() const { return first.size() - 1; }
 };
 
-/// Rays through the middles of those of a film's cells that are `wanted`; the others have no stretches. The
-/// scene is the photograph's own, `home` the site that the grid is about. A ray ends at the ground.
+/// Returns the rays through the middles of the film's cells for which `wanted` is nonzero; other rays have no
+/// stretches. `scene` is the photograph's own, `home` the site of the grid. A ray ends at the ground.
 SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
                        const std::vector<std::uint8_t>& wanted, int threads);
 
-/// Where light over a foot of home's frame, so high on its field line, is in the photograph's picture, in
-/// pixels; false where it is not in view.
+/// Finds the pixel of the photograph where light at `altitude_km` on the field line through a foot of home's
+/// frame appears; returns false if it is not in view.
 bool pixel_over_foot(const Scene& scene, const Site& home, EastNorth foot_km, double altitude_km,
                      double& x_px, double& y_px);
 

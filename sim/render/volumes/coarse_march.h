@@ -1,4 +1,4 @@
-// March of a coarser film, brought up to the film that is wanted.
+// Marches a coarser film and upsamples its light to the wanted film.
 #pragma once
 
 #include <functional>
@@ -9,12 +9,12 @@
 
 namespace vegard::sim {
 
-/// Where the rays of a film end: sim/render/emitters/depth_file.h.
+/// Returns where the rays of a film end (ray_ends_km() in sim/render/emitters/depth_file.h).
 using EndsOfRays = std::function<std::vector<float>(const FilmGeometry& film)>;
 
-/// The light of a film by that of one with cells `shrink` times as wide and high
-/// (sim/view/film/depth_upsampling.h). Cells that no coarse ray represents, at the edges of what stands in
-/// the scene and of the lens's picture, are marched by themselves.
+/// Computes the light of a film from that of a film with cells `shrink` times as wide and high
+/// (sim/view/film/depth_upsampling.h). Cells that no coarse ray represents, at the edges of objects in the
+/// scene and of the lens's image circle, are marched directly.
 VolumeLight march_coarsely(const FilmGeometry& film, int shrink, const EndsOfRays& ends,
                            const MarchCells& march, int threads);
 

@@ -1,4 +1,4 @@
-// A nebula by the literal march, as a picture to be blended over the scene's.
+// A nebula drawn by the literal march, as a picture to be blended over the scene's.
 #pragma once
 
 #include "sim/base/image.h"
@@ -6,9 +6,9 @@
 
 namespace vegard::sim {
 
-/// R, G, B, A of the camera's size: colours from 0 to 1, not multiplied by the opacity A. Where the lens sees
-/// nothing, or the Earth stands before it, all are 0. `depth_km`, of the same size and one channel, is the
-/// distance along the rays at which they are stopped; null: nowhere but at the ground.
+/// Returns R, G, B, A of the camera's size: colours from 0 to 1, not multiplied by the opacity A. All are 0
+/// where the lens sees nothing or the Earth hides the nebula. `depth_km`, of the same size and with one
+/// channel, is the distance at which each ray is stopped; null: rays stop at the ground only.
 Image literal_nebula_picture(const Scene& scene, const Nebula& nebula, const Image* depth_km, int threads);
 
 }  // namespace vegard::sim

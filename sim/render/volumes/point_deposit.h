@@ -1,4 +1,4 @@
-// Points of light into the voxels about them.
+// Distributes points of light to the voxels around them.
 #pragma once
 
 #include <cmath>
@@ -15,9 +15,9 @@
 
 namespace vegard::sim {
 
-/// How many bricks points would light, about: to 2 % or so of more than some thousands, and exactly of fewer,
-/// in little memory. A brick counts if its number, well mixed, is below a threshold that falls as there are
-/// more of them.
+/// Estimates in little memory how many bricks points would light: exact up to some thousands, to about 2 %
+/// above. It counts only bricks whose hash is below a threshold, which it lowers as the number of bricks
+/// grows.
 class BrickCounter {
  public:
   BrickCounter(double edge_km, const std::optional<Box3>& box) : edge_km_(edge_km), box_(box) {}
@@ -35,22 +35,23 @@ class BrickCounter {
   bool any_ = false;
 };
 
-/// Shares every point among the eight voxels about it, so that their sum is the points' and their middle is
-/// theirs. Sums are doubles, in the order of the points.
+/// Distributes every point to the eight voxels around it, so that the sum and the centroid of the light are
+/// kept. Sums are doubles, in the order of the points.
 class PointDeposit {
  public:
-  /// `lines`: which of the points' lines become the channels. Voxels of `edge_km`, the low corner of voxel
-  /// (0, 0, 0) at the observer. What lies outside `box` is left out. Above `max_bytes` it only counts.
+  /// `lines`: which of the points' lines become the channels. Voxels have the edge `edge_km`; the low corner
+  /// of voxel (0, 0, 0) is at the observer. Points outside `box` are ignored. Once `max_bytes` is exceeded,
+  /// further bricks are only counted.
   PointDeposit(const std::vector<int>& lines, double edge_km, const std::optional<Box3>& box,
                std::uint64_t max_bytes);
 
   void add(const EmissionPoints& points);
 
-  /// What all bricks take, or would.
+  /// Returns the bytes that all bricks take, or would take without the limit.
   std::uint64_t bytes() const { return (bricks_.size() + left_out_.size()) * bytes_of_brick_; }
   bool is_full() const { return full_; }
 
-  /// Adds the volume emission rate, photons cm^-3 s^-1, to `grid`, channel by channel, and forgets it.
+  /// Adds the volume emission rate, photons cm^-3 s^-1, to `grid`, channel by channel, and frees the bricks.
   void move_to(SparseGrid& grid);
 
   static std::uint64_t bytes_of_brick(std::size_t lines);

@@ -1,8 +1,8 @@
-// Rows of rays through all emitters of a scene, in order.
+// Marches rows of rays through all emitters of a scene, in order of distance.
 //
-// Emitters are put in order by where each begins, along every ray. Those that are mixed (Emitter::is_mixed())
-// are asked once more for what they have before the beginning of each that absorbs: so much is in front of
-// it, and the rest comes through it, what shines within it too.
+// Along every ray the emitters are sorted by the distance at which each begins. Mixed emitters
+// (Emitter::is_mixed()) are marched once more up to the beginning of each absorbing emitter: this part of
+// their light is in front of the absorber, and the rest, including light from within it, is attenuated by it.
 //
 // For the files of this folder only.
 #pragma once
@@ -21,11 +21,12 @@
 
 namespace vegard::sim {
 
-/// Rows of rays through all emitters: calls use(row, rays, combined light) for every row of the film.
+/// Marches rows of rays through all emitters and calls use(row, rays, combined light) for every row of the
+/// film.
 template <class T>
 class RowMarch {
  public:
-  /// Of the emitters `made` beforehand, or if there are none of those that the scene makes now.
+  /// Uses the emitters `made` beforehand; if it is null, makes those of the scene.
   RowMarch(const Scene& scene, const VolumeFiles& files, const NumberAs<T>& number, int threads,
            const Emitters<T>* made = nullptr)
       : lines_(static_cast<int>(scene.emission.lines.size())),
@@ -69,8 +70,8 @@ class RowMarch {
     std::vector<RowLight<T>> of_emitter;
     RowLight<T> sum;
     std::vector<std::size_t> order;
-    // Of the n-th absorber along each ray, [n * rays + ray]: where it begins, infinity where the ray ends
-    // before; and all mixed light before it, [(n * lines + line) * rays + ray].
+    // For the n-th absorber along each ray: where it begins, [n * rays + ray], infinity if the ray ends
+    // before; and all mixed light in front of it, [(n * lines + line) * rays + ray].
     std::vector<double> cut_km;
     std::vector<T> cut, before;  // `cut` as cut_km, with its derivatives
     RowOfRays<T> some;
@@ -136,7 +137,7 @@ class RowMarch {
     }
   }
 
-  /// From the nearest to the farthest.
+  /// Adds up the light of the emitters from the nearest to the farthest.
   void combine(Slot& s, std::size_t rays) const {
     s.sum.clear(rays, lines_);
     s.order.resize(emitters_.size());
@@ -173,14 +174,14 @@ class RowMarch {
     }
   }
 
-  /// All of it, up to the ray's end.
+  /// Returns all mixed light up to the ray's end.
   T mixed_light(const Slot& s, std::size_t at) const {
     T light(0.0);
     for (const std::size_t e : mixed_) light = light + s.of_emitter[e].rayleigh[at];
     return light;
   }
 
-  /// Mixed light between the absorber before the n-th, or the camera, and the n-th.
+  /// Adds the mixed light between the previous absorber, or the camera, and the n-th absorber.
   void add_mixed(Slot& s, std::size_t rays, std::size_t i, std::size_t n) const {
     for (int l = 0; l < lines_; ++l) {
       const std::size_t at = l * rays + i;
@@ -190,7 +191,7 @@ class RowMarch {
     }
   }
 
-  /// What comes through all of them: the n passed.
+  /// Adds the mixed light behind all n absorbers that the ray has passed.
   void add_mixed_rest(Slot& s, std::size_t rays, std::size_t i, std::size_t n) const {
     for (int l = 0; l < lines_; ++l) {
       const std::size_t at = l * rays + i;

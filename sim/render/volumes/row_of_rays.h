@@ -1,4 +1,4 @@
-// The rays of one row of a film, and what comes out of them.
+// The rays of one row of a film, and their light.
 //
 // For the files of this folder only.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace vegard::sim {
 
-/// Where rays are stopped by the photosphere.
+/// Finds where rays are stopped by the photosphere.
 class SunBall {
  public:
   explicit SunBall(const Scene& scene)
@@ -38,7 +38,7 @@ class SunBall {
   SunFrame<double> frame_;
 };
 
-/// Angle between the rays of neighbouring pixels of a row, in the middle of the picture.
+/// Returns the angle between the rays of neighbouring pixels of a row, in the middle of the picture.
 inline double radians_per_px(const CameraView<double>& view, const Camera& camera) {
   double a[3], b[3];
   const double x = 0.5 * camera.width, y = 0.5 * camera.height;
@@ -47,8 +47,7 @@ inline double radians_per_px(const CameraView<double>& view, const Camera& camer
                    (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/// The rays of one row of a film, of those cells that are wanted and see anything, and what comes out of
-/// them.
+/// The rays of one row of a film, for the cells that are wanted and that the lens images.
 template <class T>
 struct RowOfRays {
   std::vector<int> column;
@@ -83,7 +82,7 @@ struct RowOfRays {
   }
 };
 
-/// What one emitter makes of a row.
+/// The light of one emitter along the rays of a row.
 template <class T>
 struct RowLight {
   std::vector<T> rayleigh, kept, entry_moving;

@@ -1,6 +1,6 @@
-// What the kinds' checks, and their words for what is inert, have in common.
+// Helpers of the checks of emitters, and of their complaints about inert parameters.
 //
-// For the files of this folder, and for kinds that a program adds.
+// For the files of this folder, and for kinds of emitters that a program adds.
 #pragma once
 
 #include <initializer_list>
@@ -15,7 +15,7 @@
 
 namespace vegard::sim {
 
-/// Checks of one element, at its path ("loop.arcade").
+/// Checks one element of a repeated table by its path ("loop.arcade"). The functions throw Error(scene).
 class ElementCheck {
  public:
   ElementCheck(const Scene& scene, std::string path) : scene_(scene), path_(std::move(path)) {}
@@ -23,7 +23,7 @@ class ElementCheck {
   /// Throws Error(scene) that names the key.
   [[noreturn]] void refuse(const Complaint& complaint, const std::string& key) const;
 
-  void check_shown() const;  ///< that the Sun is in the scene
+  void check_shown() const;  ///< throws unless sun.shown is true
   void check_lines(const std::vector<double>& list, bool may_be_empty, const char* key) const;
   void check_below(double low, const char* low_key, double high, const char* high_key) const;
 
@@ -32,8 +32,8 @@ class ElementCheck {
   std::string path_;
 };
 
-/// The word of an enumerator, as one of the rows has it (word_of() of sim/scene/table/parameter_table.h asks
-/// all rows there are).
+/// Returns the word of an enumerator, searched in these rows only (word_of() of
+/// sim/scene/table/parameter_table.h searches all rows); empty if no row has it.
 std::string word_in(const std::vector<Declaration>& rows, const std::type_info& kind, int number);
 
 template <class Kind>
@@ -44,16 +44,16 @@ std::string word_in(const std::vector<Declaration>& rows, Kind kind) {
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words);
 bool all_zero(const std::vector<double>& list);
 
-/// Whether the scene frees a number, or one of its components.
+/// True if fit.free names this path or one of its components.
 bool frees(const Scene& scene, const std::string& path);
 
-/// "WHAT, so KEY has no effect".
+/// Returns the complaint "WHAT, so KEY has no effect".
 Complaint inert(const std::string& what, const std::string& key, const std::string& hint);
 
-/// Whether what stands on the Sun turns with it as the scene's clock runs.
+/// True if objects on the Sun rotate with it as the scene's clock runs.
 bool turns_with_sun(const Scene& scene);
 
-/// Of a temperature by which no line of the scene shines; else none.
+/// Returns a complaint if the temperature is 0 or no line of the scene responds to a temperature.
 std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk);
 
 }  // namespace vegard::sim

@@ -1,7 +1,8 @@
-// What a scene knows of a kind of emitter, as one row of the registry (sim/scene/emitters/emitter_kinds.h).
+// EmitterKind: one row of the registry of emitters (sim/scene/emitters/emitter_kinds.h), with all that does
+// not need a renderer: parameters, checks, names.
 //
-// How it shines is the other half of the row, sim/render/volumes/emitter_makers.h, joined to this one by the
-// name of the table. Every column but the first four may be left as it is here.
+// The other half of the row, how the emitter is rendered, is in sim/render/volumes/emitter_makers.h; the name
+// of the table joins the two. Only the first four members must be set.
 #pragma once
 
 #include <array>
@@ -14,84 +15,85 @@
 
 namespace vegard::sim {
 
-/// What people call a kind's light. Of `any` it is aurora, if the scene does not say otherwise.
+/// The name of a kind's light in messages. `any` counts as aurora unless the scene says otherwise.
 enum class LightKind { aurora, nebula, sun, any };
 
-/// What a kind puts on the Sun, by what turns it on itself.
+/// Whether a kind has objects on the Sun, and their symmetry under rotation.
 enum class OnSun { nothing, alike_all_round, alike_about_axis, uneven };
 
-/// Where light comes from, for whoever sees none.
+/// Where light of the scene is, for a hint when the picture shows none.
 struct LightLocation {
   enum class Known { place, direction, words, file } known;
   std::string what;                             ///< "footprint 'arc'"
-  EastNorth center_km{};                        ///< of a place: a point of the observer's tangent plane
-  double azimuth_deg = 0.0, elevation_deg = 0;  ///< of a direction: of its middle
-  std::string words{};                          ///< else: "stands around the Earth"
+  EastNorth center_km{};                        ///< for a place: a point of the observer's tangent plane
+  double azimuth_deg = 0.0, elevation_deg = 0;  ///< for a direction: that of the middle
+  std::string words{};                          ///< for words or a file: "stands around the Earth"
 };
 
-/// A picture that light is made of.
+/// A picture file that an emitter reads.
 struct PictureOfScene {
-  std::string path;      ///< of its key, "footprint.arc.image"
-  std::string name;      ///< of a file, as the scene has it
-  bool is_cube = false;  ///< six files, one of each face (sim/scene/file/named_files.h)
+  std::string path;      ///< path of the key, "footprint.arc.image"
+  std::string name;      ///< name of the file, as in the scene
+  bool is_cube = false;  ///< six files, one for each face (sim/scene/file/named_files.h)
 };
 
 struct EmitterKind {
-  std::string table;  ///< its name, "ejection"
+  std::string table;  ///< name of the kind's table, "ejection"
 
-  /// Its elements, and then what they are made of (of nebulae the nodes). Empty for a table that a scene has
-  /// once, [sun].
+  /// The kind's repeated table, then those of its parts (the nodes of nebulae). Empty for a table that a
+  /// scene has only once, such as [sun].
   std::vector<RepeatedTable> repeated;
 
-  /// The parameters of all of its tables, in the order of a scene file.
+  /// The parameters of all tables of the kind, in the order of a scene file.
   std::vector<Declaration> (*rows)() = nullptr;
 
   LightKind light = LightKind::any;
 
-  /// That what one number of an element needs is there. Throws Error(scene) with the scene's file. Also
+  /// Checks that the elements are complete and consistent. Throws Error(scene) with the scene's file. Also
   /// called for scenes without such elements.
   void (*check)(const Scene&) = nullptr;
 
-  /// Why the light does not depend on a number, or why it has no derivative; none if neither is so. It is
-  /// asked for every number, of other tables too.
+  /// Returns a complaint if the light does not depend on a parameter or has no derivative by it. Called for
+  /// every parameter, also of other tables.
   std::optional<Complaint> (*why_inert)(const Scene&, const ParameterPath&) = nullptr;
 
-  /// Whether it is there to be drawn. Null: if there is an element, and for light of the Sun the Sun too. A
-  /// table that a scene has once has to say it.
+  /// True if the kind is drawn. Null: if the scene has an element and, for light of the Sun, shows the Sun.
+  /// Must not be null for a table that a scene has only once.
   bool (*is_drawn)(const Scene&) = nullptr;
 
-  /// Whether there is light in it at all. Null: if it is drawn.
+  /// True if the kind may emit light. Null: if it is drawn.
   bool (*may_emit)(const Scene&) = nullptr;
 
-  /// Whether it changes with the scene's clock. Null: it never does.
+  /// True if the kind changes with the scene's clock. Null: never.
   bool (*moves)(const Scene&) = nullptr;
 
-  /// Whether its light goes by the scene's sheets. Null: it never does.
+  /// True if the kind's light is computed from the scene's sheets. Null: never.
   bool (*made_of_sheets)(const Scene&) = nullptr;
 
-  /// Null: of light of the Sun uneven, if it is drawn; of other light nothing.
+  /// Null: `uneven` for light of the Sun if it is drawn, else `nothing`.
   OnSun (*on_sun)(const Scene&) = nullptr;
 
-  /// Of its elements, for whoever sees none of them. Null: it has none to tell.
+  /// Returns where the elements are. Null: unknown.
   std::vector<LightLocation> (*light_locations)(const Scene&) = nullptr;
 
-  /// What it reads from pictures. Null: nothing.
+  /// Returns the pictures that the elements read. Null: none.
   std::vector<PictureOfScene> (*pictures)(const Scene&) = nullptr;
 
-  /// Lets a scene's elements stay where they are, seen from `home`, while the scene is another station's: a
-  /// complaint if one of them cannot. Null: none can, since it stands in the observer's sky.
+  /// Keeps the elements at their places, which are given in the frame of `home`, in a scene whose site is
+  /// another one. Returns a complaint if that is impossible. Null: always impossible, since the kind is
+  /// placed in the observer's sky.
   std::optional<Complaint> (*stay_at)(Scene&, const Site& home) = nullptr;
 
-  /// As people call it in a sentence, "the bright loop"; empty: as its table.
+  /// The kind's name in a sentence, "loop" in "the bright loop"; empty: the name of the table.
   std::string spoken{};
 
-  /// In which order a preview offers the numbers of its first table: those of small places first, the
-  /// camera's and the sheets' come seventh and eighth.
+  /// Rank of the kind's first table in the list of parameters of a preview, lowest first; the camera and the
+  /// sheets have the ranks 7 and 8.
   static constexpr int kLastInPreview = 9;
   int place_in_preview = kLastInPreview;
 };
 
-/// Whether the scene has an element of it; of a table that a scene has once, whether it is drawn.
+/// True if the scene has an element of the kind or, for a table that a scene has only once, draws it.
 bool is_in_scene(const EmitterKind& kind, const Scene& scene);
 
 bool is_drawn(const EmitterKind& kind, const Scene& scene);

@@ -1,5 +1,5 @@
-// The registry of emitters: whatever shines in a scene beside its sheets, one row a kind. Whoever needs to
-// know of all kinds goes through these rows; docs/architecture.md says what a new kind takes.
+// The registry of emitters: everything that emits light in a scene except its sheets, one row per kind. Code
+// for all kinds iterates over these rows; docs/architecture.md explains how to add a kind.
 #pragma once
 
 #include <string>
@@ -9,28 +9,27 @@
 
 namespace vegard::sim {
 
-/// In the order of a scene file.
+/// Returns all kinds in the order of a scene file.
 const std::vector<EmitterKind>& emitter_kinds();
 
-/// The kind that has this table, as its own or as what its elements are made of; null if it is none's.
+/// Returns the kind that has this table, as its own or as one of its parts; null if there is none.
 const EmitterKind* kind_of_table(const std::string& table);
 
-/// Adds a kind after the built-in ones; its elements stand in Scene::added. It is for programs that link the
-/// library, which do so before anything else (sim::add_emitter() adds both halves of a row): throws
-/// std::logic_error once somebody has asked for the kinds, which never change from then on, and for a table
-/// that there is.
+/// Adds a kind after the built-in ones; its elements are kept in Scene::added. For programs that link the
+/// library, before any other call (sim::add_emitter() adds both halves of a row). Throws std::logic_error if
+/// emitter_kinds() has been called, since the list never changes after that, or if the table exists.
 void add_emitter_kind(const EmitterKind& kind);
 
-/// Whether any kind is drawn, and whether any is in the scene.
+/// True if any kind is drawn (is in the scene).
 bool has_drawn_emitters(const Scene& scene);
 bool has_emitters(const Scene& scene);
 
-/// Whether any goes by the scene's sheets, which are then not drawn as beams; and whether any changes with
-/// the scene's clock.
+/// True if any kind is computed from the scene's sheets, which are then not drawn as beams (if any changes
+/// with the scene's clock).
 bool has_emitters_of_sheets(const Scene& scene);
 bool has_moving_emitters(const Scene& scene);
 
-/// Leaves the sheets alone.
+/// Removes all emitters and hides the Sun; keeps the sheets.
 void remove_emitters(Scene& scene);
 
 // The built-in rows.

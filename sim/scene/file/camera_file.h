@@ -1,5 +1,4 @@
-// A camera's own file, such as `vegard calibrate` and `vegard horizon` write it: [camera] and [site], no
-// more.
+// Camera files, as `vegard calibrate` and `vegard horizon` write them: [camera] and [site] only.
 #pragma once
 
 #include <string>
@@ -8,8 +7,8 @@
 
 namespace vegard::sim {
 
-/// Puts the [camera] of such a file in place of the scene's, whole, and every key of its [site] in place of
-/// the scene's. Throws Error(unreadable_input), Error(scene) if it has anything else.
+/// Replaces the whole [camera] of the scene by that of the file, and those keys of [site] that the file sets.
+/// Throws Error(unreadable_input), or Error(scene) if the file has anything else.
 void take_camera(Scene& scene, const std::string& camera_file);
 
 }  // namespace vegard::sim

@@ -14,14 +14,14 @@
 
 namespace vegard::sim {
 
-/// Types and keys are checked here, what the entries say in check_free_parameters() and
-/// check_tied_parameters(). Throws Error(scene).
+/// Reads fit.free and checks types and keys; check_free_parameters() and check_tied_parameters() check the
+/// contents. Throws Error(scene).
 std::vector<FreeParameter> read_free_parameters(const toml::node& node, const Origin& origin);
 
-/// The array as TOML text, one entry a line.
+/// Returns the array as TOML text, one entry per line.
 std::string free_parameters_text(const std::vector<FreeParameter>& free);
 
-/// The same of fit.tied.
+/// The same for fit.tied.
 std::vector<TiedParameter> read_tied_parameters(const toml::node& node, const Origin& origin);
 std::string tied_parameters_text(const std::vector<TiedParameter>& tied);
 

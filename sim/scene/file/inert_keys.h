@@ -8,10 +8,9 @@
 
 namespace vegard::sim {
 
-/// One line for each key, "scene.toml:12: sheet.main.peak_km: ...", in the order of the file; first what a
-/// later change has set, without a place. Keys that say
-/// what they would say anyway are left out, as those of a scene that vegard has written. Of tables that a
-/// scene marches along rays nothing is reported.
+/// Returns one line per inert key, "scene.toml:12: sheet.main.peak_km: ...", in the order of the file; keys
+/// that were set after reading come first, without a place. Keys with their default value are not reported: a
+/// scene that vegard has written contains all keys.
 std::vector<std::string> inert_keys(const Scene& scene);
 
 }  // namespace vegard::sim

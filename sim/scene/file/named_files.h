@@ -1,4 +1,4 @@
-// Files that a scene names beside tables: the pictures and grids of volumes, and those of a composite.
+// The pictures and grids that a scene names: those of emitters, of march.depth and of [composite].
 #pragma once
 
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace vegard::sim {
 
-/// What volumes, depth and composite read. Tables (sim/scene/table/table_files.h), which are read with the
-/// scene, are none of them.
+/// A file that a scene names, other than the tables, which are read with the scene
+/// (sim/scene/table/table_files.h).
 struct NamedFile {
-  std::string path;  ///< the key's, "footprint.arc.image"
-  std::string name;  ///< as the scene has it, relative to the scene's file; "{face}" stands for six files
+  std::string path;  ///< path of the key, "footprint.arc.image"
+  std::string name;  ///< as in the scene, relative to the scene's file; "{face}" stands for six files
 };
 
-/// In the order of a scene file; empty names are none.
+/// Returns all named files in the order of a scene file, without empty names.
 std::vector<NamedFile> named_files(const Scene& scene);
 
-/// The names of the single files: those of a cube's six faces where a name has "{face}" in it.
+/// Returns the names of the single files: six for a cube if the name contains "{face}", else the name itself.
 std::vector<std::string> files_of_name(const std::string& name);
 
-/// Calls every file by what `renamed` makes of its name.
+/// Replaces the name of every file by renamed(name).
 void rename_files(Scene& scene, const std::function<std::string(const std::string& name)>& renamed);
 
 }  // namespace vegard::sim

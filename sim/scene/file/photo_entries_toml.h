@@ -1,4 +1,4 @@
-// [[fit.photo]] in a scene file: photographs that are fitted together, each with what it alone has.
+// [[fit.photo]] in a scene file: photographs that are fitted together, each with its own settings.
 //
 // For the files of this folder only.
 #pragma once
@@ -13,10 +13,10 @@
 
 namespace vegard::sim {
 
-/// Types and keys are checked here, what the entries say in check_photos(). Throws Error(scene).
+/// Reads the entries and checks types and keys; check_photos() checks the contents. Throws Error(scene).
 std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin& origin);
 
-/// The tables as TOML text, each after an empty line.
+/// Returns the tables as TOML text, each after an empty line.
 std::string photo_entries_text(const std::vector<PhotoEntry>& photos);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The files of voxels that a scene names: OpenVDB, or pbrt's volumegrid.
+// Reads the voxel files that a scene names: OpenVDB, or pbrt's volumegrid.
 #pragma once
 
 #include <string>
@@ -8,24 +8,23 @@
 
 namespace vegard::sim {
 
-/// "emission_5577": tenths of a nanometre.
+/// Returns the name of a line's grid in such a file: "emission_5577" for 557.7 nm.
 std::string emission_grid_name(double line_nm);
 
-/// What a scene's volume reads from its file.
+/// The grid of a scene's volume, read from its file.
 struct VolumeGridFile {
   std::string place;          ///< the file's path, for messages
-  SparseGrid grid;            ///< in km, or in the scene's units of the Sun's frame
-  std::vector<int> emission;  ///< [line of the scene] which channel, -1 where the file is dark
-  int density = -1;           ///< the channel that absorbs, -1 for none
-  Site
-      site;  ///< whose frame the grid is in: that of the volume's home if the file names none, or the scene's
+  SparseGrid grid;            ///< in km, or in sun.unit_km in the Sun's frame
+  std::vector<int> emission;  ///< [line of the scene]: channel of the grid, -1: no light
+  int density = -1;           ///< channel of the absorbing density, -1: none
+  Site site;  ///< site of the grid's frame: from the file, else the volume's home, else the scene's
 };
 
-/// A file without a grid for any line, but with `density` and no other emission, shines by that in every
-/// line; with density_rayleigh every file does. A density below 0 is taken as 0. A file whose metadata has
-/// "frame" = "sun" and "unit_km" is the Sun's, and one that vegard has written of anything else is not; other
-/// files are where the volume says. Throws Error(unreadable_input) that names the key, also for a file of the
-/// other frame.
+/// Reads the file of a volume. Light comes from the grids emission_grid_name(); but from the grid "density",
+/// in every line, if the volume has density_rayleigh or the file has no emission at all. A density below 0 is
+/// taken as 0. If the metadata of the file has "frame" = "sun" (with "unit_km") or a site, volume.frame must
+/// agree; files without both are placed by volume.frame. Throws Error(unreadable_input) that names the key,
+/// also for a wrong frame.
 VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume);
 
 }  // namespace vegard::sim

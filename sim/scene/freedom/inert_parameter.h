@@ -7,11 +7,11 @@
 
 namespace vegard::sim {
 
-/// A complaint about a parameter that cannot be fitted: the light of this scene does not depend on it,
-/// another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
+/// Returns a complaint about a parameter that cannot be fitted: the light of this scene does not depend on
+/// it, another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path);
 
-/// A complaint about a number that nothing depends on, whether it is fitted or not.
+/// Returns a complaint about a parameter that nothing depends on, whether it is fitted or not; else nothing.
 std::optional<Complaint> inert_number_complaint(const Scene& scene, const ParameterPath& path);
 
 }  // namespace vegard::sim

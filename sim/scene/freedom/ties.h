@@ -1,4 +1,4 @@
-// The numbers of a scene that follow from others (fit.tied), in an order in which they can be worked out.
+// The parameters of a scene that are computed from others (fit.tied), in an order of evaluation.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@
 namespace vegard::sim {
 
 struct Tie {
-  ParameterPath path;  ///< what follows
+  ParameterPath path;  ///< the tied parameter
   Expression expression;
 
-  /// One of the numbers that it uses: a parameter of the scene, free, tied or fixed, or else a number of
-  /// fit.free by its name (`path.row` is null).
+  /// An input of the expression: a parameter of the scene, free, tied or fixed; or, if `path.row` is null,
+  /// the entry of fit.free with this name.
   struct Input {
     ParameterPath path;
     std::string name;
@@ -23,13 +23,12 @@ struct Tie {
   std::vector<Input> inputs;  ///< in the order of expression.names()
 };
 
-/// Whether what an expression gives lies between the limits of the parameter that it is for, to rounding (a
-/// billionth of the limit).
+/// True if the value of an expression is within the limits of its parameter, with a tolerance of 1e-9 of the
+/// limit for rounding.
 bool is_within_limits(const ParameterPath& path, double value);
 
-/// The ties that hold in one photograph (a name of fit.photos; empty: where there is only one), each after
-/// those that it uses. Throws Error(scene) with the entry's line where a path or an expression cannot be
-/// understood, or where ties go in a circle.
+/// Returns the ties of one photograph (a name of fit.photos; empty: the only one), each after those that it
+/// uses. Throws Error(scene) with the entry's line for an invalid path or expression, or for circular ties.
 std::vector<Tie> ties_of(const Scene& scene, const std::string& photo = {});
 
 }  // namespace vegard::sim

@@ -1,46 +1,45 @@
-// An emission line: what is known of it; and the lines of the aurora. The one list of all lines, of nebulae
-// and the Sun too, is emission_lines() (sim/scene/lines/emission_lines.h): a scene may name these, and their
-// light and colour follow from the row.
+// The properties of an emission line, and the list of auroral lines. emission_lines()
+// (sim/scene/lines/emission_lines.h) lists all lines that a scene may name, also those of nebulae and the
+// Sun.
 //
-// Most lines have a column of their own in the emission tables (sim/light/tables/emission_tables.h). Where
-// tables have none, a line comes from the same upper state as one that has, or goes with it by a ratio from
-// the literature: its light is that column's times `ratio`. Those of nebulae
-// (sim/scene/lines/nebular_lines.h) have no column: electrons in the air leave them dark. docs/lines.md
-// prints the list.
+// Most auroral lines have a column of their own in the emission tables (sim/light/tables/emission_tables.h).
+// The light of the others is that of another column times `ratio`, because both lines have the same upper
+// state or because the literature gives a ratio. The lines of nebulae (sim/scene/lines/nebular_lines.h) have
+// no column: electrons in the air do not excite them. docs/lines.md has the list.
 #pragma once
 
 #include <vector>
 
 namespace vegard::sim {
 
-/// The green line of oxygen, which brightness is told by.
+/// The green line of oxygen, the reference for brightnesses.
 inline constexpr double kGreenNm = 557.7;
 
-/// A wavelength at which a line, or a set of bands under one name, shines, and its share of the photons.
+/// One wavelength of a line (a multiplet or a set of bands has several), and its share of the photons.
 struct LineComponent {
   double wavelength_nm;
   double share;
 };
 
 struct EmissionLine {
-  double wavelength_nm = 0.0;  ///< its name; of a set of bands that of one of them
+  double wavelength_nm = 0.0;  ///< identifies the line; of a set of bands: of one of them
   const char* species = "";
   const char* transition = "";
   double lifetime_s = 0.0;                ///< of the upper state, without collisions
-  const char* table_column = "";          ///< of emission tables without its own; empty: not of the aurora
-  double ratio = 0.0;                     ///< of its photons to that column's
-  const char* ratio_source = "";          ///< empty for a line with a column of its own; else with the spread
-  const char* blended_with = "";          ///< what stands so near that a colour filter of some nm has both
-  std::vector<LineComponent> components;  ///< shares add up to 1; the wavelength alone for a single line
-  const char* components_source = "";     ///< where the shares come from; empty for a single line
-  bool is_own = false;                    ///< of the scene's own (sim/scene/lines/scene_lines.h)
+  const char* table_column = "";          ///< column in tables without one for this line; empty: not auroral
+  double ratio = 0.0;                     ///< its photons over those of table_column
+  const char* ratio_source = "";          ///< reference and spread; empty: it has its own column
+  const char* blended_with = "";          ///< lines that a filter of some nm width does not separate
+  std::vector<LineComponent> components;  ///< shares add up to 1; one component for a single line
+  const char* components_source = "";     ///< reference for the shares; empty for a single line
+  bool is_own = false;                    ///< from [[line]] (sim/scene/lines/scene_lines.h)
 };
 
-/// Whether it is emitted by what electrons strike in the air. The others are of nebulae and the Sun; in an
-/// aurora only a profile of the user's own makes them shine.
+/// True if electrons in the air excite the line. The other lines are of nebulae and the Sun; in an aurora
+/// they need a height profile of the user.
 bool is_auroral(const EmissionLine& line);
 
-/// Those of the aurora: the lines and bands of oxygen and nitrogen.
+/// Returns the auroral lines: lines and bands of oxygen and nitrogen.
 std::vector<EmissionLine> auroral_lines();
 
 }  // namespace vegard::sim

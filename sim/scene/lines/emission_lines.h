@@ -1,4 +1,4 @@
-// The one list of emission lines that a scene may name.
+// The list of all emission lines that a scene may name.
 #pragma once
 
 #include <string>
@@ -8,29 +8,29 @@
 
 namespace vegard::sim {
 
-/// Every line, by increasing wavelength.
+/// Returns all lines, by increasing wavelength.
 const std::vector<EmissionLine>& emission_lines();
 
-/// Wavelengths that are less apart name one line.
+/// Wavelengths that differ by less than this name the same line.
 inline constexpr double kSameLineNm = 0.05;
 
-/// The line within kSameLineNm of this wavelength, or nullptr.
+/// Returns the line within kSameLineNm of this wavelength, or nullptr.
 const EmissionLine* find_emission_line(double wavelength_nm);
 
-/// Wavelengths in nm of emission_lines(), ascending.
+/// Returns the wavelengths of emission_lines() in nm, ascending.
 const std::vector<double>& known_emission_lines_nm();
 
-/// Where the line shines and with which shares: of one that the list lacks its wavelength alone.
+/// Returns the components of the line; for a wavelength that is not in the list, the wavelength itself.
 std::vector<LineComponent> line_components(double wavelength_nm);
 
-/// Which of `lines_nm` is the line that `line_nm` names, or -1. Either may be written with what
-/// find_emission_line() allows for.
+/// Returns the index in `lines_nm` of the line `line_nm`, or -1. Wavelengths match as in
+/// find_emission_line().
 int line_index(const std::vector<double>& lines_nm, double line_nm);
 
-/// A line's wavelength in whole angstrom, by which paths tell lines apart.
+/// Returns a line's wavelength in whole angstrom, which identifies the line in paths.
 int line_in_angstrom(double line_nm);
 
-/// How a line is called in a path: its wavelength in angstrom, "6300".
+/// Returns a line's name in a path: its wavelength in angstrom, "6300".
 std::string line_name(double line_nm);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The lines of nebulae, and two continua of theirs as sets of bands. A part of emission_lines().
+// The lines of nebulae, and two continua as sets of bands. A part of emission_lines().
 #pragma once
 
 #include <vector>
@@ -7,8 +7,9 @@
 
 namespace vegard::sim {
 
-/// Recombination lines of hydrogen and helium, forbidden lines of ions (each with the other line from its
-/// upper term, where the two cannot be had apart), starlight that dust scatters, and synchrotron light.
+/// Returns the recombination lines of hydrogen and helium, forbidden lines of ions (as doublets where both
+/// lines have a common upper term and thus a fixed ratio), starlight scattered by dust, and synchrotron
+/// light.
 std::vector<EmissionLine> nebular_lines();
 
 }  // namespace vegard::sim

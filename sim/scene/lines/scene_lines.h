@@ -1,5 +1,5 @@
-// The lines of a scene: those of emission_lines(), and its own, which go before them; and the blur that
-// belongs to each.
+// The lines of a scene: its own ([[line]]), which take precedence, and those of emission_lines(); and the
+// blur of each line.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,19 @@
 
 namespace vegard::sim {
 
-/// The scene's own line within 0.05 nm of this wavelength, or nullptr.
+/// Returns the scene's own line within kSameLineNm of this wavelength, or nullptr.
 const OwnLine* find_own_line(const Scene& scene, double wavelength_nm);
 
-/// What is known of a line in this scene; none of a wavelength that neither list has. An own line that
-/// follows another one comes from the same atoms, which lose as much by collisions; any other loses nothing
-/// to them.
+/// Returns the properties of a line in this scene; nothing if neither list has the wavelength. An own line
+/// that follows another one has the same atoms and the same quenching; any other own line is not quenched.
 std::optional<EmissionLine> find_line(const Scene& scene, double wavelength_nm);
 
-/// Standard deviation in degrees that a line gets if the scene says nothing: that of a default Scene for its
-/// own lines and those that share a column of the tables with them (636.4 nm with 630.0 nm), none for the
-/// others.
+/// Returns the default standard deviation of a line's blur in degrees: that of a default Scene for its lines
+/// and for lines with the same column of the tables (636.4 nm as 630.0 nm); 0 for others.
 double default_blur_width_deg(double line_nm);
 
-/// Sets the lines; a line that stays keeps its blur, a new one gets the default, of an own line that follows
-/// another one that one's.
+/// Sets emission.lines and blur.width_deg. A line that was there keeps its blur, a new one gets the default;
+/// an own line that follows another one gets the default of that one.
 void change_lines(Scene& scene, const std::vector<double>& lines_nm);
 
 }  // namespace vegard::sim

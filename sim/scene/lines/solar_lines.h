@@ -1,5 +1,5 @@
-// Bands in which the Sun is looked at: ultraviolet lines of its corona, two lines of the visible corona, and
-// white light. A part of emission_lines().
+// The bands of solar pictures: ultraviolet lines of the corona, two visible lines of the corona, and white
+// light. A part of emission_lines().
 #pragma once
 
 #include <optional>
@@ -9,21 +9,21 @@
 
 namespace vegard::sim {
 
-/// Light of a line by the temperature of what shines, relative to its highest:
+/// Light of a line as a function of the temperature of the plasma, relative to its maximum:
 ///   exp(-1/2 ((log10 T - peak_log_k) / width_log_k)²).
-/// It stands for the line's contribution function, whose peak is where its ion is most abundant in ionisation
-/// equilibrium and whose width over half its height is some 0.2 to 0.4 of log10 T, 2.35 width_log_k.
+/// It approximates the line's contribution function, which peaks where the line's ion is most abundant in
+/// ionisation equilibrium. The full width at half maximum, 2.35 width_log_k, is 0.2 to 0.4 in log10 T.
 struct TemperatureResponse {
   double peak_log_k, width_log_k;
-  const char* source;  ///< of the peak
+  const char* source;  ///< reference for the peak
 };
 
 std::vector<EmissionLine> solar_lines();
 
-/// None for white light, which free electrons scatter at any temperature, and for all other lines.
+/// Returns nothing for white light, which free electrons scatter at any temperature, and for other lines.
 std::optional<TemperatureResponse> temperature_response(double wavelength_nm);
 
-/// Whether a line is one of those.
+/// True if the line is one of solar_lines().
 bool is_solar(const EmissionLine& line);
 
 }  // namespace vegard::sim

@@ -1,28 +1,28 @@
-// What is wrong with a scene, as one says it to whoever wrote it.
+// Messages to the user about what is wrong with a scene.
 #pragma once
 
 #include <string>
 
 namespace vegard::sim {
 
-/// What is wrong with a value, before anyone knows in which file it stands.
+/// What is wrong with a value, without the place of the value.
 struct Complaint {
   std::string problem, expected, hint;
-  int element = -1;       ///< of a list: the number that is wrong, where it is one alone
-  bool is_inert = false;  ///< of a number: nothing depends on it, free or not
+  int element = -1;       ///< index of the wrong number in a list, if there is only one
+  bool is_inert = false;  ///< nothing depends on the parameter, free or not
 };
 
-/// Where a value stands, for messages.
+/// The place of a value, for messages.
 struct Origin {
   std::string file;
   int line = 0;
   std::string key;
 };
 
-/// " in line 12", or nothing for 0: a line of a file that is not known.
+/// Returns " in line 12", or an empty text for 0 (unknown line).
 std::string in_line(int line);
 
-/// Throws Error(scene).
+/// Throws Error(scene) with the complaint and its place.
 [[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// What a parameter is: a row as everyone sees it, and the declaration behind it, which also knows the row's
-// place inside a Scene. The table that lists them all is sim/scene/table/parameter_table.h.
+// The description of a parameter: ParameterRow, the public part, and Declaration, which also knows the
+// parameter's place inside a Scene. sim/scene/table/parameter_table.h lists all rows.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ namespace vegard::sim {
 
 enum class ParameterKind { real, integer, boolean, text };
 
-/// How a real parameter is stepped and transformed when it is free. An angle is periodic: its limits only
-/// keep nonsense out and lie several turns apart.
+/// How a real parameter is stepped and transformed when it is free. An angle is periodic: its limits are
+/// several turns apart and only exclude nonsense.
 enum class ParameterScale { linear, logarithmic, angle };
 
-/// What those who work with parameters need to know of one, as its row of the table declares it. Most need to
-/// know nothing. Each role but `none` is that of one key.
+/// A mark by which code finds the row of a particular parameter. Most rows have none; each other role belongs
+/// to exactly one key.
 enum class ParameterRole {
   none,
   // of a sheet
@@ -83,32 +83,32 @@ enum class ParameterRole {
   sun_elevation,
   granule_size,
   granule_shift,
-  roles  ///< how many there are
+  roles  ///< number of roles
 };
 
-/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length the
-/// scene decides (emission.lines, blur.width_deg) is one row for all its components, with a component such as
-/// "<line>".
+/// One row: a scalar, or one component of a vector ("sheet", "center_km", "east"). A vector whose length
+/// depends on the scene (emission.lines, blur.width_deg) is one row for all its components, with a
+/// placeholder such as "<line>" as component.
 struct ParameterRow {
   std::string table;      ///< "sheet"; empty for a key of the file itself ("seed")
   std::string key;        ///< "center_km"
   std::string component;  ///< "east", or empty for a scalar
   ParameterKind kind = ParameterKind::real;
-  std::string unit;          ///< "km"; empty if it has none
-  std::string default_text;  ///< as one would write it in TOML; of a vector of free length, the whole vector
-  double min = 0.0, max = 0.0;       ///< hard limits of a number, inclusive; +-infinity where there is none
-  std::vector<std::string> choices;  ///< of a text; empty: any
+  std::string unit;                  ///< "km"; empty if it has none
+  std::string default_text;          ///< in TOML; of a vector of variable length: the whole vector
+  double min = 0.0, max = 0.0;       ///< hard limits, inclusive; +-infinity: none
+  std::vector<std::string> choices;  ///< allowed texts; empty: any
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;  ///< continuous, and the simulator has its derivative
   std::string meaning;       ///< one line
-  std::string noun;          ///< as one speaks of it, without its owner: "amplitude"
+  std::string noun;          ///< its name in a sentence: "amplitude"
   ParameterRole role = ParameterRole::none;
 };
 
 inline const char* const sheet_table = "sheet";
 
-/// One number. A number of a list by emission line is known by its line, not by its place in the list: scenes
-/// of several photographs may have their lines in different orders, or lack some.
+/// The identity of one number. In a list by emission line a number is identified by its line, not by its
+/// index: the scenes of several photographs may have different lines, or another order.
 struct ParameterId {
   const ParameterRow* row = nullptr;  ///< of parameter_table(); null: no parameter
   int element = -1;                   ///< which of a repeated table's elements, -1 for other tables
@@ -125,7 +125,7 @@ inline bool operator==(const ParameterId& a, const ParameterId& b) {
 }
 inline bool operator!=(const ParameterId& a, const ParameterId& b) { return !(a == b); }
 
-/// An identity as one scene writes it.
+/// A number of one scene: its identity and its path.
 struct ParameterPath {
   const ParameterRow* row = nullptr;
   int element = -1;   ///< which of a repeated table's elements, -1 for other tables
@@ -137,19 +137,19 @@ struct ParameterPath {
   int sheet() const { return id.sheet(); }
 };
 
-/// A table that a scene may hold several times, as [[sheet]]: its elements have names, by which paths call
-/// them.
+/// A table that a scene may contain several times, such as [[sheet]]. Its elements have names, which appear
+/// in paths.
 struct RepeatedTable {
   std::string table;
   std::function<std::size_t(const Scene&)> count;
   std::function<const std::string&(const Scene&, int element)> name;
-  std::function<void(Scene&)> append;  ///< an element with its defaults
-  /// Leaves the elements of those names.
+  std::function<void(Scene&)> append;  ///< appends an element with defaults
+  /// Removes all elements except those for whose name the function returns true.
   std::function<void(Scene&, const std::function<bool(const std::string& name)>&)> keep;
 };
 
-/// The place of a kind: an enumerator of whatever enumeration, read and set by its number. Its word is the
-/// row's.
+/// A reference to a member of any enumeration type, read and set by its number. The row has the words for the
+/// numbers.
 class KindRef {
  public:
   template <class Kind>
@@ -167,7 +167,7 @@ class KindRef {
   void (*set_)(void*, int);
 };
 
-/// A parameter's place. Which alternative it holds decides the row's kind.
+/// A reference to a parameter inside a Scene. Its alternative determines the row's kind.
 using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*, KindRef>;
 
 /// A key and its value as TOML text.
@@ -180,38 +180,40 @@ struct Declaration {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices;
-  std::vector<int> numbers;  ///< of a kind: of the enumerator that each choice is the word of
-  const std::type_info* kind_type = nullptr;  ///< of a kind: its enumeration
+  std::vector<int> numbers;                   ///< of an enumeration: the number of each choice
+  const std::type_info* kind_type = nullptr;  ///< of an enumeration: its type
   ParameterScale scale = ParameterScale::linear;
   bool can_be_free = false;
   ParameterRole role = ParameterRole::none;
   std::string noun;  ///< empty: the key without its unit
 
-  /// `element` is read by repeated tables only.
+  /// Returns the reference to a component; `element` is only used for repeated tables.
   std::function<ValueRef(Scene&, int element, int component)> at;
 
-  /// Only for a vector whose length the scene decides; `components` then holds one stand-in.
+  /// Only for a vector whose length depends on the scene; `components` then has one placeholder.
   std::function<const std::vector<double>&(const Scene&, int element)> list;
   std::function<void(Scene&, int element, const std::vector<double>&)> set_list;
-  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)> list_rule;  ///< or none
+  std::function<std::optional<Complaint>(const Scene&, const std::vector<double>&)>
+      list_rule;  ///< may be empty
   std::function<std::string(const Scene&, int element, int component)> list_component;
-  /// Of a list by emission line: how many numbers each line has, the lines in the order of emission.lines.
+  /// Of a list by emission line: how many numbers there are per line. Lines are in the order of
+  /// emission.lines.
   std::function<int(const Scene&, int element)> numbers_per_line;
 
-  /// What limits and choices cannot say.
+  /// Further checks of a value, beyond limits and choices.
   std::function<std::optional<Complaint>(double)> number_rule;
   std::function<std::optional<Complaint>(const std::string&)> text_rule;
 
-  /// A text that may name a table (sim/scene/table/table_files.h), or a picture or grid
+  /// True for a text that may name a table (sim/scene/table/table_files.h), or a picture or grid
   /// (sim/scene/file/named_files.h).
   bool names_table = false, names_file = false;
-  /// One that may name a folder of emission tables (sim/scene/table/emission_folder.h).
+  /// True for a text that may name a folder of emission tables (sim/scene/table/emission_folder.h).
   bool names_folder = false;
 
-  /// What follows from a new value, of a scalar in a repeated table.
+  /// Called after a new value of a scalar in a repeated table has been set, to adapt other values.
   void (*then)(Scene&, int element) = nullptr;
 
-  /// Other keys of the same element that a new value of a text sets, or none.
+  /// Returns other keys of the same element that a new value of this text sets. May be null.
   const std::vector<KeyAndText>& (*presets)(const std::string& value) = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// The words for how a photograph's numbers become linear light: fit.decoding, --decoding.
+// The values of fit.decoding and --decoding: how the numbers of a photograph become linear light.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@ namespace vegard::sim {
 
 inline constexpr std::string_view kCurveWord = "curve:";
 
-/// "auto" (sRGB for integers, linear for floats), "srgb", "srgb:1.3" and "srgb:1.3:0.8"
-/// (sim/view/sensor/transfer_curve.h: exponents over sRGB's light, of all or of black and of white),
-/// "linear", "gamma:2.2", "curve:FILE.csv" (columns linear and encoded, as sensor.tone_file), "sensor",
-/// "unknown" and "unknown:2" (a curve of that family with one or two numbers, found together with the scene).
+/// A parsed value: "auto" (sRGB for integers, linear for floats), "srgb", "srgb:1.3" and "srgb:1.3:0.8" (sRGB
+/// with one exponent, or with exponents at black and at white: sim/view/sensor/transfer_curve.h), "linear",
+/// "gamma:2.2", "curve:FILE.csv" (columns linear and encoded, as in sensor.tone_file), "sensor", "unknown"
+/// and "unknown:2" (sRGB with one or two exponents that are fitted together with the scene).
 struct DecodingWord {
   enum class Kind { automatic, srgb, bent, linear, gamma, curve, sensor, unknown } kind = Kind::automatic;
-  double gamma = 1.0;               ///< of gamma
-  double black = 1.0, white = 1.0;  ///< of bent
-  std::string file;                 ///< of curve
-  int unknowns = 0;                 ///< of unknown: 1 or 2
+  double gamma = 1.0;               ///< exponent of `gamma`
+  double black = 1.0, white = 1.0;  ///< exponents of `bent`
+  std::string file;                 ///< of `curve`
+  int unknowns = 0;                 ///< number of exponents of `unknown`: 1 or 2
 };
 
-/// What is wrong with a text that is none of them; nothing of a sound one.
+/// Returns a complaint about an invalid text, or nothing.
 std::optional<Complaint> decoding_complaint(const std::string& text);
 
-/// Of a text without a complaint.
+/// Parses a text that has no complaint.
 DecodingWord decoding_word(const std::string& text);
 
 }  // namespace vegard::sim

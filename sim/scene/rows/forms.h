@@ -1,4 +1,4 @@
-// Auroral forms: which keys of a sheet each of them sets.
+// Auroral forms, and the keys of a sheet that each form sets.
 //
 // Source: Baranoski et al. 2000, sections 2.2 to 2.4 (after the International Auroral Atlas); docs/physics.md
 // row B20, docs/forms.md.
@@ -17,12 +17,12 @@ struct Form {
   std::vector<KeyAndText> values;  ///< keys of a sheet
 };
 
-/// Every form, the same keys in the same order; "custom", which sets nothing, is first.
+/// Returns all forms, with the same keys in the same order, after "custom", which sets nothing.
 const std::vector<Form>& forms();
 
 std::vector<std::string> form_names();
 
-/// What a form sets; nothing for a name that is none.
+/// Returns the keys and values that a form sets; empty for an unknown name.
 const std::vector<KeyAndText>& values_of_form(const std::string& name);
 
 }  // namespace vegard::sim

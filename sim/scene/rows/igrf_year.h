@@ -1,4 +1,4 @@
-// When the field of a scene is that of the International Geomagnetic Reference Field.
+// The time for which a scene takes the International Geomagnetic Reference Field (IGRF).
 #pragma once
 
 #include "sim/scene/structs/scene.h"
@@ -7,8 +7,8 @@ namespace vegard::sim {
 
 inline constexpr double kFirstIgrfYear = 1900.0, kLastIgrfYear = 2030.0;
 
-/// The year of the site's time, with its fraction. Throws Error(scene), which names field.model, if there is
-/// none or it lies outside of these years.
+/// Returns the decimal year of the site's time. Throws Error(scene), which names field.model, if the site has
+/// no time or it is outside of these years.
 double igrf_year(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -1,6 +1,6 @@
-// What limits and choices of a single row cannot say.
+// Checks of values beyond the limits and choices of a row.
 //
-// Each gives what is wrong, or nothing.
+// Each function returns a complaint, or nothing if the value is valid.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,17 @@
 
 namespace vegard::sim {
 
-/// A nearly horizontal field would let beams run along the ground: at least 20 degrees.
+/// At least 20 degrees: beams in a nearly horizontal field would run along the ground.
 std::optional<Complaint> inclination_complaint(double inclination_deg);
 
-/// A time or length of which 0 says that there is none: else at least 0.001, or whoever asked for less would
-/// only lose what it belongs to in the rounding of the places and instants.
+/// A time or length that is 0 (none) or at least 0.001: smaller values are lost in the rounding of positions
+/// and times.
 std::optional<Complaint> none_or_some_complaint(double value);
 
-/// A layer's scale height: 0, or at least 0.5 km, below which it is thinner than the steps of altitude.
+/// A layer's scale height: 0, or at least kThinnestLayer_km.
 std::optional<Complaint> layer_complaint(double scale_height_km);
 
-/// True for a text that names a table in a file; others are empty or names of what is built in.
+/// True if the text names a table in a file; other texts are empty or names of built-in tables.
 bool is_table_file(const std::string& value);
 
 /// Empty, or "2019-09-01", with a time "T05:00", "T05:00:00" or "T05:00:00.25" and "Z".
@@ -31,7 +31,7 @@ std::optional<Complaint> time_complaint(const std::string& time_utc);
 /// The name of built-in emission tables or of a folder: not empty.
 std::optional<Complaint> emission_tables_complaint(const std::string& name);
 
-/// Between one and eight lines of the program's list or the scene's own, none twice.
+/// Between one and eight different lines, of emission_lines() or the scene's own.
 std::optional<Complaint> lines_complaint(const Scene& scene, const std::vector<double>& lines_nm);
 
 /// One width per line.

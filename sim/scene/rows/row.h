@@ -1,4 +1,4 @@
-// How a row of the parameter table is written down: Row("table", "key", place).in("km").within(0,
+// Row: builds a declaration of the parameter table, Row("table", "key", place).in("km").within(0,
 // 1).means("…").
 //
 // For the files of this folder and of sim/scene/emitters/, and for kinds of emitters that a program adds.
@@ -19,7 +19,7 @@
 
 namespace vegard::sim {
 
-/// The component of a member: the member itself if it is a scalar.
+/// Returns a reference to a component of a member: to the member itself if it is a scalar.
 template <class T>
 ValueRef component_of(T& scalar, int) {
   if constexpr (std::is_enum_v<T>)
@@ -34,8 +34,7 @@ ValueRef component_of(std::array<T, n>& array, int c) {
   return &array.at(c);
 }
 
-/// The elements of a table that a program has added, in Scene::added: `table` of them, which Element stands
-/// for.
+/// Access to the elements, of type Element, of a table that a program has added (Scene::added).
 template <class Element>
 class AddedElements {
  public:
@@ -58,7 +57,7 @@ class AddedElements {
   std::string table_;
 };
 
-/// A table that a scene may hold several times, of elements with a name; `in` gives them.
+/// Returns the description of a repeated table whose elements have a `name`; in(scene) returns their vector.
 template <class In>
 RepeatedTable repeated_table_in(const std::string& table, const In& in) {
   return {table, [=](const Scene& scene) { return in(scene).size(); },
@@ -84,13 +83,13 @@ RepeatedTable repeated_table_of(const AddedElements<Element>& added) {
       added.table(), [=](auto& scene) -> auto& { return added.in(scene); });
 }
 
-/// How a list with a number per emission line calls them.
+/// Returns the component name of a number in a list with one number per emission line: "6300".
 inline std::string name_by_line(const Scene& scene, int /*element*/, int index) {
   const auto& lines = scene.emission.lines;
   return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
 }
 
-/// Builds a Declaration step by step, so that each row below reads as one sentence.
+/// Builds a Declaration step by step.
 class Row {
  public:
   template <class Value>
@@ -113,7 +112,7 @@ class Row {
   template <class Value>
   Row(std::string key, Value Sheet::*value) : Row(sheet_table, std::move(key), &Scene::sheets, value) {}
 
-  /// Of a repeated table.
+  /// A key of a repeated table.
   template <class Element, class Value>
   Row(std::string table, std::string key, std::vector<Element> Scene::*in, Value Element::*value) {
     of_elements(
@@ -130,7 +129,7 @@ class Row {
   Row& from(double min) { return d_.min = min, *this; }
   Row& within(double min, double max) { return d_.min = min, d_.max = max, *this; }
   Row& one_of(std::vector<std::string> choices) { return d_.choices = std::move(choices), *this; }
-  /// The words of a kind. They stand here and nowhere else.
+  /// Sets the words of an enumeration. They are defined nowhere else.
   template <class Kind>
   Row& one_of(std::initializer_list<std::pair<const char*, Kind>> words) {
     d_.kind_type = &typeid(Kind);
@@ -172,7 +171,7 @@ class Row {
   Row& by_line() {
     return by_line("<line>", name_by_line, [](const Scene&, int) { return 1; });
   }
-  /// With several for each: `component` stands for their names.
+  /// A list with several numbers for each line; `component` is the placeholder of their names.
   Row& by_line(std::string component, std::string (*name)(const Scene&, int element, int component_index),
                int (*numbers)(const Scene&, int element)) {
     d_.numbers_per_line = numbers;

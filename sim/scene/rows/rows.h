@@ -1,4 +1,4 @@
-// The rows of the parameter table but those of what shines (sim/scene/emitters/), a function per group of
+// The rows of the parameter table, except those of emitters (sim/scene/emitters/): a function per group of
 // tables, in the order of a scene file.
 #pragma once
 
@@ -8,11 +8,11 @@
 
 namespace vegard::sim {
 
-// What comes before it.
+// The rows before those of emitters.
 std::vector<Declaration> place_rows();
 std::vector<Declaration> sheet_rows();
 
-// What comes after what shines.
+// The rows after those of emitters.
 std::vector<Declaration> march_rows();
 std::vector<Declaration> own_line_rows();
 std::vector<Declaration> light_rows();

@@ -6,14 +6,14 @@
 
 namespace vegard::sim {
 
-/// The shortest text that reads back as the same double, always with a point or an exponent: "3.0", "0.1",
-/// "1e+20".
+/// Returns the shortest text that reads back as the same double, always with a point or an exponent: "3.0",
+/// "0.1", "1e+20".
 std::string real_text(double value);
 
-/// Six significant digits, for messages and listings: "12.5664", "10000000".
+/// Returns six significant digits, for messages and listings: "12.5664", "10000000".
 std::string short_real_text(double value);
 
-/// A basic string in quotes, with what TOML demands escaped.
+/// Returns a TOML basic string: in quotes, with escapes.
 std::string quoted_text(std::string_view text);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// Errors about a scene, reported with the place of what is wrong in its file.
+// Adds the file and the line of a faulty key to an error about a scene.
 #pragma once
 
 #include "sim/base/error.h"
@@ -6,11 +6,11 @@
 
 namespace vegard::sim {
 
-/// The same error with the scene's file and the line of its key, if it is about the scene and does not have
-/// them: those who work with the numbers of a scene do not know its file.
+/// Returns the error with the scene's file and the line of its key added, if it is an Error(scene) that lacks
+/// them: code that works with the numbers of a scene does not know its file.
 Error with_place(const Error& error, const Scene& scene);
 
-/// call(), with the place of what is wrong with the scene in its errors.
+/// Returns call(). An Error that it throws passes through with_place().
 template <typename Call>
 auto placing_errors(const Scene& scene, const Call& call) {
   try {

@@ -1,4 +1,4 @@
-// Where in its file a value of a scene stands, and whether the site is given at all.
+// The line of a scene's file that sets a key, and whether the site is given.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace vegard::sim {
 
-/// The 1-based line of a key, "fit.roi_px" or "sheet.main.center_km", or of the key of which `key` is a
-/// component ("sheet.main.center_km.north"). 0 if the file does not set it, or if set_from_text() has since.
+/// Returns the 1-based line of a key such as "fit.roi_px", or of the vector of which `key` names a component
+/// ("sheet.main.center_km.north"). 0 if the file does not set the key, or if set_from_text() has changed it.
 int line_of(const Scene& scene, const std::string& key);
 
-/// Whether the scene's file gives the site's latitude or longitude, or the value is not the default.
+/// True if the scene's file sets the site's latitude (longitude), or if the value is not the default.
 bool is_latitude_given(const Scene& scene);
 bool is_longitude_given(const Scene& scene);
 

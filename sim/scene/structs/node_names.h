@@ -9,10 +9,10 @@
 
 namespace vegard::sim {
 
-/// "hull, lobes" as its names; blanks about them do not count, and an empty text has none.
+/// Splits Node::of, such as "hull, lobes", into names without blanks around them; empty for an empty text.
 std::vector<std::string> node_names(const std::string& of);
 
-/// How many nodes a kind of node works on.
+/// The number of nodes that a kind of node takes as operands.
 struct NodeArity {
   std::size_t least = 0, most = 0;
   std::string words() const;  ///< "no other node", "one node", "two nodes or more"

@@ -8,7 +8,7 @@
 
 namespace vegard::sim {
 
-inline const char* const photo_key = "photo";  ///< in the table free_table
+inline const char* const photo_key = "photo";  ///< array of tables inside the table free_table: [[fit.photo]]
 inline const char* const photo_set_key = "set";
 
 struct PhotoTextKey {

@@ -1,57 +1,57 @@
-// What the words of a sheet choose. They stand apart from the sheet for those who need no scene: the kernel,
-// and footprints, which share its profiles.
+// The enumerations of a sheet's keys. They are apart from struct Sheet for code that needs no scene: the
+// beam kernel, and footprints, which use the same height profiles.
 #pragma once
 
 namespace vegard::sim {
 
-/// Light against altitude.
+/// Height profile: light as a function of altitude.
 enum class ProfileKind {
-  maxwellian,  ///< of electrons whose spectrum is a Maxwellian,
-  mono,        ///< of a single energy,
-  gaussian,    ///< or a Gaussian one
-  form,        ///< a form's measured curve, with the Maxwellian's ratios of lines
-  file,        ///< of a CSV
-  spline,      ///< free, a coefficient per knot and line
-  layer        ///< of the layers that the scene's own lines have
+  maxwellian,  ///< of electrons with a Maxwellian spectrum
+  mono,        ///< of electrons of a single energy
+  gaussian,    ///< of electrons with a Gaussian spectrum
+  form,        ///< measured curve of an auroral form, with the line ratios of a Maxwellian
+  file,        ///< from a CSV file
+  spline,      ///< free-form: a coefficient per knot and line
+  layer        ///< the layers of the scene's own lines ([[line]])
 };
 
-/// Whether it is that of electrons in the Earth's air, by the emission tables.
+/// True if the profile comes from the emission tables: electrons in the Earth's air.
 constexpr bool is_of_electrons(ProfileKind profile) {
   return profile != ProfileKind::file && profile != ProfileKind::spline && profile != ProfileKind::layer;
 }
 
-/// The line that the layers of a sheet follow.
+/// The course of a sheet's layers on the ground.
 enum class SheetCourse {
-  sine,  ///< about a straight line
-  curve  ///< through given points
+  sine,  ///< sine about a straight line
+  curve  ///< curve through given points
 };
 
-/// How a beam is deflected: readings of equation (4) of the source paper (docs/physics.md row B14).
+/// How a beam is deflected: interpretations of equation (4) of the source paper (docs/physics.md row B14).
 enum class PitchLaw { reduced, product, increment, constant };
 
-/// Where the beams of a layer stand.
+/// The positions of the beams along a layer.
 enum class SpacingRule {
-  stratified,  ///< each in a stretch of its own
-  tied,        ///< by a jittered walk
-  literal      ///< by the paper's walk, whose phase does not follow it
+  stratified,  ///< jittered about the middles of equal intervals
+  tied,        ///< a walk with jittered steps
+  literal      ///< the paper's walk: the sine's phase ignores the jitter
 };
 
-/// How long the steps of a beam's path are.
+/// The lengths of the steps of a beam's path.
 enum class PathRule {
-  even,   ///< all alike, and beams next to each other begin at other places
-  random  ///< between nothing and the largest one, as in the paper
+  even,   ///< all equal; neighbouring beams have different first steps
+  random  ///< uniform between 0 and the largest, as in the paper
 };
 
 /// What the undulation of the lower border moves.
 enum class BorderRule {
-  light,  ///< where a beam's light is read from the height profile
-  start   ///< where a beam starts, and so ends: literally the paper's
+  light,  ///< the altitude at which the height profile is evaluated
+  start   ///< the start of a beam, and so its end: literally as in the paper
 };
 
 /// The largest step of a beam's path.
 enum class PathStepRule {
-  given,  ///< path_step
-  energy  ///< by the electrons' mean energy
+  given,  ///< Sheet::path_step
+  energy  ///< from the electrons' mean energy
 };
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// East, north and up of a place on the globe, and what leads from one place's frame to another's.
+// The east, north and up axes of a site, and the transformation from one site's frame to another's.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace vegard::sim {
 
-/// Unit vectors in coordinates of the Earth: z through the north pole, x through latitude and longitude 0.
+/// Unit vectors in coordinates of the body: z through the north pole, x through latitude and longitude 0.
 struct SiteAxes {
   double axis[3][3];  ///< east, north, up
 };
@@ -20,8 +20,8 @@ inline SiteAxes axes_at(const Site& site) {
            {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon), std::sin(lat)}}};
 }
 
-/// A point of one frame in another: turn p + shift_km. Frames are east, north and up of an observer at its
-/// origin, its altitude included, on a sphere of this radius.
+/// Maps a point p of one frame to another: turn p + shift_km. The axes of a frame are east, north and up; its
+/// origin is the observer, at the observer's altitude above the sphere.
 struct SiteTurn {
   double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
   double shift_km[3] = {0.0, 0.0, 0.0};

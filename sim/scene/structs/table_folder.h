@@ -1,4 +1,4 @@
-// The text of a folder of tables.
+// The texts of a folder of emission tables.
 #pragma once
 
 #include <map>
@@ -7,8 +7,8 @@
 namespace vegard::sim {
 
 struct TableFolder {
-  std::string place;                         ///< of the folder, for messages
-  std::map<std::string, std::string> files;  ///< text by the file's name, "ver_maxwellian.csv"
+  std::string place;                         ///< path of the folder, for messages
+  std::map<std::string, std::string> files;  ///< text of each file by its name, "ver_maxwellian.csv"
 };
 
 }  // namespace vegard::sim

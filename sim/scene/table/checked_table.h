@@ -1,5 +1,5 @@
-// A table of a TOML file whose keys are asked for one after the other: values of a kind and within limits,
-// with one message that names file, line and key for what is not; what was not asked for is unknown.
+// CheckedTable: reads the keys of a TOML table one after the other and checks the types and limits of their
+// values. Errors name file, line and key. Keys that were never read are unknown and refused.
 //
 // For the files that read TOML only (bounded_toml.h).
 #pragma once
@@ -19,8 +19,8 @@
 
 namespace vegard::sim {
 
-/// All that reads throws Error(scene). `path` is the table's own key, empty of the file's. The parsed TOML
-/// must outlive it.
+/// All reading functions throw Error(scene). `path` is the key of the table, empty for the whole file. The
+/// parsed TOML must outlive the object.
 class CheckedTable {
  public:
   CheckedTable(const toml::table& table, std::string file, std::string path, int line)
@@ -88,10 +88,10 @@ class CheckedTable {
     seconds = *read;
   }
 
-  /// Who asks knows the key: it is one of those that a misspelt one may have meant.
+  /// True if the table has the key. The key becomes a known one, also for hints about misspelt keys.
   bool has(const std::string& key) { return get(key) != nullptr; }
 
-  /// The tables of an array of tables, [[name]].
+  /// Calls `read` for each table of an array of tables, [[name]].
   void each(const std::string& key, const std::function<void(CheckedTable& table)>& read) {
     const toml::node* node = get(key);
     if (node == nullptr) return;
@@ -110,7 +110,7 @@ class CheckedTable {
     }
   }
 
-  /// A table of the file, [name]; not called where there is none.
+  /// Calls `read` for the table [name], if there is one.
   void table(const std::string& key, const std::function<void(CheckedTable& table)>& read) {
     const toml::node* node = get(key);
     if (node == nullptr) return;
@@ -143,7 +143,7 @@ class CheckedTable {
   std::vector<std::string> known_;
 };
 
-/// parse_toml(), where what is no TOML is told as what is wrong in it is. Throws Error(scene).
+/// Returns parse_toml(), with syntax errors as Error(scene) too.
 inline toml::table checked_toml(const std::string& text, const std::string& file) {
   try {
     return parse_toml(text, file);

@@ -23,8 +23,8 @@ struct FreeNumberKey {
 };
 const std::vector<FreeNumberKey>& free_number_keys();
 
-/// Texts of an entry, beside its path. `set` is false for a word that does not exist; `text` is empty for
-/// what need not be said.
+/// A key of an entry with a text as value, other than its path. `set` returns false for an unknown word;
+/// `text` returns an empty text for the default.
 struct FreeTextKey {
   std::string key, meaning, type;
   bool (*set)(FreeParameter& free, const std::string& text);
@@ -40,7 +40,7 @@ const std::vector<FreePriorKey>& free_prior_keys();
 
 inline const char* const prior_law_key = "law";
 inline const char* const prior_law_type = "\"normal\", \"log-normal\" or \"uniform\"";
-/// Nothing for a word that is none.
+/// Returns nothing for an unknown word.
 std::optional<PriorLaw> prior_law(const std::string& word);
 std::string word_of_law(PriorLaw law);
 
@@ -51,8 +51,8 @@ struct TiedKey {
 };
 const std::vector<TiedKey>& tied_keys();
 
-/// On which scale a fit moves a parameter: what the entry says, else the table's; linear for a number without
-/// a path (`row` null).
+/// Returns the scale on which a fit varies a parameter: that of the entry, else that of the parameter table;
+/// linear for an entry without a path (`row` null).
 ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row);
 
 }  // namespace vegard::sim

@@ -1,9 +1,9 @@
-// The one table that names every parameter of a scene.
+// The table of all parameters of a scene.
 //
-// From one row come: the TOML key, `--set path=value`, the limits check, `vegard params`, the documentation
-// page docs/parameters.md, and the fit's free parameter with its transform and its unit in reports. The rows
-// themselves stand in sim/scene/rows/ and, of what shines, in sim/scene/emitters/; the few keys that are not
-// rows, in alternative_forms.h.
+// One row defines the TOML key, `--set path=value`, the check of limits, the entries of `vegard params` and
+// docs/parameters.md, and the free parameter of a fit with its transformation and its unit in reports. The
+// rows are declared in sim/scene/rows/ and, for emitters, in sim/scene/emitters/; alternative_forms.h has the
+// few keys that are not rows.
 #pragma once
 
 #include <string>
@@ -16,49 +16,50 @@
 
 namespace vegard::sim {
 
-/// In the order of a scene file. The rows live as long as the program.
+/// Returns all rows in the order of a scene file. They live as long as the program.
 const std::vector<ParameterRow>& parameter_table();
 
-/// How a row is called where no scene is at hand: "camera.width", "sheet.<name>.center_km.east".
+/// Returns the path of a row without a scene: "camera.width", "sheet.<name>.center_km.east".
 std::string path_pattern(const ParameterRow& row);
 
-/// The limits or choices in words, without the unit: "0.1 to 170", "at least 0", "\"srgb\" or \"linear\"".
+/// Returns limits or choices in words, without the unit: "0.1 to 170", "at least 0", "\"srgb\" or
+/// \"linear\"".
 std::string limits_text(const ParameterRow& row);
 
-/// All paths that `path` names in this scene; a path to a vector gives one per component. `sheet.energy_kev`
-/// without a name is understood where there is exactly one sheet. Throws Error(scene) that names the nearest
-/// known path.
+/// Returns all parameters that `path` names in this scene; a path to a vector gives one per component.
+/// `sheet.energy_kev` without a name is allowed if there is exactly one sheet. Throws Error(scene) that names
+/// the nearest known path.
 std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path);
 
-/// Every path of this scene, in the order of the table; the sheets follow each other.
+/// Returns every path of this scene, in the order of the table, element by element.
 std::vector<ParameterPath> all_paths(const Scene& scene);
 
-/// The name of the element that it belongs to; empty for a number of a table that a scene has once.
+/// Returns the name of the number's element; empty if its table is not repeated.
 std::string element_name(const Scene& scene, const ParameterId& id);
 
-/// Where a real parameter lives inside `scene`. The path must have been resolved in a scene with the same
-/// sheets and lines; number_at() finds its place in any.
+/// Returns a pointer to a real parameter inside `scene`. The path must have been resolved in a scene with the
+/// same sheets and lines; number_at() works for any scene.
 double* real_value(Scene& scene, const ParameterPath& path);
 const double* real_value(const Scene& scene, const ParameterPath& path);
 
-/// The word of an enumerator, by its number: word_of() below is what to call. Empty if no row has it.
+/// Returns the word of an enumerator by its number; empty if no row has it. Call word_of() instead.
 const std::string& kind_word(const std::type_info& kind, int number);
 
-/// The word that scene files have for a kind: "pinhole" for LensModel::pinhole.
+/// Returns the word of an enumerator in scene files: "pinhole" for LensModel::pinhole.
 template <class Kind>
 const std::string& word_of(Kind kind) {
   static_assert(std::is_enum_v<Kind>);
   return kind_word(typeid(Kind), static_cast<int>(kind));
 }
 
-/// The value as TOML text.
+/// Returns the value as TOML text.
 std::string value_text(const Scene& scene, const ParameterPath& path);
 
 /// Sets one path from TOML text ("3.5", "\"smpte-c\"", "[1.0, 2.0]"); a bare word is taken as a text. Checks
-/// type and limits of what is set; throws Error(scene) with `path` (or its component) as its key and leaves
-/// the scene as it was. What several values must agree on (names of sheets, fit.free, fit.roi_px) is left to
-/// validate() after the last of a series. `path` may be fit.free or fit.tied. A line that stays in a new
-/// emission.lines keeps its blur.
+/// the type and limits of the value; throws Error(scene) with `path` (or its component) as key and leaves the
+/// scene unchanged. Conditions on several values (names of sheets, fit.free, fit.roi_px) are not checked:
+/// call validate() after the last of a series. `path` may be fit.free or fit.tied. A line that is in the old
+/// and the new emission.lines keeps its blur.
 void set_from_text(Scene& scene, const std::string& path, const std::string& text);
 
 /// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors, [fit].

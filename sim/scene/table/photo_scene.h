@@ -1,4 +1,4 @@
-// The scene as one of several photographs has it.
+// The scene of one photograph in a fit of several photographs.
 #pragma once
 
 #include <string>
@@ -8,26 +8,26 @@
 
 namespace vegard::sim {
 
-/// With what the entry sets, and with no other photograph. The sheets stay in the frame of the scene's own
-/// site, whatever the entry's is, and fit.free and fit.tied are those of the scene. Throws Error(scene) with
-/// the entry's line for a path or a value that is none.
+/// Returns the scene with the settings of the entry, and without fit.photos. The sheets stay in the frame of
+/// the scene's site, even if the entry sets another site; fit.free and fit.tied are unchanged. Throws
+/// Error(scene) with the entry's line for an invalid path or value.
 Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry);
 
-/// Lets what else shines stay where it is, seen from `home`, in a scene that has another site.
+/// Keeps the emitters, which are placed in the frame of `home`, at their places in a scene with another site.
 void let_emitters_stay(const Site& home, Scene& of_photo);
 
-/// From the frame of the scene's sheets to that of the photograph's site.
+/// Returns the transformation from the frame of the scene's sheets to that of the photograph's site.
 Station station_of_photo(const Scene& scene, const Scene& of_photo);
 
-/// What the photograph sees, a scene by itself: with the sheets in the frame of its own site, volumes where
-/// they are, of fit.free only what belongs to it alone, and without ties.
+/// Returns a complete scene for one photograph: sheets transformed to the frame of its site, volumes at their
+/// places, only those entries of fit.free that are for this photograph alone, and no ties.
 Scene scene_of_photo(const Scene& scene, const PhotoEntry& entry);
 
-/// The entry of this name, or null.
+/// Returns the entry of this name, or null.
 const PhotoEntry* find_photo(const Scene& scene, const std::string& name);
 
-/// Names, files, what the entries set, and which of fit.free belong to them. Throws Error(scene) with the
-/// scene's file and the entry's line.
+/// Checks the entries of fit.photos: names, files, settings and the entries of fit.free for them. Throws
+/// Error(scene) with the scene's file and the entry's line.
 void check_photos(const Scene& scene);
 
 }  // namespace vegard::sim

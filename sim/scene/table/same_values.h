@@ -1,4 +1,4 @@
-// Whether two scenes are the same, value by value: what may be kept of one is then good for the other.
+// Compares two scenes value by value, to decide whether results of one are valid for the other.
 #pragma once
 
 #include <set>
@@ -8,9 +8,9 @@
 
 namespace vegard::sim {
 
-/// Whether every row of the parameter table has the same values in both scenes, to the last bit, in as many
-/// elements, and the files that they name had the same text. `except`: tables ("camera") that are not
-/// looked at. What is no row (fit.free, fit.tied, [[fit.photo]]) does not count.
+/// True if every row of the parameter table has bitwise the same values in both scenes, the repeated tables
+/// have the same number of elements, and the named tables have the same text. Ignores the tables in `except`
+/// ("camera") and all that is not a row (fit.free, fit.tied, [[fit.photo]]).
 bool same_values(const Scene& a, const Scene& b, const std::set<std::string>& except = {});
 
 }  // namespace vegard::sim

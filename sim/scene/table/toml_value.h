@@ -1,4 +1,4 @@
-// From a TOML value to a number, a text or a parameter, with a message that says what was found instead.
+// Converts TOML values to numbers, texts and parameters. Errors say what was found and what was expected.
 //
 // For the files that read TOML only (bounded_toml.h).
 #pragma once
@@ -14,19 +14,19 @@
 
 namespace vegard::sim {
 
-/// 1-based line of a node, 0 if it has none.
+/// Returns the 1-based line of a node, 0 if it has none.
 int line_of(const toml::node& node);
 
-/// What was found, in words: "a text (\"wide\")", "an array of 3", "a table".
+/// Returns what was found, in words: "a text (\"wide\")", "an array of 3", "a table".
 std::string found_text(const toml::node& node);
 
-/// An integer counts as a number. Throws Error(scene) if it is neither, `expected` in its words.
+/// Returns a number, real or integer. Throws Error(scene) with `expected` for any other node.
 double number_of(const toml::node& node, const Origin& origin, const std::string& expected);
 
-/// Throws Error(scene) if the node is no text.
+/// Returns a text. Throws Error(scene) with `expected` for any other node.
 std::string text_of(const toml::node& node, const Origin& origin, const std::string& expected);
 
-/// The numbers of an array of `count`, each a number; without a count, of any length.
+/// Returns the numbers of an array with `count` elements, or with any number of elements without a count.
 std::vector<double> numbers_of(const toml::node& node, std::optional<std::size_t> count, const Origin& origin,
                                const std::string& expected);
 

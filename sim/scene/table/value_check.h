@@ -1,4 +1,4 @@
-// Checks of single values against their declaration, and of a scene as a whole.
+// Checks single values against their declaration, and parts of a scene as a whole.
 #pragma once
 
 #include <optional>
@@ -9,34 +9,35 @@
 
 namespace vegard::sim {
 
-/// What would be right, in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
+/// Returns the valid values in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
 std::string expected_text(const Declaration& declaration);
 
-/// Not finite, outside the limits, or against the rule.
+/// Returns a complaint about a number that is not finite, outside the limits, or against the rule.
 std::optional<Complaint> number_complaint(const Declaration& declaration, double number);
 
-/// None of the choices, or against the rule.
+/// Returns a complaint about a text that is none of the choices, or against the rule.
 std::optional<Complaint> text_complaint(const Declaration& declaration, const std::string& text);
 
-/// A name that is none of fit.photos; empty stands for all photographs.
+/// Returns a complaint about a name that is not in fit.photos; an empty name stands for all photographs.
 std::optional<Complaint> photo_complaint(const Scene& scene, const std::string& photo);
 
-/// What a scene asks for that is known of the Earth alone, where its body is another one; and numbers of the
-/// Earth that are others than its own. Throws Error(scene) with the scene's file.
+/// Refuses settings that are only known for the Earth if the body is another one, and a body "earth" with
+/// other numbers than the Earth's. Throws Error(scene) with the scene's file.
 void check_body(const Scene& scene);
 
-/// Throws Error(scene) unless the scene's body is the Earth: `what`, "the map", is known of nothing else.
+/// Throws Error(scene) unless the scene's body is the Earth; `what`, "the map", is the subject of the
+/// message.
 void require_earth(const Scene& scene, const std::string& what);
 
-/// The scene's own lines: no two at one wavelength, none that follows what the emission tables lack, none at
-/// the name of a set of bands. Throws Error(scene) with the scene's file.
+/// Checks the scene's own lines: no two may have one wavelength, follow a line that the emission tables lack,
+/// or have the wavelength of a set of bands. Throws Error(scene) with the scene's file.
 void check_own_lines(const Scene& scene);
 
-/// Paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and the
-/// entry's line.
+/// Checks paths, names, limits, scales and priors of fit.free. Throws Error(scene) with the scene's file and
+/// the entry's line.
 void check_free_parameters(const Scene& scene);
 
-/// Paths and expressions of fit.tied, at the numbers that fit.free starts from. To be called after
+/// Checks paths and expressions of fit.tied, with the start values of fit.free. Call it after
 /// check_free_parameters(). Throws Error(scene) with the scene's file and the entry's line.
 void check_tied_parameters(const Scene& scene);
 

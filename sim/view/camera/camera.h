@@ -1,5 +1,5 @@
-// The camera: from the observer's east, north, up to its right, down, forward, through the lens and on to the
-// film.
+// The camera: converts directions between the observer's axes (east, north, up), the camera's axes (right,
+// down, forward) and pixels.
 #pragma once
 
 #include "sim/base/number/constants.h"
@@ -10,22 +10,22 @@
 
 namespace vegard::sim {
 
-/// Where the cells of a film lie on the camera's pixels. Columns run to the right, rows down; cell (0, 0) has
-/// its upper left corner at pixel coordinates (x0_px, y0_px), which may lie outside the picture (a margin for
-/// the blur).
+/// The position of a film's cells on the camera's pixels. Columns run to the right, rows down; cell (0, 0)
+/// has its upper left corner at pixel coordinates (x0_px, y0_px), which may lie outside the picture (a margin
+/// for the blur).
 struct FilmGeometry {
   double x0_px = 0.0, y0_px = 0.0;
   double cell_width_px = 1.0, cell_height_px = 1.0;
   int columns = 0, rows = 0;
-  /// Of wide cells: over how many pixels about the border of two cells light goes over from one to the other.
-  /// 0: from centre to centre.
+  /// Of wide cells: the width in pixels, around the border of two cells, of the transition of light from one
+  /// cell to the other. 0: from centre to centre.
   double ramp_px = 0.0;
-  /// Of a film that goes around all of an equirectangular picture: how many of its columns are 360 degrees
-  /// and of its rows 180 degrees, what is beyond them a margin. 0: it does not.
+  /// Of a film around a whole equirectangular picture: the numbers of columns for 360 degrees and of rows for
+  /// 180 degrees; the rest is a margin. 0: any other film.
   int turn_columns = 0, turn_rows = 0;
 };
 
-/// The numbers of a camera that a picture changes with, and that a fit may free.
+/// The numbers of a camera that change the picture and that a fit may free.
 enum CameraNumber : int {
   azimuth_number,
   elevation_number,
@@ -39,26 +39,26 @@ enum CameraNumber : int {
   k3_number,
   p1_number,
   p2_number,
-  camera_numbers  ///< how many there are
+  camera_numbers  ///< number of CameraNumbers
 };
 
 const double& camera_number(const Camera& camera, CameraNumber which);
 
-/// What it is in the table, of this camera's lens.
+/// Returns the role of a number in the parameter table, for this camera's lens.
 ParameterRole role_of(const Camera& camera, CameraNumber which);
 
-/// The CameraNumber that a parameter is; -1 for one that this camera's picture does not depend on.
+/// Returns the CameraNumber of a parameter; -1 if this camera's picture does not depend on the parameter.
 int camera_number_of(const Camera& camera, const ParameterId& id);
 
-/// A camera ready to look. T is double or a dual number.
+/// A camera prepared for projections. T is double or a dual number.
 template <class T>
 struct CameraView {
   T camera_from_enu[3][3];  ///< rows: right, down, forward
   Lens<T> lens;
 };
 
-/// `number(which)` gives each CameraNumber in the scene's units, as T. Azimuth from north to the east,
-/// elevation from the horizon, roll clockwise as seen by the observer.
+/// Returns the view of a camera; `number(which)` returns each CameraNumber in the scene's units, as T.
+/// Azimuth is from north to the east, elevation from the horizon, roll clockwise as seen by the observer.
 template <class T, class Number>
 CameraView<T> camera_view(const Camera& camera, const Number& number) {
   const T azimuth = number(azimuth_number) * kRadiansPerDegree;
@@ -103,10 +103,10 @@ CameraView<T> camera_view(const Camera& camera, const Number& number) {
   return view;
 }
 
-/// The scene's camera.
+/// Returns the view of a camera with the camera's own numbers.
 CameraView<double> camera_view(const Camera& camera);
 
-/// The direction, of length 1, in which a place of the picture looks; false outside of the lens's picture.
+/// Computes the unit vector of the direction of a pixel; returns false outside of the lens's picture.
 template <class T>
 bool enu_of_pixel(const CameraView<T>& view, double x_px, double y_px, T enu[3]) {
   T in_camera[3];
@@ -117,7 +117,7 @@ bool enu_of_pixel(const CameraView<T>& view, double x_px, double y_px, T enu[3])
   return true;
 }
 
-/// Where a direction, of any length, is seen; false if the lens has no image of it.
+/// Computes the pixel of a direction of any length; returns false if the lens has no image of it.
 template <class T>
 bool pixel_of_enu(const CameraView<T>& view, const T enu[3], T& x_px, T& y_px) {
   T in_camera[3];
@@ -127,31 +127,30 @@ bool pixel_of_enu(const CameraView<T>& view, const T enu[3], T& x_px, T& y_px) {
   return project(view.lens, in_camera, x_px, y_px);
 }
 
-/// A direction as an observer states it.
+/// A direction by azimuth and elevation.
 struct Direction {
   double azimuth_deg = 0.0;  ///< 0 to 360
   double elevation_deg = 0.0;
 };
 
-/// Where the pixel coordinate (x, y) looks; NaN outside of the lens's picture.
+/// Returns the direction of the pixel coordinates (x, y); NaN outside of the lens's picture.
 Direction direction_of_pixel(const Camera& camera, double x_px, double y_px);
 
-/// Of a unit vector, and back.
+/// Convert a unit vector (east, north, up) to a direction, and back.
 Direction direction_of_enu(const double enu[3]);
 void enu_of_direction(const Direction& direction, double enu[3]);
 
-/// Pixels to a degree: of a pinhole the mean across the picture, width / hfov_deg; of others that on the
-/// axis, of panoramas the mean along a level line.
+/// Returns the scale in pixels per degree: of a pinhole the mean across the picture, width / hfov_deg; of
+/// panoramas the mean along a horizontal line; of other lenses the scale on the axis.
 double pixels_per_degree(const Camera& camera);
 
-/// The camera's number that pixels_per_degree() depends on has this share in it: d ln pixels_per_degree / d
-/// number.
+/// Returns d ln pixels_per_degree() / d number for the camera's number on which it depends.
 double pixels_per_degree_growth(const Camera& camera);
 
-// How far off the lens's axis a film reaches.
+// The extent of a film.
 
-/// The angle off the axis of the film's farthest corner, a cell beyond its edge, in radians; that of the
-/// lens's end if the film reaches beyond it.
+/// Returns the angle off the axis, in radians, of the film's farthest corner, a cell beyond its edge; at most
+/// that of the edge of the lens's picture.
 double widest_angle_rad(const Lens<double>& lens, const FilmGeometry& film);
 
 }  // namespace vegard::sim

@@ -1,11 +1,11 @@
-// The pinholes of a cube's faces.
+// The pinhole cameras of a cube's faces.
 #pragma once
 
 #include "sim/view/camera/cube_map.h"
 
 namespace vegard::sim {
 
-/// The pinhole that sees what a face of this camera shows, with face_px() pixels either way.
+/// Returns the pinhole camera with the view of one face of this camera, of face_px() x face_px() pixels.
 Camera camera_of_face(const Camera& camera, const CubeFace& face);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
 // A picture of all directions as the six faces of a cube, each a pinhole of 90 degrees.
 //
-// Faces, seen from inside: front, right, back and left side by side, up above the front and down below it, so
-// that all of the cross join. The strip is right, left, up, down, front, back; the grid has the same order,
-// three in a row (the order of FFmpeg's filter v360 for "c6x1" and "c3x2").
+// Faces are seen from inside. The cross has front, right, back and left side by side, up above the front and
+// down below it, so that all faces of the cross join. The strip is right, left, up, down, front, back; the
+// grid has the same order, three in a row (the order of FFmpeg's filter v360 for "c6x1" and "c3x2").
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace vegard::sim {
 
 enum class CubeSide { front, right, back, left, up, down };
 
-/// One face: where it is in the picture, in faces, and its axes in those of the camera (right, down,
+/// One face: its position in the picture, in units of faces, and its axes in camera coordinates (right, down,
 /// forward).
 struct CubeFace {
   CubeSide side;
@@ -21,19 +21,19 @@ struct CubeFace {
   std::array<double, 3> right, down, forward;
 };
 
-/// How many faces a picture is wide and high.
+/// Width and height of a picture in faces.
 struct CubeSize {
   int columns, rows;
 };
 CubeSize cube_size(CubeLayout layout);
 
-/// All six.
+/// Returns the six faces.
 std::array<CubeFace, 6> cube_faces(CubeLayout layout);
 
-/// The face that a direction (right, down, forward; not 0) falls on.
+/// Returns the face in a direction (right, down, forward; not 0).
 CubeFace face_towards(CubeLayout layout, const double in_camera[3]);
 
-/// Pixels along an edge of a face.
+/// Returns the number of pixels along an edge of a face.
 int face_px(const Camera& camera);
 
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// Where every pixel of a camera looks: the azimuth and elevation maps that imager teams publish with their
-// pictures, and the same of a scene's camera.
+// The direction of every pixel of a camera: the maps of azimuth and elevation that are published with
+// pictures of imagers, and those of a scene's camera.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace vegard::sim {
 
-/// Of the pixels' centres, row-major: [y * width + x], rows as in the picture that it belongs to. Both are
-/// NaN where a pixel looks nowhere (outside of a fisheye's circle).
+/// Directions of the pixels' centres, row-major: [y * width + x], with rows as in the picture. Both angles
+/// are NaN where a pixel has no direction (outside of a fisheye's circle).
 struct DirectionMap {
   int width = 0, height = 0;
   std::vector<float> azimuth_deg;    ///< from north to the east, 0 <= azimuth < 360
@@ -21,18 +21,18 @@ struct DirectionMap {
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
 };
 
-/// Of a scene's camera.
+/// Returns the map of a scene's camera.
 DirectionMap direction_map(const Camera& camera);
 
-/// From the first channels of two images of one size. A pixel looks nowhere where either is no finite number;
-/// where the elevation lies beyond -90 to 90 or the azimuth beyond -360 to 720 (fill values such as -999);
-/// and where both are exactly 0, with which published maps fill the outside of their circle. Other azimuths
-/// are brought between 0 and 360. Throws Error(unreadable_input), with the images' names, if the sizes
-/// differ, no pixel looks anywhere, or all angles are so small (at most 2 pi) that they must be radians.
+/// Makes a map from the first channels of two images of the same size. A pixel has no direction if a value is
+/// not finite; if the elevation is beyond -90 to 90 or the azimuth beyond -360 to 720 (fill values such as
+/// -999); or if both are exactly 0, as outside of the circle in published maps. Other azimuths are reduced to
+/// 0 to 360. Throws Error(unreadable_input), with the images' names, if the sizes differ, no pixel has a
+/// direction, or all angles are so small (at most 2 pi) that they must be radians.
 DirectionMap direction_map(const Image& azimuth, const Image& elevation, const std::string& azimuth_name,
                            const std::string& elevation_name);
 
-/// Channels "azimuth_deg", "elevation_deg".
+/// Returns an image with the channels "azimuth_deg" and "elevation_deg".
 Image image_of(const DirectionMap& map);
 
 }  // namespace vegard::sim

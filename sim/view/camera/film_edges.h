@@ -1,4 +1,4 @@
-// The edges of a film as planes through the camera, so that what surely misses it need not be worked out.
+// The edges of a film as planes through the camera, to skip points that are surely off the film.
 #pragma once
 
 #include "sim/view/camera/camera.h"
@@ -6,11 +6,11 @@
 namespace vegard::sim {
 
 struct FilmEdges {
-  int count = 0;         ///< of planes; 0: the film is too wide for any
-  double outward[4][3];  ///< a point in the camera's axes with a positive product is off the film; any length
+  int count = 0;         ///< number of planes; 0: the film is too wide for planes
+  double outward[4][3];  ///< normals, of any length: a positive product with a point is off the film
 };
 
-/// Of the film and a cell more on every side.
+/// Returns the edges of the film, enlarged by one cell on every side.
 FilmEdges film_edges(const Lens<double>& lens, const FilmGeometry& film);
 
 }  // namespace vegard::sim

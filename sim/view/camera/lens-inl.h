@@ -1,5 +1,5 @@
-// Any lens before the film, in lanes. What is drawn is the same as in sim/view/camera/lens.h, by the series
-// of sim/view/camera/lens_series.h.
+// Projection through any lens in SIMD lanes: the same as in sim/view/camera/lens.h, by the series of
+// sim/view/camera/lens_series.h.
 #if defined(VEGARD_SIM_VIEW_LENS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_VIEW_LENS_INL_H_
 #undef VEGARD_SIM_VIEW_LENS_INL_H_
@@ -19,11 +19,11 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// As PinholeFilm, for every lens.
+/// Like PinholeFilm, for every lens.
 template <class C>
 class LensFilm {
  public:
-  /// `spread(number, to)` takes a number of the scene to one of the lanes.
+  /// `spread(number, to)` converts a number of the scene to one in SIMD lanes.
   template <class Spread>
   void set(const Lens<LocalDual>& lens, const FilmGeometry& film, const Spread& spread) {
     place_.set(lens, film, spread);
@@ -45,7 +45,7 @@ class LensFilm {
     }
   }
 
-  /// `in_camera_km` are right, down, forward.
+  /// Projects a point `in_camera_km` (right, down, forward). `seen_at_all` is set to whether it has an image.
   template <class L, class P>
   HWY_INLINE SeenPoint<P> see(const P in_camera_km[3], decltype(L() < L())& seen_at_all) const {
     const P &right = in_camera_km[0], &down = in_camera_km[1], &forward = in_camera_km[2];
@@ -53,8 +53,8 @@ class LensFilm {
     const P length = square_root(length2);
     P x, y, per_steradian;
     if (equirectangular_) {
-      // As if every row were as wide as the equator: what a film has caught is divided by the true width of
-      // its rows later (sim/view/film/panorama.h), which keeps the light's sum and knows no pole.
+      // As if every row were as wide as the equator: close_turn() (sim/view/film/panorama.h) later divides
+      // the light by the true width of the rows, which conserves the sum and has no singularity at the poles.
       seen_at_all = L(1e-6f) < value_of(length2);
       x = arctangent(right, forward);
       y = arctangent(down, square_root(right * right + forward * forward));
@@ -84,7 +84,7 @@ class LensFilm {
   }
 
  private:
-  /// Clenshaw's sum.
+  /// Sums a Chebyshev series by Clenshaw's algorithm.
   template <class L, class P>
   HWY_INLINE P sum(const C* coefficient, const P& t) const {
     P after(L(0.0f)), after_next(L(0.0f));
@@ -97,8 +97,8 @@ class LensFilm {
     return t * after - after_next + coefficient[0];
   }
 
-  /// (x, y) times `radial` and with the decentring terms; the picture's area grows by the determinant.
-  /// `growth`: twice d radial / d r^2.
+  /// Multiplies (x, y) by `radial`, adds the decentring terms, and multiplies `area` by the determinant of
+  /// the distortion. `growth` is twice d radial / d r^2.
   template <class L, class P>
   HWY_INLINE void distort(P& x, P& y, const P& radial, const P& growth, P& area) const {
     const P x2 = x * x, y2 = y * y, xy = x * y;

@@ -1,18 +1,18 @@
-// Lenses: from a direction before the camera to a place in the picture, and back.
+// Lenses: project a direction in camera axes to a point of the picture, and back.
 //
-// A lens with an axis draws the direction at the angle theta off it at the distance focal_px rho(theta) from
-// the principal point: rho = tan theta (pinhole), theta (equidistant), 2 sin(theta / 2) (equisolid), 2
-// tan(theta / 2) (stereographic), sin theta (orthographic) or theta (1 + k1 theta^2 + k2 theta^4 + k3
-// theta^6) (polynomial). A pinhole may have Brown's distortion, with the five coefficients and signs of
-// OpenCV (D. C. Brown, "Decentering distortion of lenses", Photogrammetric Engineering 32, 1966): its radial
-// terms multiply rho by 1 + k1 r^2 + k2 r^4 + k3 r^6, r = tan theta. The decentring terms p1 and p2 move the
-// place (x, y), in units of focal_px and before the radial terms of a pinhole, by (2 p1 x y + p2 (r^2 + 2
-// x^2), p1 (r^2 + 2 y^2) + 2 p2 x y), in every lens.
+// A lens with an axis projects a direction at the angle theta off the axis to the distance focal_px
+// rho(theta) from the principal point: rho = tan theta (pinhole), theta (equidistant), 2 sin(theta / 2)
+// (equisolid), 2 tan(theta / 2) (stereographic), sin theta (orthographic) or theta (1 + k1 theta^2 + k2
+// theta^4 + k3 theta^6) (polynomial). A pinhole may have Brown's distortion, with the five coefficients and
+// signs of OpenCV (D. C. Brown, "Decentering distortion of lenses", Photogrammetric Engineering 32, 1966):
+// its radial terms multiply rho by 1 + k1 r^2 + k2 r^4 + k3 r^6, r = tan theta. In every lens, the decentring
+// terms p1 and p2 shift the point (x, y), in units of focal_px and before the radial terms of a pinhole, by
+// (2 p1 x y + p2 (r^2 + 2 x^2), p1 (r^2 + 2 y^2) + 2 p2 x y).
 //
-// Two panoramas hold every direction. Equirectangular: x is the longitude, to the right of the camera's
-// forward direction, and y the latitude below its level, both in proportion to the angle; the picture is 360
-// degrees wide and 180 high, and goes on beyond its edges: on the right with its left, above with what is
-// beyond the pole. Cube: six pinholes of 90 degrees (sim/view/camera/cube_map.h).
+// Two panoramas contain every direction. Equirectangular: x is proportional to the longitude, to the right of
+// the camera's forward direction, and y to the latitude, below the camera's horizontal plane. The picture is
+// 360 degrees wide and 180 high and continues beyond its edges: on the right with its left side, above with
+// the other side of the pole. Cube: six pinholes of 90 degrees (sim/view/camera/cube_map.h).
 //
 // Camera axes are right, down, forward; pixels are those of docs/architecture.md: the centre of the first one
 // is at (0.5, 0.5). T is double or a dual number over it (sim/base/number/dual.h).
@@ -30,34 +30,34 @@ namespace vegard::sim {
 template <class T>
 struct Lens {
   LensModel model = LensModel::pinhole;
-  T focal_px;                        ///< across the picture, on the axis
-  T aspect;                          ///< scale down the picture over scale across it
+  T focal_px;                        ///< horizontally, on the axis
+  T aspect;                          ///< vertical over horizontal scale
   T principal_x_px, principal_y_px;  ///< from the picture's upper left corner
   T k1, k2, k3, p1, p2;
   double side = 1.0;  ///< -1: left and right are exchanged
-  /// What is farther off the axis than this has no image: the lens's own end, or where its radial terms would
-  /// fold the picture back.
+  /// Cosine of the largest angle off the axis that has an image: the limit of the model, or where the radial
+  /// terms would fold the picture back.
   double min_cosine = 0.0;
   CubeLayout cube_layout = CubeLayout::cross;  ///< of a cube, whose focal_px is half of a face's edge
 };
 
-/// Whether a picture holds every direction.
+/// True if a picture contains every direction.
 inline bool is_panorama(LensModel model) {
   return model == LensModel::equirectangular || model == LensModel::cube;
 }
 
-/// Whether the lens is a pinhole without any distortion.
+/// True if the lens is a pinhole without any distortion.
 template <class T>
 bool is_plain_pinhole(const Lens<T>& lens) {
   return lens.model == LensModel::pinhole && value_of(lens.k1) == 0.0 && value_of(lens.k2) == 0.0 &&
          value_of(lens.k3) == 0.0 && value_of(lens.p1) == 0.0 && value_of(lens.p2) == 0.0;
 }
 
-/// Where the lens's picture ends, see Lens::min_cosine: by its model and radial terms alone. At most 170
-/// degrees off the axis.
+/// Returns Lens::min_cosine, which depends only on the model and the radial terms. The angle is at most 170
+/// degrees.
 double min_cosine(LensModel model, double k1, double k2, double k3);
 
-/// rho(theta); of a pinhole with its radial terms. Not of a panorama.
+/// Returns rho(theta), with the radial terms for a pinhole too. Not for panoramas.
 template <class T>
 T radius_of_angle(const Lens<T>& lens, const T& theta) {
   switch (lens.model) {
@@ -81,7 +81,7 @@ T radius_of_angle(const Lens<T>& lens, const T& theta) {
   return theta;
 }
 
-/// The decentring terms' shift of a place (x, y) in units of focal_px.
+/// Computes the shift of a point (x, y) by the decentring terms, in units of focal_px.
 template <class T>
 void decentring(const Lens<T>& lens, const T& x, const T& y, T& shift_x, T& shift_y) {
   const T xy = x * y * 2.0, r2 = x * x + y * y;
@@ -89,7 +89,7 @@ void decentring(const Lens<T>& lens, const T& x, const T& y, T& shift_x, T& shif
   shift_y = lens.p1 * (r2 + y * y * 2.0) + lens.p2 * xy;
 }
 
-/// project() of a panorama.
+/// project() for panoramas.
 template <class T>
 void project_panorama(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
   const T &right = in_camera[0], &down = in_camera[1], &forward = in_camera[2];
@@ -113,8 +113,8 @@ void project_panorama(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_p
   y_px = lens.principal_y_px + below * lens.focal_px * lens.aspect;
 }
 
-/// Where the direction (of any length but 0) is seen; false, and nothing set, if the lens has no image of
-/// it.
+/// Computes the pixel of a direction (of any length but 0); returns false, and sets nothing, if the lens has
+/// no image of it.
 template <class T>
 bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
   if (is_panorama(lens.model)) {
@@ -153,21 +153,21 @@ bool project(const Lens<T>& lens, const T in_camera[3], T& x_px, T& y_px) {
   return true;
 }
 
-/// The direction, of length 1, in which a place of the picture looks; false, and nothing set, outside of
-/// what the lens draws. The inverse of project() to 1e-12 of a radian.
+/// Computes the unit vector of the direction of a pixel; returns false, and sets nothing, outside of the
+/// lens's picture. The inverse of project() to 1e-12 of a radian.
 bool unproject(const Lens<double>& lens, double x_px, double y_px, double in_camera[3]);
 
-/// The same with exact derivatives by whatever the lens's numbers are duals of.
+/// The same with exact derivatives, for lenses whose numbers are dual numbers.
 template <class T>
 bool unproject(const Lens<T>& lens, double x_px, double y_px, T in_camera[3]);
 
-/// The solid angle of a pixel there, in steradians: |d direction / d (x, y)|. 0 outside of the lens's
-/// picture.
+/// Returns the solid angle of a pixel at this place in steradians: |d direction / d (x, y)|. 0 outside of the
+/// lens's picture.
 double pixel_steradians(const Lens<double>& lens, double x_px, double y_px);
 
 // ---------------------------------------------------------------------------------------------------------
 
-/// The lens with its numbers alone.
+/// Returns the lens without derivatives.
 template <class T>
 Lens<double> values_of(const Lens<T>& lens) {
   Lens<double> plain;
@@ -187,13 +187,13 @@ Lens<double> values_of(const Lens<T>& lens) {
   return plain;
 }
 
-/// Two directions across `direction` and its change of place in the picture by each: d (x, y) / d (a, b).
+/// Two vectors a, b across a direction, and the change of its pixel along each of them: d (x, y) / d (a, b).
 struct PlaceSlopes {
   double across[2][3];
   double slope[2][2];  ///< [x or y][a or b]
   double determinant() const { return slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0]; }
 };
-/// Of a direction of length 1 that has an image.
+/// Returns the slopes at a unit vector that has an image.
 PlaceSlopes place_slopes(const Lens<double>& lens, const double direction[3]);
 
 template <class T>
@@ -201,12 +201,12 @@ bool unproject(const Lens<T>& lens, double x_px, double y_px, T in_camera[3]) {
   const Lens<double> plain = values_of(lens);
   double at[3];
   if (!unproject(plain, x_px, y_px, at)) return false;
-  // The implicit function theorem: the direction moves so that its place stays.
+  // By the implicit function theorem: the direction changes so that its pixel stays the same.
   const PlaceSlopes slopes = place_slopes(plain, at);
   const T there[3] = {T(at[0]), T(at[1]), T(at[2])};
   T x, y;
   if (!project(lens, there, x, y)) return false;
-  // To the last bit the value is that without derivatives.
+  // The value is bitwise that without derivatives.
   const T off_x = x - value_of(x), off_y = y - value_of(y);
   const double inverse = 1.0 / slopes.determinant();
   const T a = (off_y * slopes.slope[0][1] - off_x * slopes.slope[1][1]) * inverse;

@@ -1,9 +1,9 @@
-// A lens as a series, for the kernel: one polynomial stands for every lens with an axis, without an angle or
-// a branch.
+// A lens as a series, for the beam kernel: one polynomial for every lens with an axis, without angles and
+// branches.
 //
 // With Q = sin^2(theta / 2) = (1 - cos theta) / 2, rho(theta) / sin(theta / 2) is an even function of the
-// angle that is analytic in Q wherever the lens draws anything (Q < 1): S(Q). A direction (x, y, z) of length
-// l is then seen at S(Q) (x, y) / (2 l sqrt(1 - Q)), and the picture's area per steradian is (S^2 + 2 Q S S')
+// angle that is analytic in Q wherever the lens has an image (Q < 1): S(Q). A direction (x, y, z) of length l
+// has its image at S(Q) (x, y) / (2 l sqrt(1 - Q)), and the picture's area per steradian is (S^2 + 2 Q S S')
 // / 4, in units of focal_px^2: an equisolid lens has S = 2.
 #pragma once
 
@@ -19,13 +19,14 @@ template <class T>
 struct LensSeries {
   static constexpr int kMax = 24;
   int terms = 0;
-  double max_q = 0.0;  ///< it holds from 0 to here
+  double max_q = 0.0;  ///< the series is valid for Q from 0 to max_q
   T value[kMax];       ///< S = sum of value[k] T_k(2 Q / max_q - 1), Chebyshev's polynomials
-  T slope[kMax];       ///< the same of dS/dQ
+  T slope[kMax];       ///< the coefficients of dS/dQ
 };
 
-/// Up to `widest_rad` off the axis, at most where the lens ends and 134 degrees. As many terms as leave less
-/// than 1e-9 of the whole away, if kMax are enough for that: beyond 100 degrees they are good to 1e-7.
+/// Returns the series up to the angle `widest_rad` off the axis, at most up to the edge of the lens's picture
+/// and 134 degrees. Terms below 1e-9 of the first are dropped. kMax terms may not be enough for 1e-9: beyond
+/// 100 degrees the error is 1e-7.
 template <class T>
 LensSeries<T> lens_series(const Lens<T>& lens, double widest_rad) {
   constexpr double kFarthest = 0.85;

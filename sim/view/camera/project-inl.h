@@ -1,4 +1,4 @@
-// Samples on their way to the film: where a point of space appears, how bright, and at which altitude it is.
+// Projection of points of space on the film, with their weight and altitude, in SIMD lanes.
 #if defined(VEGARD_SIM_VIEW_PROJECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_VIEW_PROJECT_INL_H_
 #undef VEGARD_SIM_VIEW_PROJECT_INL_H_
@@ -16,20 +16,21 @@ HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {
 namespace HWY_NAMESPACE {
 
-/// A point as the camera has it.
+/// The image of a point.
 template <class P>
 struct SeenPoint {
   P column, row;         ///< in cells, so that (0, 0) is the centre of the first cell
-  P per_steradian_cell;  ///< 1 / (r^2 Omega): what a volume in km^3 counts for in its cell, km^-2
+  P per_steradian_cell;  ///< 1 / (r^2 Omega), km^-2: weight of a volume in km^3 in its cell
 };
 
-/// From places in units of the lens's focal_px to the film. C is the type of what all beams share.
+/// Converts points in units of the lens's focal_px to the film. C is the type of numbers that all beams
+/// share.
 template <class C>
 struct PlaceOnFilm {
   C column_scale, column_offset, row_scale, row_offset;  ///< column = x * scale + offset
   C cells_per_steradian;                                 ///< on the axis: f^2 / (width * height of a cell)
 
-  /// `spread(number, to)` takes a number of the scene to one of the lanes.
+  /// `spread(number, to)` converts a number of the scene to one in SIMD lanes.
   template <class Spread>
   void set(const Lens<LocalDual>& lens, const FilmGeometry& film, const Spread& spread) {
     const double per_column = 1.0 / film.cell_width_px, per_row = 1.0 / film.cell_height_px;
@@ -51,7 +52,7 @@ struct PlaceOnFilm {
   }
 };
 
-/// A pinhole without distortion before the film.
+/// Projection through a pinhole without distortion.
 template <class C>
 class PinholeFilm {
  public:
@@ -60,8 +61,8 @@ class PinholeFilm {
     place_.set(lens, film, spread);
   }
 
-  /// Omega = cos^3(theta) / f^2 per pixel, so 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md). `in_camera_km`
-  /// are right, down, forward.
+  /// Projects a point `in_camera_km` (right, down, forward). Omega = cos^3(theta) / f^2 per pixel, so
+  /// 1 / (r^2 Omega) = f^2 r / Z^3 (docs/physics.md).
   template <class L, class P>
   HWY_INLINE SeenPoint<P> see(const P in_camera_km[3], decltype(L() < L())& in_front) const {
     in_front = L(1e-3f) < value_of(in_camera_km[2]);
@@ -74,16 +75,16 @@ class PinholeFilm {
   PlaceOnFilm<C> place_;
 };
 
-/// A body's sphere, as altitude_km() needs it.
+/// The radius of a body, prepared for altitude_km().
 struct SphereScale {
   double per_km, per_km2;  ///< 1/R, 1/R^2
   explicit SphereScale(double radius_km) : per_km(1.0 / radius_km), per_km2(1.0 / (radius_km * radius_km)) {}
 };
 
-/// Altitude above the body's sphere from `excess_km2` = (distance from its centre)^2 - R^2, without a root
-/// or a quotient: R (sqrt(1 + w) - 1), w = excess / R^2, by a polynomial through Chebyshev nodes, good to 2
-/// cm from 0 to 650 km over the Earth or a larger body, and monotonic beyond, so that what is outside the
-/// height profile stays outside.
+/// Returns the altitude above the body's sphere from `excess_km2` = (distance from its centre)^2 - R^2,
+/// without a root or a division: R (sqrt(1 + w) - 1), w = excess / R^2, by a polynomial through Chebyshev
+/// nodes. Good to 2 cm from 0 to 650 km above the Earth or a larger body, and monotonic beyond, so that
+/// points outside of the height profile stay outside.
 template <class P>
 HWY_INLINE P altitude_km(const P& excess_km2, const SphereScale& sphere) {
   using L = decltype(value_of(excess_km2));
@@ -94,8 +95,8 @@ HWY_INLINE P altitude_km(const P& excess_km2, const SphereScale& sphere) {
           L(0.49999998774279175));
 }
 
-/// The excess of altitude_km() for the points of a beam. They are handed over in an orthonormal frame from
-/// where the beam starts, in which the square is a sum of three squares.
+/// Computes `excess_km2` of altitude_km() for the points of a beam, given in an orthonormal frame whose
+/// origin is the start of the beam.
 template <class P>
 struct BeamAltitude {
   P at_start_km2, slope_km[3];

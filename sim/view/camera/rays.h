@@ -1,4 +1,4 @@
-// Rays from the observer: through the middles of a film's cells, to the ground of a body, past the Earth's
+// Rays from the observer: through the centres of a film's cells, to the ground of a body, past the Earth's
 // limb.
 #pragma once
 
@@ -10,15 +10,15 @@
 
 namespace vegard::sim {
 
-/// The direction, of length 1, of a film's cell; false where the lens sees nothing.
+/// Computes the unit vector of the direction of a film's cell; returns false outside of the lens's picture.
 template <class T>
 bool enu_of_cell(const CameraView<T>& view, const FilmGeometry& film, int row, int column, T enu[3]) {
   return enu_of_pixel(view, film.x0_px + (column + 0.5) * film.cell_width_px,
                       film.y0_px + (row + 0.5) * film.cell_height_px, enu);
 }
 
-/// Where a ray from the observer meets the ground, in km; infinity if nowhere. `up` is the direction's third
-/// component.
+/// Returns the distance in km at which a ray from the observer meets the ground; infinity if it does not.
+/// `up` is the third component of the direction.
 inline double ground_km(double observer_altitude_km, double up, double sphere_km = kEarthRadiusKm) {
   const double radius = sphere_km + observer_altitude_km;
   const double along = radius * up;  // of the observer's place, from the Earth's centre
@@ -27,18 +27,18 @@ inline double ground_km(double observer_altitude_km, double up, double sphere_km
   return std::max(0.0, -along - std::sqrt(square));
 }
 
-/// From there upwards an observer is above what scatters light, and below the aurora: an edge of the Earth
-/// below the horizontal is a limb.
+/// From this altitude on, an observer is above the air that scatters light, and below the aurora: the edge of
+/// the Earth below the horizontal is seen as a limb.
 inline constexpr double kLimbObserverKm = 60.0;
 
-/// Negative where the line strikes the Earth (so deep would it pass below its surface). NaN for elevations
-/// from 0 up, along which there is no lower point than the observer.
+/// Returns the lowest altitude of a line of sight in km, negative (below the surface) if the line hits the
+/// Earth. NaN for elevations of 0 and above, where the observer is the lowest point.
 double tangent_altitude_km(double observer_km, double elevation_deg);
 
-/// The inverse: at most 0. NaN unless -R <= tangent altitude <= observer.
+/// The inverse of tangent_altitude_km(): at most 0. NaN unless -R <= tangent altitude <= observer.
 double elevation_of_tangent_deg(double observer_km, double tangent_km);
 
-/// From the observer to the tangent point; NaN from the horizontal upwards.
+/// Returns the distance from the observer to the lowest point; NaN for elevations of 0 and above.
 double tangent_distance_km(double observer_km, double elevation_deg);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// A camera with fewer or more pixels that sees the same.
+// Changes the number of pixels of a camera without changing its view.
 #pragma once
 
 #include "sim/scene/structs/scene.h"
@@ -9,16 +9,16 @@ struct PictureSize {
   int width = 0, height = 0;
 };
 
-/// The largest size of the camera's shape, to the nearest pixel (of a panorama exactly), within `most`, and
-/// never larger than the camera's own.
+/// Returns the largest size within `most` that has the camera's aspect ratio, to the nearest pixel (of a
+/// panorama exactly), and is not larger than the camera's own.
 PictureSize size_within(const Camera& camera, const PictureSize& most);
 
-/// The camera with another number of pixels: what it saw at (x, y) stands at (x w' / w, y h' / h). Where the
-/// two ratios differ, so do a pixel's width and height. The lens's numbers stay in the pixels of before, as
-/// Camera::pixel_width_px and pixel_height_px give.
+/// Returns the camera with another number of pixels: the image at (x, y) moves to (x w' / w, y h' / h). If
+/// the two ratios differ, pixels are not square. The lens's numbers stay in the previous pixels;
+/// pixel_width_px and pixel_height_px have the conversion.
 Camera scaled_camera(const Camera& camera, const PictureSize& size);
 
-/// The same camera with its lens's numbers in its own picture's pixels, as a scene's file has them.
+/// Returns the same camera with the lens's numbers in pixels of its own picture, as in scene files.
 Camera in_own_pixels(const Camera& camera);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
-// From rayleighs per line to linear RGB.
+// Conversion of rayleighs per line to linear RGB.
 //
 // Source: CIE 15 (1931 2 degree observer, data/cie); Baranoski et al. 2000, section 4.2, equations (5)-(7);
-// docs/optics.md row B24. A rayleigh counts photons; colour needs power: each line is weighted by 1 /
-// wavelength.
+// docs/optics.md row B24. A rayleigh is a number of photons, but colour depends on power: each line is
+// weighted by 1 / wavelength.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,25 @@
 
 namespace vegard::sim {
 
-/// The colour matching functions at a wavelength: cubic splines through the 5 nm table, zero outside 380-780
-/// nm.
+/// Returns the colour matching functions at a wavelength: cubic splines through the 5 nm table, zero outside
+/// 380-780 nm.
 Vector3 colour_matching(double wavelength_nm);
 
-/// Linear RGB from XYZ, with equal RGB for white D65 (x 0.3127, y 0.3290), for a set of primaries: srgb
-/// (IEC 61966-2-1, = ITU-R BT.709), smpte_c (SMPTE RP 145), rec2020 (ITU-R BT.2020), or acescg (AP1,
-/// Academy S-2014-004). ACES has a white of its own, x 0.32168, y 0.33767 (SMPTE ST 2065-1): D65 is taken to
-/// it by the Bradford transform (Lam 1985).
+/// Returns the matrix from XYZ to linear RGB, with equal RGB for white D65 (x 0.3127, y 0.3290), for a set of
+/// primaries: srgb (IEC 61966-2-1, = ITU-R BT.709), smpte_c (SMPTE RP 145), rec2020 (ITU-R BT.2020), or
+/// acescg (AP1, Academy S-2014-004). ACES has its own white, x 0.32168, y 0.33767 (SMPTE ST 2065-1): D65 is
+/// adapted to it by the Bradford transform (Lam 1985).
 Matrix3 rgb_from_xyz(Primaries primaries);
 
-/// Linear RGB of light of one wavelength and unit power (in units of the matching functions). Out of gamut:
-/// signed.
+/// Returns linear RGB of light of one wavelength and unit power (in units of the matching functions);
+/// negative components mean out of gamut.
 Vector3 rgb_of_line(double wavelength_nm, Primaries primaries);
 
-/// Linear, signed RGB of cells [cell][channel] from their rayleighs [cell][line], by the lines' colours per
-/// kilorayleigh.
+/// Computes linear, signed RGB of cells [cell][channel] from their rayleighs [cell][line]; `weights` are the
+/// colours of the lines per kilorayleigh.
 void colour_cells(const float* rayleigh, std::size_t cells, const std::vector<Vector3>& weights, float* rgb);
 
-/// The same of an image of rayleighs whose channels are the lines of `weights` in their order.
+/// The same for an image of rayleighs whose channels are the lines of `weights` in their order.
 Image rgb_from_rayleigh(const Image& rayleigh, const std::vector<Vector3>& weights);
 
 }  // namespace vegard::sim

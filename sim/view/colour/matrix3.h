@@ -1,4 +1,4 @@
-// 3 x 3 matrices by rows, as colour has them.
+// 3 x 3 matrices, row-major, for colours.
 #pragma once
 
 #include <array>
@@ -15,11 +15,11 @@ Matrix3 diagonal(const Vector3& numbers);
 Vector3 product(const Matrix3& m, const Vector3& v);
 Matrix3 product(const Matrix3& a, const Matrix3& b);
 
-/// The determinant over the product of the rows' lengths: 1 for rows at right angles, 0 for a matrix without
+/// Returns |determinant| over the product of the rows' lengths: 1 for orthogonal rows, 0 for a matrix without
 /// an inverse or with a row of zeros.
 double relative_determinant(const Matrix3& m);
 
-/// By cofactors. The matrix must have an inverse.
+/// Returns the inverse, by cofactors. The matrix must have one.
 Matrix3 inverse(const Matrix3& m);
 
 }  // namespace vegard::sim

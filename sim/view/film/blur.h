@@ -15,41 +15,40 @@ struct BlurKernel {
   int radius() const { return static_cast<int>(weights.size()) - 1; }
 };
 
-/// A Gaussian of standard deviation `sigma` cells, to 4 sigma, or cut at `radius` cells if that is not
-/// negative. The weights sum to 1. sigma 0 gives no blur.
+/// Returns a Gaussian of standard deviation `sigma` cells, truncated at 4 sigma, or at `radius` cells if that
+/// is not negative. The weights sum to 1. sigma 0 gives no blur.
 BlurKernel gaussian_kernel(double sigma, int radius = -1);
 
-/// In cells squared.
+/// Returns the variance in cells squared.
 double kernel_variance(const BlurKernel& kernel);
 
-/// The derivative of gaussian_kernel(sigma, radius)'s weights with respect to sigma; they sum to 0. For sigma
-/// above 0.
+/// Returns the derivatives of the weights of gaussian_kernel(sigma, radius) by sigma, which sum to 0. For
+/// sigma above 0.
 BlurKernel gaussian_kernel_derivative(double sigma, int radius = -1);
 
-/// Convolves planes of [rows][columns][channels] with a kernel along the columns' direction (down) or the
-/// rows' (across). Outside the plane there is no light. in and out may not overlap. Sums are in a fixed
-/// order.
+/// Convolve planes of [rows][columns][channels] with a kernel, vertically (down) or horizontally (across).
+/// Outside of the plane there is no light. `in` and `out` must not overlap. Sums are in a fixed order.
 void blur_down(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                int threads);
 void blur_across(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                  int threads);
 
-/// One row of what blur_down() gives, [columns][channels].
+/// Computes one row of the result of blur_down(), [columns][channels].
 void blur_down_row(const float* in, float* out, int rows, int columns, int channels, const BlurKernel& kernel,
                    int row);
 
-/// The part of a plane that is wanted.
+/// A rectangular part of a plane.
 struct Window {
   int first_row = 0, first_column = 0, rows = 0, columns = 0;
 };
 
-/// What a plane is blurred by, in its own cells: down its columns and across its rows.
+/// The kernels of a plane in its own cells: vertical (down) and horizontal (across).
 struct PlaneBlur {
   BlurKernel down, across;
 };
 
-/// blur_down() and then blur_across() of planes of [rows][columns], as many as there are blurs, with the same
-/// sums; of the result only the window is worked out, [row][column][plane].
+/// Applies blur_down() and then blur_across(), with the same sums, to planes of [rows][columns], one per
+/// element of `blurs`; computes only the window of the result, [row][column][plane].
 void blur_window(const float* in, int rows, int columns, const std::vector<PlaneBlur>& blurs,
                  const Window& window, float* out, int threads);
 

@@ -1,4 +1,4 @@
-// Where a picture is brightest.
+// Finds the brightest pixel of a picture.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace vegard::sim {
 
-/// A pixel, by column and row from 0, and where its centre looks.
+/// A pixel, by column and row from 0, and the direction of its centre.
 struct BrightSpot {
   int x = 0, y = 0;
   double azimuth_deg = 0.0, elevation_deg = 0.0;
@@ -16,8 +16,8 @@ struct BrightSpot {
   std::vector<double> rayleigh;  ///< of every line there
 };
 
-/// The pixel where the sum of the lines' rayleighs, each times its weight, is largest; the first of equals,
-/// row by row. One weight per channel.
+/// Returns the pixel with the largest weighted sum of the lines' rayleighs, the first of equals, row by row.
+/// One weight per channel.
 BrightSpot brightest_spot(const Image& rayleigh, const std::vector<double>& weights, const Camera& camera);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
-// From few rays to many cells: joint bilateral upsampling, guided by where rays are stopped.
+// Joint bilateral upsampling of a coarse film, guided by the distances at which rays stop.
 //
-// Source: Kopf et al. 2007, doi:10.1145/1276377.1276497: weights of the distance on the coarse film, here
-// bilinear, times weights of the difference of a guide that is known at full resolution. The guide here is
-// the distance at which a ray is stopped, z (infinity: nowhere): exp(-r^2 / (2 0.1^2)) with
+// Source: Kopf et al. 2007, doi:10.1145/1276377.1276497: weights by the distance on the coarse film, here
+// bilinear, times weights by the difference of a guide that is known at full resolution. The guide here is
+// the distance z at which a ray stops (infinity: nowhere), with the weights exp(-r^2 / (2 0.1^2)),
 // r = 1 - min(z, z_i) / max(z, z_i).
 #pragma once
 
@@ -12,24 +12,24 @@
 
 namespace vegard::sim {
 
-/// A film of the same place whose cells are `shrink` times as wide and high; it may reach past the other's
-/// right and lower edges.
+/// Returns a film at the same position with cells `shrink` times as wide and high; it may extend beyond the
+/// right and lower edges of `film`.
 FilmGeometry coarse_film(const FilmGeometry& film, int shrink);
 
-/// The coarse cells that a cell follows.
+/// The coarse cells from which a cell is interpolated.
 struct DepthTaps {
   std::size_t cell[4] = {};  ///< on the coarse film
-  double weight[4] = {};     ///< sum to 1, or are 0 where `matched` is not so
-  bool matched = false;      ///< false: no coarse ray around goes as far as this one; march it by itself
+  double weight[4] = {};     ///< the sum is 1, or 0 if `matched` is false
+  bool matched = false;      ///< false: no neighbouring coarse ray stops near this one; march this ray itself
 
-  /// Of values on the coarse film; a constant comes out as it is.
+  /// Returns the weighted mean of values on the coarse film, exact for a constant.
   float mean(const float* coarse) const;
-  /// The cell that weighs most.
+  /// Returns the cell with the largest weight.
   std::size_t nearest() const;
 };
 
-/// The taps of the cell (row, column) of a film whose ray ends at `end_km`; coarse_end_km are the ends of
-/// the coarse film's rays, NaN where the lens sees nothing.
+/// Returns the taps of the cell (row, column) of a film whose ray ends at `end_km`; `coarse_end_km` are the
+/// ends of the coarse film's rays, NaN outside of the lens's picture.
 DepthTaps depth_taps(const FilmGeometry& coarse, int shrink, const float* coarse_end_km, int row, int column,
                      float end_km);
 

@@ -1,15 +1,15 @@
-// Light that is spread by a different Gaussian for every point of it: a ladder of films, each blurred by one
+// Blurs points of light by a different Gaussian for each point: with a ladder of films, each blurred by one
 // width.
 //
-// A point's light is shared between the two levels that its variance lies between, so that the total and the
-// variance are exact. The shape is that of two Gaussians of variances v and up to 2 v: half-way between two
-// levels a point's peak is 12 % too high, and that of a line across which one looks 5 %. The
-// lowest level is not blurred; from 0.71 pixels on each level is sqrt(2) times as wide as the one below.
-// Wide levels have cells of several pixels, a power of two: a point falls on 3 x 3 cells by the quadratic
-// B-spline, the cells are blurred, and the picture is the cubic B-spline through them. B-splines of degree 2
-// and 3 spread a point by the same variance wherever it lies, 1/4 and 1/3 of a cell's square (the moments of
-// the sum of 3 or 4 boxes, 3/12 and 4/12; de Boor, "A Practical Guide to Splines", chapter IX), which is what
-// makes exact books possible.
+// A point's light is shared between the two levels with the next lower and higher variance, so that the total
+// and the variance are exact. The shape is that of two Gaussians of variances v and up to 2 v: half-way
+// between two levels the peak of a point is 12 % too high, and that of a line 5 %. The lowest level is not
+// blurred; from 0.71 pixels on, each level is sqrt(2) times as wide as the one below. Wide levels have cells
+// of several pixels, a power of two: a point is distributed on 3 x 3 cells by the quadratic B-spline, the
+// cells are blurred, and the picture is the cubic B-spline with these coefficients. B-splines of degree 2 and
+// 3 spread a point by the same variance wherever it is, 1/4 and 1/3 of a cell's square (the moments of the
+// sum of 3 or 4 boxes, 3/12 and 4/12; de Boor, "A Practical Guide to Splines", chapter IX), so that the total
+// variance is exact.
 #pragma once
 
 #include <cstddef>
@@ -24,34 +24,34 @@ namespace vegard::sim {
 struct BlurLevel {
   FilmGeometry film;          ///< square cells, with a margin for the level's own blur
   BlurKernel kernel;          ///< in cells
-  double variance_px2 = 0.0;  ///< of a point's image, beyond the 1/6 pixel^2 that the bilinear splat has
-  /// A point falls on the 3 x 3 cells around it, else on 2 x 2, bilinearly.
+  double variance_px2 = 0.0;  ///< of a point's image, in addition to the 1/6 pixel^2 of the bilinear splat
+  /// True if a point is distributed on the 3 x 3 cells around it; else on 2 x 2, bilinearly.
   bool smooth() const { return film.cell_width_px > 1.0; }
   std::size_t cells() const { return static_cast<std::size_t>(film.rows) * film.columns; }
 };
 
-/// The levels for a picture of this size up to the first that is at least `widest_px` wide.
+/// Returns the levels for a picture of this size, up to the first that is at least `widest_px` wide.
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px);
 
-/// The four cells of a cubic B-spline that a place's value depends on, and how much.
+/// The four cells of a cubic B-spline on which the value at a place depends, with their weights.
 struct CubicTaps {
   int first = 0;
   float weight[4] = {};
 };
 
-/// Of the middles of `places` cells of a picture or a film, the first of which begins at `first_px`, on cells
-/// that begin at `start_px`.
+/// Returns the taps for the centres of `places` cells of a picture or a film, of width `step_px`, the first
+/// of which begins at `first_px`; the spline's cells have the width `cell_px` and begin at `start_px`.
 std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
                                   double cell_px);
 
-/// Which two levels share a point's light.
+/// The two levels that share a point's light.
 struct LevelShare {
-  int lower = 0;             ///< and lower + 1
-  float upper_share = 0.0f;  ///< the rest is the lower level's
+  int lower = 0;             ///< the other level is lower + 1
+  float upper_share = 0.0f;  ///< share of level lower + 1
 };
 
-/// The shares of a point that is spread by `variance_px2`, on `levels` (at least 2) levels of rising
-/// variance. What is wider than the last level goes to the last level.
+/// Returns the shares of a point with the variance `variance_px2` on `levels` (at least 2) levels of
+/// increasing variance. A point that is wider than the last level is all on that level.
 inline LevelShare level_share(const float* level_variances_px2, int levels, float variance_px2) {
   int lower = 0;
   while (lower + 2 < levels && variance_px2 >= level_variances_px2[lower + 1]) ++lower;
@@ -60,8 +60,7 @@ inline LevelShare level_share(const float* level_variances_px2, int levels, floa
   return {lower, share < 1.0f ? share : 1.0f};
 }
 
-/// Blurs what has fallen on a level's cells and adds it to one channel of a picture, per pixel. Overwrites
-/// `cells`.
+/// Blurs the light on a level's cells and adds it to one channel of a picture, per pixel. Overwrites `cells`.
 void add_level(const BlurLevel& level, std::vector<float>& cells, Image& picture, int channel, int threads);
 
 }  // namespace vegard::sim

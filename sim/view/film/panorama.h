@@ -1,5 +1,5 @@
-// Films that go around all of an equirectangular picture: what is beyond their edges, how wide their rows
-// are, and blur along the sphere.
+// Films around a whole equirectangular picture (FilmGeometry::turn_columns): their margins, the widths of
+// their rows, and blur on the sphere. "Within the turn" means inside of the margins.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,25 @@
 
 namespace vegard::sim {
 
-/// The width of a row within the turn over that of the equator: the mean cosine of its latitudes.
+/// Returns the width of a row within the turn over that of the equator: the mean cosine of its latitudes.
 double width_of_row(const FilmGeometry& film, int row);
 
-/// The cell within the turn that shows what a cell of the margin does: left of the first column is the last,
-/// above the first row is itself half a turn on.
+/// The cell within the turn that has the same direction as a cell of the margin: left of the first column is
+/// the last one; above the first row is the first row again, half a turn further.
 struct CellWithin {
-  int row, column;  ///< counted from the film's own first
+  int row, column;  ///< counted from the first of the film, including the margin
 };
 CellWithin cell_within(const FilmGeometry& film, int row, int column);
 
-/// Of a plane [row][column] that was splatted as if every row were as wide as the equator: what fell into the
-/// margin is added to where it belongs, all is divided by the rows' widths, and the margin is filled with
-/// what it shows. T is float or double.
+/// Completes a plane [row][column] on which light was splatted as if every row were as wide as the equator:
+/// adds the light in the margin to the cells within the turn, divides by the widths of the rows, and copies
+/// the result to the margin. T is float or double.
 template <class T>
 void close_turn(const FilmGeometry& film, T* plane);
 
-/// Blurs a plane along the sphere by a Gaussian of a standard deviation in rows, cut at `radius` rows unless
-/// that is negative: across by as many columns more as a row is narrower, then down, over the poles; within 8
-/// standard deviations of a pole on a plane of its own. An even sky stays even. Of the result the window,
+/// Blurs a plane on the sphere by a Gaussian with a standard deviation in rows, truncated at `radius` rows
+/// unless that is negative: across, by more columns in narrower rows, then down, over the poles; within 8
+/// standard deviations of a pole on a separate plane. A uniform sky stays uniform. Computes only the window,
 /// [row][column].
 void blur_on_sphere(const FilmGeometry& film, const float* plane, double sigma_rows, int radius,
                     const Window& window, float* out, int threads);

@@ -1,4 +1,5 @@
-// Light on the film: one sample into the four cells around it, all its emission lines at once.
+// Splatting: adds the light of a sample to the four cells of the film around it, for all emission lines at
+// once.
 #if defined(VEGARD_SIM_VIEW_SPLAT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_VIEW_SPLAT_INL_H_
 #undef VEGARD_SIM_VIEW_SPLAT_INL_H_
@@ -18,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using FourFloats = hn::FixedTag<float, 4>;
 using FourDoubles = hn::CappedTag<double, 4>;
 
-/// Adds 4 floats (in film units) to 4 integers, rounding to the nearest. Adding 1.5 * 2^52 leaves the integer
-/// in the low bits of the double, on every instruction set alike; good for |x| < 2^51.
+/// Adds 4 floats (in film units) to 4 integers, rounded to the nearest. Adding 1.5 * 2^52 leaves the integer
+/// in the low bits of the double, identically on every instruction set; valid for |x| < 2^51.
 HWY_INLINE void add_rounded(hn::Vec<FourFloats> light, std::int64_t* cell) {
   const FourDoubles d;
   const hn::RebindToSigned<FourDoubles> i;
@@ -38,13 +39,13 @@ HWY_INLINE void add_rounded(hn::Vec<FourFloats> light, std::int64_t* cell) {
 #endif
 }
 
-/// Shares of a sample's light by column and by row.
+/// The weights of a sample's light in the two columns and the two rows.
 struct Shares {
   float left, right, upper, lower;
 };
 
-/// Spreads the light of a sample over `cell`, its right neighbour and the two below; `light` is a function of
-/// the quartet (0 or 1) that gives 4 lines in film units.
+/// Adds the light of a sample to `cell`, its right neighbour and the two cells below. light(quartet) returns
+/// 4 lines in film units, for the quartets 0 and 1.
 template <int kQuartets, class Light>
 HWY_INLINE void splat(const Shares& shares, int film_columns, std::int64_t* cell, const Light& light) {
   const FourFloats d;
@@ -62,7 +63,7 @@ HWY_INLINE void splat(const Shares& shares, int film_columns, std::int64_t* cell
   }
 }
 
-/// The same of a sample that is all in the left column.
+/// The same for a sample that is completely in the left column.
 template <int kQuartets, class Light>
 HWY_INLINE void splat_in_column(const Shares& shares, int film_columns, std::int64_t* cell,
                                 const Light& light) {
@@ -75,7 +76,7 @@ HWY_INLINE void splat_in_column(const Shares& shares, int film_columns, std::int
   }
 }
 
-/// The same from a place on the film: column and row are in cells, at least 0 and below the last one.
+/// The same for a point of the film: column and row are in cells, at least 0 and below the last one.
 template <int kQuartets, class Light>
 HWY_INLINE void splat(float column, float row, int film_columns, std::int64_t* film, const Light& light) {
   const int c = static_cast<int>(column), r = static_cast<int>(row);

@@ -1,4 +1,4 @@
-// Derivatives on the film: one sample with its tangents into the four cells around it.
+// Splatting of derivatives: adds the tangents of a sample to the four cells of the film around it.
 #if defined(VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_
 #undef VEGARD_SIM_VIEW_SPLAT_TANGENTS_INL_H_
@@ -57,8 +57,9 @@ struct Wide {
 
 using WideDual = Dual<float, Wide>;
 
-/// Spreads the tangents of a sample's light over four cells, bilinear as in splat(). `cell_at(column, row)`
-/// gives a cell's tangents, [line][16], 64-byte aligned; those of the cell below stand `row_pitch` floats on.
+/// Adds the tangents of a sample's light to four cells, bilinearly as in splat(). `cell_at(column, row)`
+/// returns a cell's tangents, [line][16], 64-byte aligned; those of the cell below are `row_pitch` floats
+/// further.
 template <int kLines, class CellAt>
 HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, const WideDual* light,
                                std::ptrdiff_t row_pitch, const CellAt& cell_at) {
@@ -66,7 +67,7 @@ HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, cons
   const float right = column.v - static_cast<float>(c), lower = row.v - static_cast<float>(r);
   float *const here = cell_at(c, r), *const beside = cell_at(c + 1, r);
   for (int l = 0; l < kLines; ++l) {
-    // What one column or row gets, the other lacks.
+    // The shares of the two columns, and of the two rows, sum to 1.
     const float light_right = light[l].v * right, light_left = light[l].v - light_right;
     const Wide in_right = light[l].d * right + column.d * light[l].v, in_left = light[l].d - in_right;
     const Wide low_right = in_right * lower + row.d * light_right,
@@ -78,7 +79,7 @@ HWY_INLINE void splat_tangents(const WideDual& column, const WideDual& row, cons
   }
 }
 
-/// The same of a sample that is all in the left column and stays there.
+/// The same for a sample that is completely in the left column, with no derivative of the column.
 template <int kLines, class CellAt>
 HWY_INLINE void splat_tangents_in_column(const WideDual& column, const WideDual& row, const WideDual* light,
                                          std::ptrdiff_t row_pitch, const CellAt& cell_at) {

@@ -1,4 +1,4 @@
-// The film of derivatives.
+// TangentFilm: the derivatives of a film.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,7 @@
 namespace vegard::sim {
 
 /// Derivatives of a film by up to kTangentWidth (sim/light/sample.h) free parameters, in floats. Tiles of
-/// columns come into being when light first falls on them, so that the film of one stretch of an arc is
-/// small.
+/// columns are allocated when light first falls on them, so that the film of a part of an arc is small.
 class TangentFilm {
  public:
   static constexpr int kTileColumns = 8;
@@ -19,14 +18,15 @@ class TangentFilm {
   int rows() const { return rows_; }
   int lines() const { return lines_; }
 
-  /// [(row * kTileColumns + column in tile) * lines + line][kTangentWidth], made (zeroed) if need be.
+  /// Returns [(row * kTileColumns + column in tile) * lines + line][kTangentWidth]; allocated and zeroed if
+  /// needed.
   float* tile(int index) {
     if (lit_[index] == nullptr) light(index);
     return lit_[index];
   }
   const float* tile_if_any(int index) const { return lit_[index]; }
 
-  /// As new; the memory is kept.
+  /// Removes all light; the memory is kept.
   void clear() { std::fill(lit_.begin(), lit_.end(), nullptr); }
 
  private:
@@ -35,8 +35,8 @@ class TangentFilm {
   };
   void light(int index);
   int columns_, rows_, lines_;
-  std::vector<std::unique_ptr<float[], Free>> tiles_;  // all that ever were
-  std::vector<float*> lit_;                            // those in use; else null
+  std::vector<std::unique_ptr<float[], Free>> tiles_;  // all that were ever allocated
+  std::vector<float*> lit_;                            // tiles in use, else null
 };
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// A tone curve as a table: from linear light to the 8-bit numbers of a display, without a power per pixel.
+// A lookup table for a tone curve: converts linear light to 8-bit display values without a pow() per pixel.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace vegard::sim {
 
-/// For every float the number that an 8-bit picture has of it, encoded by the curve, limited to 0 to 1 and
-/// rounded to the nearest step.
+/// Maps linear light to the value of an 8-bit picture: encoded by the curve, clamped to 0 to 1 and rounded to
+/// the nearest step.
 class DisplayTable {
  public:
   explicit DisplayTable(const ToneCurve& tone);
@@ -24,13 +24,13 @@ class DisplayTable {
     return static_cast<std::uint8_t>(number);
   }
 
-  /// [row][column][channel]
+  /// Returns the values of an image, [row][column][channel].
   std::vector<std::uint8_t> bytes(const Image& light, int threads) const;
 
  private:
   static constexpr int kCells = 4096;
-  std::array<float, 257> first_;            ///< the least light that has at least this number
-  std::array<std::uint8_t, kCells> least_;  ///< number of the least light of each 1 / kCells
+  std::array<float, 257> first_;            ///< the smallest light with at least this value
+  std::array<std::uint8_t, kCells> least_;  ///< value at the lower end of each interval of 1 / kCells
   std::uint8_t white_;
 };
 

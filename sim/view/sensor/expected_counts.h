@@ -1,9 +1,9 @@
-// The absolute scale: what a camera records of a kilorayleigh, and how sure one can be of it.
+// The absolute scale: the expected counts of a camera per kilorayleigh, and their uncertainty.
 //
-// Electrons of a pixel: rayleighs times pixel_photons_s_per_rayleigh() (sim/view/colour/radiometry.h) times
-// the exposure time and the quantum efficiency; digital numbers by the electrons at white, full_well_e
-// base_iso / iso. Uncertainties are standard ones, in quadrature (JCGM 100:2008, "GUM", 5.1.2, for a product
-// of independent factors; a range without a preferred value counts as half its width / sqrt(3), 4.3.7).
+// The electrons of a pixel are rayleighs times pixel_photons_s_per_rayleigh() (sim/view/colour/radiometry.h)
+// times exposure time and quantum efficiency. Digital numbers follow from the electrons at white, full_well_e
+// base_iso / iso. Standard uncertainties are added in quadrature (JCGM 100:2008, "GUM", 5.1.2, for a product
+// of independent factors; that of a range without a preferred value is half its width / sqrt(3), 4.3.7).
 #pragma once
 
 #include <optional>
@@ -15,24 +15,25 @@
 
 namespace vegard::sim {
 
-/// One reason why a count may be off by a factor.
+/// One contribution to the relative uncertainty of counts.
 struct UncertaintyPart {
   std::string name;       ///< "lens transmission"
   double relative = 0.0;  ///< standard uncertainty
-  std::string source;     ///< where the figure comes from, or that it is an estimate
+  std::string source;     ///< reference for the uncertainty, or that it is an estimate
 };
 
-/// What a pixel on the axis records of a line that fills it. Counts of a raw channel are 0 where the scene's
-/// response is negative: the display primaries are no filters (sim/view/colour/line_colours.h).
+/// The counts of a pixel on the axis that is filled by light of one line. Counts of a raw channel are 0 where
+/// the scene's response is negative, as for display primaries (sim/view/colour/line_colours.h).
 struct LineCounts {
   double wavelength_nm = 0.0;
   Vector3 electrons_per_kilorayleigh{};  ///< raw red, green, blue
   Vector3 dn_per_kilorayleigh{};         ///< digital numbers above black
-  double saturation_kilorayleigh = 0.0;  ///< at which the first channel is full; infinite without light
+  double saturation_kilorayleigh =
+      0.0;  ///< brightness at which the first channel saturates; infinite without light
 };
 
 struct ExpectedCounts {
-  std::vector<LineCounts> lines;  ///< in the scene's order
+  std::vector<LineCounts> lines;  ///< in the order of emission.lines
   double white_e = 0.0;           ///< electrons of linear raw value 1
   double saturation_e = 0.0;      ///< electrons beyond which a pixel is saturated
   double dn_per_electron = 0.0;
@@ -41,16 +42,16 @@ struct ExpectedCounts {
   double read_noise_e = 0.0;
   double quantisation_e = 0.0;  ///< standard deviation of the converter's rounding
 
-  /// Of the scale from rayleighs to counts: the root of the sum of the parts' squares. Empty where it is not
-  /// known: a gain that was simply given, without a calibration_error.
+  /// Of the scale from rayleighs to counts: the root of the sum of the squares of `parts`. Empty if unknown,
+  /// for a given gain without a calibration_error.
   std::optional<double> relative_uncertainty;
-  std::vector<UncertaintyPart> parts;  ///< what is known, even where the whole is not
+  std::vector<UncertaintyPart> parts;  ///< the known contributions, even if the total is unknown
 };
 
-/// Of a valid scene.
+/// Returns the expected counts of a valid scene.
 ExpectedCounts expected_counts(const Scene& scene);
 
-/// Electrons of light over their noise: photons', dark current's, reading and rounding.
+/// Returns the electrons of light over their noise: of photons, dark current, reading and rounding.
 double signal_to_noise(const ExpectedCounts& counts, double electrons);
 
 }  // namespace vegard::sim

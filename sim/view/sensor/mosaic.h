@@ -1,7 +1,7 @@
-// A sensor's colour filters, one to a pixel (Bayer 1976, US patent 3 971 065), and how three channels are
-// made of what stands behind them: bilinear, that is the pixel itself where it has the filter, and else the
-// mean of its neighbours that have. Each channel takes from its own filter's pixels only, so that noise of
-// different channels stays independent.
+// The colour filter array of a sensor (Bayer 1976, US patent 3 971 065) and bilinear demosaicing: a channel
+// is the pixel itself where it has the channel's filter, else the mean of its neighbours with that filter.
+// Each channel only uses pixels with its own filter, so that the noise of different channels stays
+// independent.
 #pragma once
 
 #include "sim/base/image.h"
@@ -9,13 +9,13 @@
 
 namespace vegard::sim {
 
-/// Channel (0 red, 1 green, 2 blue) of the filter at a pixel of any pattern but none.
+/// Returns the channel (0 red, 1 green, 2 blue) of the filter at a pixel. Not for the pattern `none`.
 int filter_of_pixel(MosaicPattern pattern, int x, int y);
 
-/// R, G, B of a mosaic of one channel, at least two by two pixels.
+/// Returns R, G, B of a mosaic with one channel and at least two by two pixels.
 Image demosaic(const Image& mosaic, MosaicPattern pattern);
 
-/// Variances of what demosaic() gives, where the mosaic's pixels are independent and have these.
+/// Returns the variances of the result of demosaic() for independent pixels with these variances.
 Image demosaic_variance(const Image& mosaic_variance, MosaicPattern pattern);
 
 }  // namespace vegard::sim

@@ -1,13 +1,14 @@
-// A camera's sensor: linear light to digital numbers with their noise, those to a picture, and the way back.
+// A camera's sensor: linear light to digital numbers with noise, numbers to a picture, and a picture to
+// light.
 //
 //   light (linear RGB, white = 1) -> vignetting -> raw channels, by the inverse of rgb_from_raw() ->
 //   electrons, white_e to raw 1 -> Poisson(electrons + dark) + Gaussian(read noise) -> full well -> number =
-//   black + electrons * dn_per_electron, rounded, limited -> black and mean dark taken off, demosaiced,
+//   black + electrons * dn_per_electron, rounded, limited -> black and mean dark subtracted, demosaiced,
 //   rgb_from_raw()
 //   -> tone curve -> file
 //
 // Source: EMVA standard 1288, release 3.1 (2016), section 2, for the linear model of photon, dark and
-// quantisation noise; Healey and Kondepudy 1994, IEEE TPAMI 16, 267, doi:10.1109/34.276126, for the same of
+// quantisation noise; Healey and Kondepudy 1994, IEEE TPAMI 16, 267, doi:10.1109/34.276126, for the noise of
 // cameras. Left out: fixed patterns, blooming, hot pixels, cosmic rays, noise reduction and sharpening of
 // makers. docs/optics.md, "Sensor".
 #pragma once
@@ -20,31 +21,28 @@
 
 namespace vegard::sim {
 
-/// What a converter gives for linear RGB light, signed where a camera's matrix makes it so; raw channels
-/// below 0 count as 0. Whole numbers, in one channel "raw" behind a mosaic, else in R, G, B. The noise is a
-/// pure function of the scene's seed and the frame's number: pictures of one seed and different frames have
-/// independent noise.
+/// Returns the digital numbers (integers) for linear RGB light, in one channel "raw" with a mosaic, else in
+/// R, G, B. The light may be negative, because of a camera's matrix; negative raw channels count as 0. The
+/// noise depends only on the scene's seed and the frame's number: frames of one seed have independent noise.
 Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame = 0, int threads = 0);
 
-/// Linear RGB of raw numbers, still as dark in the corners as the lens has it, negative where noise is.
+/// Returns linear RGB of raw numbers, without correction for vignetting; noise can make it negative.
 Image developed(const Scene& scene, const Image& raw);
 
-/// Linear RGB, limited to 0 to 1, encoded by the tone curve and in the false colour of the scene's table, as
-/// a display file holds it. Photographs are read without that table: it is for eyes (recover_light()).
+/// Returns the values of a display file for linear RGB: limited to 0 to 1, encoded by the tone curve, with
+/// the false colours of sensor.colour_table. recover_light() does not undo the false colours.
 Image encoded(const Scene& scene, const Image& rgb);
 
-/// The way back from a file's decoded linear RGB: divides by the vignetting, and marks in `usable`, per pixel
-/// and channel as in the image's data, what a full pixel has had a part in, or where the lens gives less than
-/// a hundredth of its light, as 0. The image may have another size than the scene's camera. `file_step` as in
-/// light_variance().
+/// Recovers light from a file's decoded linear RGB: divides by the vignetting. Sets `usable`, per pixel and
+/// channel in the order of the image's data, to 0 where a saturated pixel contributes or the vignetting is
+/// below 0.01. The image may have another size than the scene's camera. `file_step` as in light_variance().
 void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector<std::uint8_t>& usable);
 
-/// Variance of recovered light per pixel and channel: photons', dark, read and rounding noise through
-/// demosaicing, matrix and vignetting, and the file's own rounding to steps of `file_step` (1/255, 1/65535;
-/// 0: floats). `light` is the recovered light, whose own noise then enters, or better the true one.
-/// Neighbours behind a mosaic share pixels, and so their noise; channels behind a matrix share theirs, so
-/// that the variance of their sums is not the sum of these. What demosaicing makes up between pixels, and
-/// compression by JPEG, are not in it.
+/// Returns the variance of recovered light per pixel and channel: photon, dark, read and rounding noise
+/// propagated through demosaicing, matrix and vignetting, and the rounding of the file to steps of
+/// `file_step` (1/255, 1/65535; 0: floats). `light` is the true light or, less exactly, the recovered light.
+/// Demosaicing correlates neighbouring pixels and the matrix correlates channels: the variance of a sum is
+/// not the sum of these. Interpolation errors of demosaicing and JPEG compression are not included.
 Image light_variance(const Scene& scene, const Image& light, double file_step);
 
 }  // namespace vegard::sim

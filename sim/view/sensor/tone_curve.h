@@ -1,9 +1,9 @@
-// From linear light to the numbers of a display file and back: the scene's sensor.tone, or whatever curve a
-// photograph is said to have.
+// Conversion of linear light to the values of a display file and back, by the scene's sensor.tone or the
+// curve that is given for a photograph.
 //
 // "srgb" is IEC 61966-2-1 (sim/view/sensor/transfer_curve.h), "gamma" a power, "file" a measured curve: a CSV
-// with the columns linear, from 0 to 1, and encoded, within 0 to 1, both increasing; straight between its
-// rows. A bent one is of the family of sim/view/sensor/transfer_curve.h.
+// with the columns linear, from 0 to 1, and encoded, within 0 to 1, both increasing; linear between its rows.
+// "bent" is the family of curves BentSrgb of sim/view/sensor/transfer_curve.h.
 #pragma once
 
 #include <string>
@@ -16,19 +16,19 @@ namespace vegard::sim {
 
 class ToneCurve {
  public:
-  /// Of a valid scene. Throws Error(unreadable_input), with file and line, for a measured curve that is none.
+  /// The curve of a valid scene. Throws Error(unreadable_input), with file and line, for an invalid table.
   explicit ToneCurve(const Scene& scene);
 
-  /// Numbers are linear light to the power of 1 / gamma, which must be above 0.
+  /// Encoded values are linear light to the power of 1 / gamma; gamma must be above 0.
   static ToneCurve of_gamma(double gamma);
-  /// A measured curve from a table's text; messages name `file`. Throws as above.
+  /// A measured curve from the text of a table; messages name `file`. Throws as the constructor.
   static ToneCurve of_table(const std::string& text, const std::string& file);
   static ToneCurve of_bent(const BentSrgb& bent);
 
-  /// Encoded value of linear light; both are 0 to 1, and "file" limits its input to that. Increasing.
+  /// Returns the encoded value of linear light, both 0 to 1; "file" clamps its input. An increasing function.
   double encode(double linear) const;
 
-  /// Its inverse. What lies beside a measured curve's ends is taken for the ends.
+  /// The inverse of encode(). Values beyond the ends of a measured curve are clamped to the ends.
   double decode(double encoded) const;
 
   /// "sRGB", "linear", "gamma 2.2", "my_camera.csv", "sRGB^1.3", "sRGB^1.3 to 0.8".

@@ -1,38 +1,38 @@
-// The sRGB transfer curve, IEC 61966-2-1: linear light to the values of an 8-bit picture and back.
+// The sRGB transfer curve, IEC 61966-2-1, and a family of similar curves.
 #pragma once
 
 namespace vegard::sim {
 
-/// Encoded value of linear light. 0 to 0, 1 to 1; beyond both ends the curve goes on, and odd about 0, so
-/// that it has an inverse everywhere: srgb_decode(srgb_encode(x)) = x to 1e-7. NaN gives NaN. The power is
-/// the C library's: between CPUs its last bit may differ, far below a step of 16 bits.
+/// Returns the encoded value of linear light; 0 maps to 0 and 1 to 1. The curve continues above 1 and is odd
+/// about 0, so that it has an inverse everywhere: srgb_decode(srgb_encode(x)) = x to 1e-7. NaN gives NaN. It
+/// uses pow() of the C library, whose last bit may differ between CPUs, far below a step of 16 bits.
 double srgb_encode(double linear);
 
-/// Linear light of an encoded value.
+/// The inverse of srgb_encode().
 double srgb_decode(double encoded);
 
-// A family of curves about sRGB with two numbers, for pictures of which nobody knows how they were encoded.
+// BentSrgb: a family of curves around sRGB with two parameters, for pictures with an unknown encoding.
 //
-// Light of an encoded value v:  L(v) = D(v)^p exp((q - p) k (v - 1)), with sRGB's decoding D and
-// k = D'(1) = 2.4 / 1.055, so that L(1) = 1. Its slope against sRGB in logarithms,
+// Light of an encoded value v:  L(v) = D(v)^p exp((q - p) k (v - 1)), with sRGB's decoding D and k = D'(1) =
+// 2.4 / 1.055, so that L(1) = 1. Its slope against sRGB in logarithms,
 //   d ln L / d ln D = p + (q - p) (v + 0.055) / 1.055   (above sRGB's knee; p below it, to a fortieth),
-// is a straight line in v from p at black to q at white: L increases everywhere just if p and q are above 0.
-// p = q is a power of sRGB's light, p = q = 1 sRGB itself. An exponent that depends linearly on the value is
-// the simplest curve of Ng, Chang and Tsui's generalised gamma (CVPR 2007); that a few numbers are enough for
-// the responses of real cameras and films is what Grossberg and Nayar (CVPR 2003, "What is the space of
-// camera response functions?") found of two hundred of them.
+// is a straight line in v from p at black to q at white: L increases everywhere if and only if p and q are
+// above 0. p = q is a power of sRGB's light, p = q = 1 is sRGB itself. An exponent that depends linearly on
+// the value is the simplest case of the generalised gamma of Ng, Chang and Tsui (CVPR 2007). Grossberg and
+// Nayar (CVPR 2003, "What is the space of camera response functions?") found for two hundred cameras and
+// films that a few numbers are enough to describe their responses.
 
-/// Exponents over sRGB's light, above 0.
+/// The exponents p (black) and q (white), above 0.
 struct BentSrgb {
   double black = 1.0, white = 1.0;
 
-  /// Linear light of an encoded value, 0 to 0 and 1 to 1, odd about 0.
+  /// Returns the linear light of an encoded value; 0 maps to 0 and 1 to 1; odd about 0.
   double decode(double encoded) const;
 
-  /// Its inverse, to 1e-12 of the encoded value.
+  /// The inverse of decode(), to 1e-12 of the encoded value.
   double encode(double linear) const;
 
-  /// d decode / d encoded, of an encoded value above 0.
+  /// Returns the derivative of decode() at an encoded value above 0.
   double slope(double encoded) const;
 };
 

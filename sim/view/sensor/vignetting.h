@@ -1,8 +1,8 @@
-// How a lens's light falls off from the picture's middle.
+// Vignetting: the decrease of a lens's light from the middle of the picture to its edges.
 //
 // cos^n of the angle off the axis (n = 4: natural vignetting, the illumination of a plane behind a simple
 // lens) times an even polynomial in the distance from the middle, 1 + a r^2 + b r^4 + c r^6 with r = 1 in the
-// corners (Goldman 2010, IEEE TPAMI 32, 2276, doi:10.1109/TPAMI.2010.55, has that form).
+// corners (form of Goldman 2010, IEEE TPAMI 32, 2276, doi:10.1109/TPAMI.2010.55).
 #pragma once
 
 #include "sim/base/image.h"
@@ -11,7 +11,7 @@
 
 namespace vegard::sim {
 
-/// Light at a place of the picture, in pixels, over the light in its middle. At least 0.
+/// Light at a point of the picture, in pixels, over the light in its middle. At least 0.
 class Vignetting {
  public:
   explicit Vignetting(const Scene& scene);
@@ -26,7 +26,7 @@ class Vignetting {
   bool none_;
 };
 
-/// Every channel times the vignetting at the pixels' centres.
+/// Multiplies every channel by the vignetting at the pixels' centres.
 void darken(const Vignetting& vignetting, Image& image);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The stars that the eye sees, by name: data/stars/bright_stars.csv, 5044 stars to magnitude 6.
+// The catalogue of naked-eye stars: data/stars/bright_stars.csv, 5044 stars to magnitude 6.
 #pragma once
 
 #include <string>
@@ -9,24 +9,24 @@
 namespace vegard::sim {
 
 struct BrightStar {
-  int hip = 0, hd = 0;      ///< numbers of the catalogues of Hipparcos and Henry Draper; 0 if it has none
+  int hip = 0, hd = 0;      ///< Hipparcos and Henry Draper numbers; 0: none
   std::string designation;  ///< "alf Lyr", "17 Tau", or empty
   std::string name;         ///< "Vega", or empty
   CataloguePlace place;
   double magnitude = 0.0;     ///< V
-  double colour_index = 0.6;  ///< B - V; that of the Sun's like for the two that have none
+  double colour_index = 0.6;  ///< B - V; a solar value for the two stars without one
 
-  /// The first of name, designation and "HIP 91262" that there is.
+  /// Returns the name, else the designation, else "HIP 91262".
   std::string label() const;
 };
 
-/// All of them, the brightest first.
+/// Returns all stars, the brightest first.
 const std::vector<BrightStar>& catalogue_stars();
 
-/// The 921 of them to magnitude 4.5, which a camera is calibrated by.
+/// Returns the 921 stars to magnitude 4.5, with which cameras are calibrated.
 const std::vector<BrightStar>& bright_stars();
 
-/// By name or designation, capitals or not, or by "HIP 91262" or "HD 172167"; null if there is none.
+/// Finds a star by name or designation, without regard to case, or by "HIP 91262" or "HD 172167"; else null.
 const BrightStar* find_bright_star(const std::string& words);
 
 }  // namespace vegard::sim

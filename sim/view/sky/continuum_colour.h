@@ -1,4 +1,4 @@
-// What a scene's sensor makes of a continuous spectrum.
+// The colour of a continuous spectrum in a scene's sensor.
 #pragma once
 
 #include <functional>
@@ -8,17 +8,17 @@
 
 namespace vegard::sim {
 
-/// Radiance by wavelength in nm, W m^-2 sr^-1 nm^-1.
+/// Spectral radiance in W m^-2 sr^-1 nm^-1 as a function of wavelength in nm.
 using Spectrum = std::function<double(double wavelength_nm)>;
 
-/// Linear, signed RGB at the scene's gain: the sum over 380 to 780 nm of what the sensor makes of each
-/// wavelength (sim/view/colour/line_colours.h), in steps of 5 nm.
+/// Returns linear, signed RGB at the scene's gain: the sum of the colours of single wavelengths
+/// (sim/view/colour/line_colours.h) over 380 to 780 nm, in steps of 5 nm.
 Vector3 colour_of_continuum(const Scene& scene, const Spectrum& radiance);
 
-/// cd m^-2, over the same wavelengths.
+/// Returns the luminance in cd m^-2, summed over the same wavelengths.
 double luminance_of_continuum(const Spectrum& radiance);
 
-/// The shape of a black body's spectrum, 1 at 560 nm.
+/// Returns the spectrum of a black body, normalised to 1 at 560 nm.
 Spectrum black_body(double temperature_k);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// Instants as astronomers count them, and how far the Earth has turned by then.
+// Julian dates and sidereal time.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@ namespace vegard::sim {
 inline constexpr double kJ2000 = 2451545.0;  ///< Julian date of 2000 January 1, 12 h
 inline constexpr double kDaysPerCentury = 36525.0;
 
-/// The Julian date of an instant in ISO 8601 and UTC, "2014-02-21T19:30:40.5Z", to 40 microseconds. Nothing
-/// for text that is none (sim/base/utc_time.h).
+/// Returns the Julian date, to 40 microseconds, of a UTC time in ISO 8601, "2014-02-21T19:30:40.5Z"; nothing
+/// for any other text (sim/base/utc_time.h).
 std::optional<double> julian_date(const std::string& utc);
 
-/// The same as text, to the nearest second: "2014-02-21T19:30:40Z".
+/// Returns the UTC time of a Julian date as text, to the nearest second: "2014-02-21T19:30:40Z".
 std::string text_of_julian_date(double julian_date);
 
 /// Greenwich mean sidereal time in degrees, 0 to 360: Aoki et al. 1982 (Astronomy and Astrophysics 105, 359),
-/// as in Meeus, Astronomical Algorithms, formula 12.4. UTC is taken for UT1, which it is to 0.9 s (13 seconds
-/// of arc).
+/// as in Meeus, Astronomical Algorithms, formula 12.4. UTC is used as UT1, from which it differs by at most
+/// 0.9 s (13 seconds of arc).
 double mean_sidereal_time_deg(double julian_date);
 
 }  // namespace vegard::sim

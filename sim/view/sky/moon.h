@@ -1,8 +1,8 @@
-// Where the Moon stands, how much of it shines, and how brightly.
+// The position, phase and magnitude of the Moon.
 //
-// The largest terms of the ELP-2000/82 theory as Meeus, Astronomical Algorithms, chapter 47 has them: here
-// all above 0.0036 degrees in longitude and 0.002 in latitude, which leaves some 0.01 degrees of error.
-// Ecliptic and mean equinox of date. Dynamical time is taken for universal time (0.01 degrees).
+// The largest terms of the ELP-2000/82 theory as in Meeus, Astronomical Algorithms, chapter 47: all above
+// 0.0036 degrees in longitude and 0.002 in latitude, with an error of about 0.01 degrees. Ecliptic and mean
+// equinox of date. Universal time is used as dynamical time (error 0.01 degrees).
 #pragma once
 
 #include <array>
@@ -13,27 +13,27 @@ namespace vegard::sim {
 
 struct MoonPlace {
   double longitude_deg = 0.0, latitude_deg = 0.0;  ///< ecliptic, from the Earth's centre; 0 to 360, north
-  double parallax_deg = 0.0;  ///< horizontal: how wide the Earth's radius is seen from it
+  double parallax_deg = 0.0;  ///< horizontal: angular radius of the Earth as seen from the Moon
 };
 
 MoonPlace place_of_moon(double julian_date);
 
-/// The magnitude V of the whole disc, as seen from so far away as the Earth is in the mean, by the phase
-/// angle (0 at full Moon): Krisciunas and Schaefer 1991, doi:10.1086/132921, equation (9), without the surge
-/// close to full.
+/// Returns the magnitude V of the whole disc at the mean distance from the Earth, as a function of the phase
+/// angle (0 at full Moon): Krisciunas and Schaefer 1991, doi:10.1086/132921, equation (9), without the
+/// opposition surge near full Moon.
 double magnitude_of_moon(double phase_angle_deg);
 
-/// The angle at the Moon between the Sun and the Earth, in degrees.
+/// Returns the angle at the Moon between the Sun and the Earth, in degrees.
 double phase_angle_of_moon_deg(double julian_date);
 
-/// The same in right ascension and declination, equinox of date.
+/// Returns the place of the Moon in right ascension and declination, equinox of date.
 Equatorial equatorial_place_of_moon(double julian_date);
 
-/// East, north, up, of length 1, from the observer's place (up to a degree lower than from the Earth's
-/// centre), without refraction.
+/// Returns the unit vector (east, north, up) to the Moon from the observer, with parallax (up to a degree
+/// lower than from the Earth's centre), without refraction.
 std::array<double, 3> direction_of_moon(const Observer& observer, double julian_date);
 
-/// The share of the disc that is lit, from its distance from the Sun in the sky: (1 - cos) / 2.
+/// Returns the lit fraction of the disc, (1 - cos(elongation from the Sun)) / 2.
 double lit_share_of_moon(double julian_date);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
 // The Moon's disc with its phase.
 //
-// A sphere that scatters as Lommel and Seeliger have it (mu0 / (mu0 + mu): a full Moon is evenly bright up to
-// its limb), without its seas, as bright in all as magnitude_of_moon() says at its distance, and of its
-// colour, B - V = 0.92 (Allen's Astrophysical Quantities). Without earthshine.
+// A sphere with the Lommel-Seeliger law (mu0 / (mu0 + mu): a full Moon is uniformly bright up to its limb),
+// without maria and earthshine. Its total brightness is that of magnitude_of_moon() at its distance, its
+// colour is B - V = 0.92 (Allen's Astrophysical Quantities).
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@
 
 namespace vegard::sim {
 
-/// Adds it to linear RGB of the scene's camera: the mean of the instants.
+/// Adds the disc to linear RGB of the scene's camera: the mean over the instants.
 void add_moon_disc(const Scene& scene, const std::vector<double>& instants_s, int threads, Image& light);
 
-/// The light of a spot of the disc, at (u, v) of its radius from the middle, u towards the Sun; 0 off the
-/// disc and by night. 1/2 everywhere on a full Moon.
+/// Returns the relative light at the point (u, v) of the disc, in radii from the middle, u towards the Sun:
+/// 1/2 everywhere on a full Moon, 0 off the disc and on the night side.
 double moon_spot(double u, double v, double phase_angle_deg);
 
 }  // namespace vegard::sim

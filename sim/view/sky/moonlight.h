@@ -1,9 +1,10 @@
-// The Moon's light that the air scatters.
+// Moonlight scattered by the air.
 //
 // K. Krisciunas and B. E. Schaefer 1991, "A model of the brightness of moonlight", Publications of the
-// Astronomical Society of the Pacific 103, 1033, doi:10.1086/132921, equations (3), (9) and (15) to (21): by
-// molecules and by aerosol, by the angle from the Moon, within 8 to 23 %. The colours are ours: the Moon's
-// (a black body of its B - V of 0.92) times the wavelength to the power -4 and to that of the aerosol.
+// Astronomical Society of the Pacific 103, 1033, doi:10.1086/132921, equations (3), (9) and (15) to (21):
+// scattering by molecules and by aerosol as functions of the angle from the Moon, accurate to 8 to 23 %. The
+// colours are ours: the Moon's (a black body with B - V = 0.92) times wavelength^-4 for molecules and
+// wavelength^-angstrom_exponent for aerosol.
 #pragma once
 
 #include <array>
@@ -17,16 +18,17 @@
 
 namespace vegard::sim {
 
-/// Airmass of Krisciunas and Schaefer's equation (3), by the sine of the elevation: 5 at the horizon.
+/// Returns the airmass of Krisciunas and Schaefer's equation (3): 5 at the horizon.
 template <class T>
 T moonlit_airmass(const T& sine_of_elevation) {
   return 1.0 / square_root(1.0 - 0.96 * (1.0 - sine_of_elevation * sine_of_elevation));
 }
 
-/// How the scattered light varies with the angle from the Moon, in their units: equations (16) to (19) and
-/// (21). Within 10 degrees of the Moon aerosol scatters by (19), 6.2e7 over the square of the angle, where
-/// that is more than (18): from 8.46 degrees inwards, where the two are equal, so that there is no step (at
-/// 10 degrees (19) is 22 % less). Within the Moon's own edge, 0.26 degrees, it is as at the edge.
+/// Return the scattered light as a function of the cosine of the angle from the Moon, in the paper's units:
+/// equations (16) to (19) and (21). For aerosol, the larger of (18) and (19), 6.2e7 over the square of the
+/// angle, is used within 10 degrees of the Moon. The two are equal at 8.46 degrees, so that there is no step
+/// (at 10 degrees (19) is 22 % less). Within the radius of the Moon, 0.26 degrees, the value is that of the
+/// limb.
 template <class T>
 T moonlit_by_molecules(const T& cosine) {
   return std::pow(10.0, 5.36) * (1.06 + cosine * cosine);
@@ -43,14 +45,15 @@ T moonlit_by_aerosol(const T& cosine) {
   return value_of(near) > value_of(far) ? near : far;
 }
 
-/// The moonlit sky of a scene; of nothing where the Moon is down or moon.skylight is off.
+/// The moonlit sky of a scene; none() if moon.skylight is false, the Moon is down or the observer is above
+/// the air.
 class MoonlitSky {
  public:
   explicit MoonlitSky(const Scene& scene);
 
   bool none() const { return none_; }
 
-  /// Linear RGB towards a line of sight above the horizon; T is double or a dual number over it.
+  /// Returns linear RGB for a line of sight above the horizon; T is double or a dual number over it.
   template <class T>
   std::array<T, 3> light(const SightLine<T>& line) const {
     const T towards = line.east * moon_[0] + line.north * moon_[1] + line.up * moon_[2];
@@ -72,8 +75,8 @@ class MoonlitSky {
   Vector3 of_molecules_{}, of_aerosol_{};
 };
 
-/// Their luminance itself, cd m^-2, of the phase angle, the angle from the Moon, both elevations (degrees)
-/// and the extinction in magnitudes per airmass: for tests, and for whoever compares.
+/// Returns the luminance of Krisciunas and Schaefer's model in cd m^-2, for tests and comparisons. Angles are
+/// in degrees, the extinction in magnitudes per airmass.
 double moonlit_luminance_cd_m2(double phase_angle_deg, double from_moon_deg, double moon_elevation_deg,
                                double elevation_deg, double extinction_mag);
 

@@ -1,4 +1,4 @@
-// The light behind the aurora.
+// The light behind the aurora: the polynomial of [sky].
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@
 
 namespace vegard::sim {
 
-/// What the sky's level, gradient and curvature are multiplied by at a place down the picture (0 top, 1
-/// bottom): 1, p and p^2 - 1/12 with p = place - 1/2, so that the level is the mean over the picture.
+/// Returns the factors of the sky's level, gradient and curvature at a vertical position (0 top, 1 bottom):
+/// 1, p and p^2 - 1/12 with p = place - 1/2, so that the level is the mean over the picture.
 std::array<double, 3> sky_basis(double place);
 
 /// Adds the sky to a linear RGB image, at the pixels' centres.

@@ -1,5 +1,5 @@
-// The numbers of a scene that the air and the night sky depend on and that a fit may free, as doubles or as
-// dual numbers with a tangent for each of them; and the camera's lines of sight by them.
+// The parameters of a scene that the air and the night sky depend on and that a fit may free, as doubles or
+// as dual numbers with a tangent for each parameter; and the camera's lines of sight as functions of them.
 #pragma once
 
 #include <vector>
@@ -18,19 +18,19 @@ enum SkyNumber : int {
   sky_red,
   sky_sodium,
   sky_pollution,
-  first_sky_camera,  ///< from here on one for every CameraNumber
+  first_sky_camera,  ///< from here on: one for every CameraNumber
   sky_numbers = first_sky_camera + camera_numbers
 };
 
-/// Tangents by the scene's own units (degrees, rayleighs, mcd m^-2).
+/// Tangents are in the scene's units (per degree, rayleigh, mcd m^-2).
 using SkyDual = Dual<double, Tangents<double, sky_numbers>>;
 
 ParameterId sky_number_id(const Scene& scene, SkyNumber which);
 
-/// For every free parameter the SkyNumber that it is, or -1.
+/// Returns the SkyNumber of every free parameter, or -1.
 std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<ParameterId>& free);
 
-/// Its value; a SkyDual has a tangent of 1 by itself. T is double or SkyDual.
+/// Returns the parameter's value; a SkyDual has the tangent 1 by that parameter. T is double or SkyDual.
 template <class T>
 T sky_number(const Scene& scene, SkyNumber which);
 template <>
@@ -50,14 +50,14 @@ class SkyView {
  public:
   explicit SkyView(const Scene& scene);
 
-  /// Outside of the lens's picture, where nothing is to be seen, straight up.
+  /// Returns the line of sight of a point of the picture; outside of the lens's picture, the zenith.
   SightLine<T> at(double x_px, double y_px) const {
     T enu[3];
     if (!enu_of_pixel(view_, x_px, y_px, enu)) return {T(0.0), T(0.0), T(1.0)};
     return {enu[0], enu[1], enu[2]};
   }
 
-  /// Whether the lens has an image of anything there.
+  /// True if the point is inside the lens's picture.
   bool sees(double x_px, double y_px) const {
     double in_camera[3];
     return is_plain_pinhole(plain_) || unproject(plain_, x_px, y_px, in_camera);

@@ -1,4 +1,4 @@
-// Where and when a scene's real sky is seen.
+// The place and time for which a scene's real sky (stars, planets, Moon, Sun) is computed.
 #pragma once
 
 #include "sim/scene/structs/scene.h"
@@ -6,16 +6,16 @@
 
 namespace vegard::sim {
 
-/// The scene's place. The air refracts for whoever stands in it: below 80 km, where the lower air ends
+/// Returns the scene's observer. The air refracts for observers below 80 km, where the lower air ends
 /// (sim/view/sky/air.h).
 Observer observer_of(const Scene& scene);
 
-/// At an instant of the scene's own clock, whose zero is site.time_utc. Throws Error(scene) if that is no
-/// time of the years 1900 to 2200.
+/// Returns the Julian date at an instant of the scene's clock, whose zero is site.time_utc. Throws
+/// Error(scene) if site.time_utc is not a time in the years 1900 to 2200.
 double julian_date_at(const Scene& scene, double instant_s);
 
-/// The twilight with its sun where twilight.sun says; not shown if that stands lower than twilight was
-/// measured for. Throws Error(scene) if it stands higher.
+/// Returns the twilight with the sun's position by twilight.sun; not shown if the sun is below the range in
+/// which twilight was measured. Throws Error(scene) if it is above that range.
 Twilight twilight_at(const Scene& scene);
 
 }  // namespace vegard::sim

@@ -1,7 +1,7 @@
-// Where a catalogued star stands in the sky of a place and an instant.
+// The direction of a catalogued star in the sky of an observer at an instant.
 //
-// From the catalogue's place at J2000: proper motion; the Earth's yearly aberration (its orbit taken as a
-// circle, 0.4 seconds of arc); precession by Lieske's angles of 1976 (Astronomy and Astrophysics 58, 1;
+// Corrections to the catalogue's place at J2000: proper motion; annual aberration (the Earth's orbit taken as
+// a circle, 0.4 seconds of arc); precession by Lieske's angles of 1976 (Astronomy and Astrophysics 58, 1;
 // Meeus, Astronomical Algorithms, formula 21.2), good to a second of arc for centuries about 2000; the four
 // largest terms of nutation (0.5 seconds of arc; Meeus, chapter 22). Left out: parallax (below a second of
 // arc), polar motion, the aberration of the Earth's rotation (0.3 seconds of arc), deflection of the
@@ -18,37 +18,37 @@ struct Equatorial {
   double declination_deg = 0.0;
 };
 
-/// A star as catalogues have it: equinox and epoch J2000.
+/// The place of a star in a catalogue: equinox and epoch J2000.
 struct CataloguePlace {
   Equatorial j2000;
   double motion_ra_mas_per_year = 0.0;  ///< times the cosine of the declination
   double motion_dec_mas_per_year = 0.0;
 };
 
-/// Mean place at the equinox and epoch of the instant: proper motion and precession.
+/// Returns the mean place at the equinox and epoch of the instant: with proper motion and precession.
 Equatorial mean_place(const CataloguePlace& star, double julian_date);
 
-/// Apparent place: the same with nutation and aberration.
+/// Returns the apparent place: the mean place with nutation and aberration.
 Equatorial apparent_place(const CataloguePlace& star, double julian_date);
 
-/// Where an observer stands. North and east are positive.
+/// The place of an observer. North and east are positive.
 struct Observer {
   double latitude_deg = 0.0, longitude_deg = 0.0;
   double height_m = 0.0;
-  bool refracting_air = true;  ///< the standard atmosphere over the observer's height
+  bool refracting_air = true;  ///< refraction by the standard atmosphere above height_m
 };
 
-/// East, north, up, of length 1, of where the star is seen.
+/// Returns the unit vector (east, north, up) in which the star is seen.
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date);
 
-/// Where what stands in a direction (east, north, up, of length 1) is seen: lifted by the observer's air, if
-/// that refracts.
+/// Returns the direction in which an object in a true direction is seen, raised by refraction if
+/// refracting_air is true. Both are unit vectors (east, north, up).
 std::array<double, 3> seen_through_air(const std::array<double, 3>& enu, const Observer& observer);
 
-/// By how much air lifts what stands at the true elevation, in degrees: Saemundsson's formula (Sky and
-/// Telescope 72, 1986, 70; Meeus, formula 16.4), good to 0.07 minutes of arc above 15 degrees, for air of
-/// this pressure and temperature. 0 below -1 degree.
+/// Returns the refraction at a true elevation in degrees: Saemundsson's formula (Sky and Telescope 72, 1986,
+/// 70; Meeus, formula 16.4), good to 0.07 minutes of arc above 15 degrees, for air of this pressure and
+/// temperature. 0 below -1 degree.
 double refraction_deg(double true_elevation_deg, double pressure_hpa = 1010.0, double temperature_c = 10.0);
 
 }  // namespace vegard::sim

@@ -1,10 +1,10 @@
-// Stars in a picture: a random field, as many of each magnitude as the sky has, evenly over the celestial
-// sphere, which turns about its pole and is that of no date; or those of the catalogue as they stand at the
-// site and its time, lifted by refraction (sim/view/sky/star_place.h, the same door as a calibration's). With
-// them whatever else stands there: planets, the Moon's disc, the Milky Way.
+// Stars in a picture: a random field with the real number of stars per magnitude, uniform on the celestial
+// sphere, which rotates about its pole but has no date; or the catalogue's stars at the site and its time,
+// with refraction (sim/view/sky/star_place.h, as in calibrations). Also planets, the Moon's disc and the
+// Milky Way.
 //
-// Sources: docs/optics.md, "Stars". The air of [air] dims and reddens them, each channel as its wavelength
-// of 610, 550 or 465 nm; they do not twinkle.
+// Sources: docs/optics.md, "Stars". The air of [air] dims and reddens stars, with the wavelengths 610, 550
+// and 465 nm for R, G and B; stars do not twinkle.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@
 
 namespace vegard::sim {
 
-/// How many stars the whole sky has that are brighter than a V magnitude: 4, 15, 49, 172, 511, 1600 and 4800
-/// at magnitudes 0 to 6 (Allen's Astrophysical Quantities, rounded; Hipparcos counts the same but 4968 at 6),
-/// log-linear between them and beyond: 0.46 dex per magnitude above 6, which stays within 20 % of the
+/// Returns the number of stars of the whole sky brighter than a V magnitude: 4, 15, 49, 172, 511, 1600 and
+/// 4800 at magnitudes 0 to 6 (Allen's Astrophysical Quantities, rounded; Hipparcos counts the same but 4968
+/// at 6), log-linear between them and beyond: 0.46 dex per magnitude above 6, which stays within 20 % of the
 /// counts of Tycho-2 and UCAC4 up to 12.
 double stars_brighter_than(double magnitude);
 
-/// The magnitude that so many stars are brighter than; the inverse of the above. For `count` above 0.
+/// The inverse of stars_brighter_than(), for `count` above 0.
 double magnitude_of_count(double count);
 
 struct Star {
@@ -35,20 +35,20 @@ struct Star {
   double hour_angle_rad = 0.0;  ///< west of the meridian at the scene's time 0
 };
 
-/// The stars of a seed by their brightness: number 0 is the brightest. A star is the same whatever the limit
-/// is.
+/// Returns a star of the random field of a seed; number 0 is the brightest. It does not depend on the
+/// limiting magnitude.
 Star star(std::uint64_t seed, std::uint32_t number);
 
-/// East, north, up of a star at an instant on the scene's clock.
+/// Returns the direction (east, north, up) of a star at an instant of the scene's clock.
 std::array<double, 3> star_direction(const Star& star, double latitude_deg, double instant_s);
 
-/// Whether the scene has anything of the kind.
+/// True if the scene has stars, planets, the Moon or the Milky Way.
 bool has_stars(const Scene& scene);
 
-/// Linear RGB of the scene's stars, planets, Moon and Milky Way through its camera and sensor, the mean of
-/// the given instants; black if none are shown. What stands below the observer's horizon is hidden by the
-/// Earth. `stop` ends the work early; stars are missing then. Around an equirectangular picture's edges and
-/// over its poles a star's image goes on.
+/// Returns linear RGB of the scene's stars, planets, Moon and Milky Way in its camera and sensor, the mean
+/// over the given instants; black if none are shown. Objects below the observer's horizon are hidden. `stop`
+/// ends the work early, with stars missing. In an equirectangular picture, a star's image continues across
+/// the edges and the poles.
 Image star_light(const Scene& scene, const std::vector<double>& instants_s,
                  const std::atomic<bool>* stop = nullptr, int threads = 0);
 

@@ -9,10 +9,10 @@
 
 namespace vegard::sim {
 
-/// A photometric band: wavelength, flux density of magnitude 0 (Bessell, Castelli and Plez 1998,
-/// A&A 333, 231, table A2), the twilight at the zenith as mag arcsec^-2 = a0 + a1 x + a2 x^2, with x the
-/// sun's zenith distance less 95 deg, from 0 to 10 (Patat, Ugolnikov and Postylyakov 2006,
-/// doi:10.1051/0004-6361:20064992, table 1, at 2640 m), and the dark night's there (Patat 2003,
+/// A photometric band: its wavelength; the flux density of magnitude 0 (Bessell, Castelli and Plez 1998,
+/// A&A 333, 231, table A2); the twilight at the zenith as mag arcsec^-2 = a0 + a1 x + a2 x^2, with x the
+/// sun's zenith distance minus 95 deg, from 0 to 10 (Patat, Ugolnikov and Postylyakov 2006,
+/// doi:10.1051/0004-6361:20064992, table 1, at 2640 m); and the zenith of the dark night there (Patat 2003,
 /// doi:10.1051/0004-6361:20030030).
 struct TwilightBand {
   double wavelength_nm;
@@ -29,18 +29,18 @@ inline constexpr std::array<TwilightBand, 5> kTwilightBands = {{
     {798.0, 1.126e-11, 10.93, 1.470, -0.062, 19.7},  // I
 }};
 
-/// Of the whole zenith sky, night included.
+/// Returns the brightness of the zenith in mag arcsec^-2, including the dark night's.
 double twilight_mag_arcsec2(const TwilightBand& band, double sun_elevation_deg);
 
-/// W m^-2 sr^-1 nm^-1 of a surface of so many mag arcsec^-2.
+/// Converts mag arcsec^-2 to W m^-2 sr^-1 nm^-1.
 double radiance_of_mag_arcsec2(const TwilightBand& band, double mag_arcsec2);
 
-/// The zenith sky's spectrum less that of the dark night, log-linear between the bands.
+/// Returns the spectrum of the zenith without that of the dark night, log-linear between the bands.
 Spectrum twilight_spectrum(double sun_elevation_deg);
 
-/// Brightness over the zenith's: contrast^(q^2) where q, the cosine of the angle to the horizon under the
-/// sun, is above 0, and 1 elsewhere. Ours: the form is chosen for its simplicity. T is double or a dual
-/// number.
+/// Returns the brightness over that of the zenith: contrast^(q^2) if q, the cosine of the angle to the
+/// horizon below the sun, is positive, else 1. The formula is ours, chosen for its simplicity. T is double or
+/// a dual number.
 template <class T>
 T twilight_gradient(const SightLine<T>& line, const Twilight& twilight) {
   const double azimuth = twilight.sun_azimuth_deg * kRadiansPerDegree;

@@ -1,6 +1,6 @@
-// What the readers and writers of this folder share: the library's set-up, its errors, the encoder.
+// Common parts of the readers and writers of this folder: set-up of OpenImageIO, errors, the encoder.
 //
-// This folder is the only place that knows of OpenImageIO, and this header is for this folder alone.
+// Only this folder includes OpenImageIO, and only this folder may include this header.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
@@ -11,31 +11,32 @@
 
 namespace vegard::sim {
 
-/// No threads of the library's own; to be called before anything else of it.
+/// Disables the library's own threads. Call it before any other use of the library.
 void configure_library();
 
-/// An Error about the file `name`.
-/// The library's words, in which the user's name stands for that under which the library knows the bytes.
+/// Returns the library's message with `stand_in`, the library's name of the bytes, replaced by the user's
+/// `name`.
 std::string with_name(std::string words, const std::string& stand_in, const std::string& name);
 
+/// Returns an Error about the file `name`.
 Error failure(ErrorKind kind, const std::string& name, std::string problem, std::string expected = {});
 
-/// Throws Error(unreadable_input) unless the path leads to a file.
+/// Throws Error(unreadable_input) unless the path is that of a regular file.
 void check_is_file(const std::string& path);
 
-/// The same of an EXR whose header promises what it does not hold: check_exr_header().
+/// The same, and for an EXR with an invalid header: check_exr_header().
 void check_exr_file(const std::string& path);
 
 /// Throws Error(unreadable_input) for an image without pixels, or of more than 2^30 numbers (4 GiB of
 /// floats).
 void check_size(const OIIO::ImageSpec& spec, const std::string& path);
 
-/// What decodes a format and its version, "LibRaw 0.20.2-Release" of "raw"; "" if the library does not say.
+/// Returns the decoder of a format with its version, "LibRaw 0.20.2-Release" for "raw"; "" if unknown.
 std::string decoder_version(const std::string& format);
 
-/// The whole file in memory. Encoders that write to a disk themselves do not all look at what their last,
-/// buffered bytes came to; WholeFile does. The encoder is that of the extension of `file_name`; errors are
-/// about `name`. Throws Error(unwritable_output).
+/// Returns the encoded file. It is encoded in memory because not all encoders check whether their last,
+/// buffered bytes reach the disk; WholeFile does. The extension of `file_name` selects the encoder; errors
+/// are about `name`. Throws Error(unwritable_output).
 std::string encode(const std::string& file_name, const std::string& name, const OIIO::ImageSpec& spec,
                    const void* pixels);
 

@@ -1,4 +1,4 @@
-// Bytes under a name, for decoders that open files and nothing else.
+// Bytes in memory with a file name, for decoders that only open files by name.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace vegard::sim {
 
-/// A file in memory that no folder shows; gone with this object. Linux only (memfd_create, /proc).
+/// A file in memory, in no folder, that exists as long as this object. Linux only (memfd_create, /proc).
 class MemoryFile {
  public:
   /// Throws Error(unreadable_input) about the file `name` if there is no memory for it.

@@ -1,6 +1,6 @@
 // A smooth curve through points (sim/base/number/smooth_curve.h), cut into short pieces.
 //
-// Beyond the ends of an open curve stand the mirror images of the points next to them.
+// At the ends of an open curve the neighbouring points are mirrored to continue it.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace vegard::sim {
 
-/// A point of the curve with what it carries.
+/// A point of the curve with its flux and energy.
 template <class T, int axes>
 struct CurveNode {
   std::array<T, axes> at{};
@@ -22,26 +22,26 @@ struct CurveNode {
   T ln_energy{};
 };
 
-/// A short piece of the curve: its middle, and how long it is.
+/// A short piece of the curve: its middle and its length.
 template <class T, int axes>
 struct CurvePiece {
   CurveNode<T, axes> middle;
   T length;
 };
 
-/// A curve in its pieces.
+/// A curve as a list of pieces.
 template <class T, int axes>
 struct CurvePieces {
   std::vector<CurvePiece<T, axes>> pieces;
   bool is_closed = false;  ///< the last piece is followed by the first
 };
 
-/// The pieces of the curve through `points`, in their order and at most `longest` long, or a sixteenth of the
-/// way between two points. Flux and energy are linear from point to point, in the curve's own parameter.
-/// Points at the place of the one before are left out; fewer than two make no curve, fewer than three none
-/// that is closed, whatever `closed` asks for. On a sphere of radius |points[0]| about the origin
-/// (`on_sphere`) the curve is drawn out to it. T is double or FreeDual; how many pieces there are depends on
-/// the values alone.
+/// Returns the pieces of the curve through the points `all`, in their order. A piece is at most about
+/// `longest` long, and at most a sixteenth of the curve between two points. Flux and energy are linear from
+/// point to point in the curve's own parameter. Points at the same place as the one before are left out;
+/// fewer than two points make no curve, and a curve through fewer than three is never closed. With
+/// `on_sphere` the curve is projected to the sphere around the origin through the first point. T is double or
+/// FreeDual; how many pieces there are depends on the values alone.
 template <class T, int axes>
 CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bool closed, double longest,
                                   bool on_sphere) {

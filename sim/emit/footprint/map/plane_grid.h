@@ -1,4 +1,4 @@
-// The grid of a box's footprint, and how numbers that are fixed in the box become a scene's.
+// The grid of a box's footprint, and the conversion of maps that are fixed in the box to those of a scene.
 #pragma once
 
 #include <vector>
@@ -9,28 +9,28 @@
 
 namespace vegard::sim {
 
-/// The grid of a box without anything on it: whole cells, at least as many as cover size_km, about the box's
+/// Returns the empty grid of a box: whole cells, as many as are needed to cover size_km, around the box's
 /// middle.
 template <class T>
 PlaneFootprint<T> plane_grid(const Footprint& footprint);
 
-/// A footprint in units of energy_flux_mw_m2 that stands still in its box, as T: times that number.
+/// Converts a footprint that is fixed in its box from units of energy_flux_mw_m2 to mW m^-2, as T.
 template <class T>
 PlaneFootprint<T> as_free(const PlaneFootprint<double>& unit, const Footprint& footprint,
                           const NumberAs<T>& number);
 
-/// The mean of footprints of one size whose corners in the south-west stand at `corners_km`, or of a single
-/// one in all those places, on a grid that holds all of them. The flux of a cell is shared out, linearly,
-/// among the four that it comes to lie on; ln E is the mean, weighed by flux.
+/// Returns the mean of footprints of one size whose south-west corners are at `corners_km`, or of a single
+/// footprint at all these places, on a grid that contains all of them. The flux of a cell is distributed
+/// linearly to the four cells that it overlaps; ln E is the mean weighted by flux.
 template <class T>
 PlaneFootprint<T> mean_of(const std::vector<PlaneFootprint<T>>& planes,
                           const std::vector<EastNorth>& corners_km);
 
-/// Gives a footprint that goes with its box the tangents of center_km: the grid stays and what is on it
-/// moves, by the central differences of the map.
+/// Gives a footprint that moves with its box the tangents of center_km: the grid stays and the map moves on
+/// it, with the map's central differences as derivatives.
 void move_with_centre(const Footprint& footprint, const NumberAs<FreeDual>& number,
                       PlaneFootprint<FreeDual>& plane);
-/// Plain numbers have none.
+/// Plain numbers have no tangents.
 inline void move_with_centre(const Footprint&, const NumberAs<double>&, PlaneFootprint<double>&) {}
 
 }  // namespace vegard::sim

@@ -8,14 +8,15 @@
 
 namespace vegard::sim {
 
-/// The footprint as its map's electrons have it: energy_kev and energy_flux_mw_m2 are the means of its cells,
-/// weighed by energy flux (of the energy that of its logarithm, of the cells that have one), and home is the
-/// site that the map's file names, or the footprint's own. A dark map leaves all as it is.
+/// Returns the footprint with the parameters of its map: energy_kev and energy_flux_mw_m2 are means over the
+/// map's cells, weighted by energy flux (for the energy of its logarithm, over the cells that have one), and
+/// home is the site in the map's file, or else the footprint's own. For a dark map it returns the footprint
+/// unchanged.
 Footprint with_map(const Footprint& footprint, const PrecipitationMap& map);
 
-/// The map as a grid, its energies over those of with_map(). A cell that has none has that of its
-/// neighbours, so that light fades out by its flux alone, or else the mean. No number of the scene moves it.
-/// T is double or FreeDual.
+/// Returns the map as a grid, with energies over the energy_kev of with_map(). A cell without energy gets
+/// that of its neighbours, so that light fades out by its flux alone, or else the mean. The grid does not
+/// depend on any free parameter. T is double or FreeDual.
 template <class T>
 PlaneFootprint<T> precipitation_plane(const Footprint& footprint, const PrecipitationMap& map);
 

@@ -1,19 +1,20 @@
 // The shell of a mass ejection ([[ejection]] of kind "shell"). A model of our own: the source only names
 // mass ejections.
 //
-// The front is a ball that touches the cone of width_deg about the vertical of the place that it leaves, from
-// the Sun's middle, and whose farthest point is at the height h of the front (flux_rope.h) over the
-// photosphere, radius R: with w half the width, its middle is at the distance D and its radius is b,
+// The front is a ball that touches the cone of full angle width_deg, with its apex in the Sun's middle,
+// around the vertical of the place of origin. Its farthest point is at the height h of the front
+// (flux_rope.h) above the photosphere of radius R: with w half the width, its middle is at the distance D and
+// its radius is b,
 //   D = (R + h) / (1 + sin w),   b = D sin w
 // (the "ice-cream cone" of R. R. Fisher and R. H. Munro 1984, ApJ 280, 428, without its cone). So it always
-// spans the width, and grows as the distance of its front does. Its shell is aspect h thick, inwards, b at
-// most. With p the distance from the ball's middle, i the inner radius, the density is
+// spans the width, and grows in proportion to the distance of its front. Its shell extends inwards by aspect
+// h, but at most by b. With p the distance from the ball's middle and i the inner radius, the density is
 //   density_now 4 (p² - i²)(b² - p²) / (b² - i²)²
-// in the shell: density_now half-way, as areas go, and 0 at both of its surfaces. Along a ray that is a
-// polynomial of fourth degree, for which three Gauss-Legendre nodes are exact.
+// in the shell: density_now where p² is half-way between i² and b², and 0 at both surfaces. Along a ray this
+// is a polynomial of fourth degree, for which three Gauss-Legendre nodes are exact.
 //
-// Mass is kept: density_now is `density` times the mass outside of the photosphere at age 0 over the same
-// now, each for density_now = 1. What is within the photosphere is not seen and does not count.
+// Mass is conserved: density_now is `density` times the ratio of the mass outside the photosphere at age 0 to
+// that now, both for density_now = 1. Mass within the photosphere is invisible and not included.
 #pragma once
 
 #include <vector>
@@ -31,22 +32,22 @@ struct EjectionShell {
   T outer, inner;  ///< radii
   T density;       ///< density_now
 
-  /// With its front at a height, the place that it leaves at a longitude, and density 1.
+  /// The shell with its front at the height `front`, its place of origin at a longitude, and density 1.
   EjectionShell(const Sun& sun, const Ejection& ejection, const T& longitude_deg, const T& front,
                 const NumberAs<T>& number);
-  /// As it is at an instant of the scene's clock.
+  /// The shell at an instant of the scene's clock.
   EjectionShell(const Sun& sun, double instant_s, const Ejection& ejection, const NumberAs<T>& number);
 
-  /// At the square of the distance from the middle.
+  /// Returns the density at the square of a distance from the middle.
   T density_at(const T& square) const;
-  /// The integral of density over space outside of a photosphere.
+  /// Returns the integral of the density over the space outside a photosphere.
   T mass(const T& sun_radius) const;
 };
 
 template <class T>
 class EjectionShellEmitter : public Emitter<T> {
  public:
-  /// `light` per line, of density 1 to a unit of path (line_light.h); empty: dark.
+  /// `light`: per line, for density 1 and a unit of path (line_light.h); empty: dark.
   EjectionShellEmitter(const EjectionShell<T>& body, const Sun& sun, const SunFrame<T>& frame,
                        std::vector<T> light);
 
@@ -63,8 +64,8 @@ class EjectionShellEmitter : public Emitter<T> {
   std::vector<T> light_;
 };
 
-/// The same as a field, in the Sun's frame: dark within the photosphere. Nothing absorbs, and the density
-/// given is 0.
+/// The shell as a field in the Sun's frame, dark within the photosphere. It absorbs nothing: its density is
+/// 0.
 class EjectionShellField : public LightField {
  public:
   EjectionShellField(const Scene& scene, const Ejection& ejection);

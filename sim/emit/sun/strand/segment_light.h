@@ -1,18 +1,18 @@
-// The density of one straight segment of a strand along a ray, integrated.
+// The integral of the density of one straight segment of a strand along a ray.
 //
-// The segment is what lies between the planes of its two joints (strand_joints.h) and within its radius of
-// the axis between them. With h0 and h1 the distances from those planes, measured along the axis, the share
-// of the way from joint to joint is w = h0 / (h0 + h1): on a circular arc that is the share of the nearest
-// point itself, and it is the same on either side of a plane. Density is along(w) falloff(d / r), d the
-// distance to the axis: falling on planes that bisect the angle between segments, it is continuous there.
+// The segment is the space between the planes of its two joints (strand_joints.h), within its radius of the
+// axis between them. With h0 and h1 the distances from those planes, measured along the axis, the fraction of
+// the length from joint to joint is w = h0 / (h0 + h1): on a circular arc this is the fraction of the nearest
+// point, and it is continuous across a plane. Density is along(w) falloff(d / r), d the distance to the axis:
+// falling on planes that bisect the angle between segments, it is continuous there.
 //
-// One radius r is taken for a ray, that in the middle of its way through; so q² = d² / r² is a polynomial of
-// second degree along the ray, and (1 - q²)² times a linear `along` one of fifth degree: three Gauss-Legendre
-// nodes are exact for it. A Gaussian has seven nodes (error below 3e-4 of it), and 1 - q four on each
-// side of the place nearest to the axis, where it has an edge.
+// A ray uses a single radius r, that at the middle of its path through the segment; so q² = d² / r² is a
+// polynomial of second degree along the ray, and (1 - q²)² times a linear `along` one of fifth degree: three
+// Gauss-Legendre nodes are exact for it. A Gaussian has seven nodes (error below 3e-4 of it), and 1 - q four
+// on each side of the point nearest to the axis, where its slope jumps.
 //
-// Thin strands: what is narrower than `blur` times the distance to the observer is widened to that, and its
-// density lowered by the square of the ratio, so that its light is kept.
+// Thin strands: a segment narrower than `blur` times the distance to the observer is widened to this, and its
+// density is reduced by the square of the ratio, so that its light is kept.
 #pragma once
 
 #include <algorithm>
@@ -33,9 +33,9 @@ struct PlacedJoint {
 
 template <class T>
 struct SegmentLight {
-  T column;           ///< of density, to units of path
-  double weighted_s;  ///< the same, each piece times its place along the ray
-  double entry_s;     ///< where the ray enters
+  T column;           ///< integral of the density over the path
+  double weighted_s;  ///< integral of density times place along the ray
+  double entry_s;     ///< s at which the ray enters
 };
 
 namespace segment_detail {
@@ -56,7 +56,7 @@ T falloff_at(RadialFalloff falloff, const T& square) {
 
 }  // namespace segment_detail
 
-/// From s = `first` to `last` along the ray. False if it gets nothing.
+/// Integrates from s = `first` to `last` along the ray. Returns false if the ray misses the segment.
 template <class T>
 bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFalloff falloff, double blur,
                    const Vec3<T>& nearest, const Vec3<T>& direction, const T& first, const T& last,
@@ -82,7 +82,7 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   const Vec3<T> normal = cross3(direction, way);
   const T normal_square = dot3(normal, normal), aside = dot3(from_a, normal);
   const bool parallel = value_of(normal_square) < kParallel * value_of(square);
-  // Most segments that are looked at are missed.
+  // Most tested segments are missed.
   if (!parallel && !(value_of(aside) * value_of(aside) < most * most * value_of(normal_square))) return false;
   const T forth = dot3(from_a, way), per_length = T(1.0) / square;
   const T slant = normal_square * per_length;
@@ -91,8 +91,8 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   const T closest =
       parallel ? T(0.0) : (forth * dot3(direction, way) * per_length - dot3(from_a, direction)) / slant;
 
-  // Between the planes. Both neighbours of a plane work out the same numbers of it, and what runs within it
-  // belongs to the one that begins there.
+  // Between the planes. Both segments at a plane compute the same numbers for it; a ray that lies in the
+  // plane belongs to the segment that begins there.
   const T at_a = dot3(from_a, a.joint.normal), by_a = dot3(direction, a.joint.normal),
           at_b = dot3(minus3(nearest, b.joint.place), b.joint.normal), by_b = dot3(direction, b.joint.normal);
   T low = first, high = last;
@@ -119,7 +119,7 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
     const T w = h0 / sum;
     return value_of(w) < 0.0 ? T(0.0) : value_of(w) > 1.0 ? T(1.0) : w;
   };
-  // Within a radius: the part of the way there, or false.
+  // Finds the part of the path within a radius; false if there is none.
   const auto within = [&](const T& radius, T& from, T& to) {
     from = low;
     to = high;

@@ -1,4 +1,4 @@
-// Which segments of strands a ray may meet: a hierarchy of boxes.
+// A hierarchy of boxes to find the segments of strands that a ray may meet.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,22 @@
 
 namespace vegard::sim {
 
-/// The box of a segment as it is, and by how much it may grow for rays that are far apart.
+/// The box of a segment, and the data by which it is enlarged if the distance between rays is large.
 struct SegmentBox {
   Vec3<double> low, high;
   double min_radius;    ///< of the segment
-  double max_distance;  ///< of the segment's parts to the observer
+  double max_distance;  ///< largest distance of the segment to the observer
 };
 
-/// Built once, the same every time; boxes are halved at the median of their longest side.
+/// The tree is built once and deterministically; boxes are split at the median along their longest side.
 class SegmentTree {
  public:
   SegmentTree() = default;
   explicit SegmentTree(const std::vector<SegmentBox>& boxes);
 
-  /// Calls use(index of a segment) for all those whose boxes the ray passes through between s = first and
-  /// last, and others, in an order that depends on the ray alone. Segments are as wide as their distance
-  /// times `blur`, at least.
+  /// Calls use(index of a segment) for all segments whose boxes the ray passes between s = first and last,
+  /// and possibly for others, in an order that depends on the ray alone. Segments have at least the radius
+  /// `blur` times their distance.
   template <class Use>
   void visit(const Vec3<double>& nearest, const Vec3<double>& direction, double first, double last,
              double blur, const Use& use) const;
@@ -32,7 +32,7 @@ class SegmentTree {
   struct Node {
     float low[3], high[3];
     float min_radius, max_distance;
-    std::int32_t begin, count;  ///< of a leaf's segments; count 0: the two nodes after it and at `begin`
+    std::int32_t begin, count;  ///< segments of a leaf; count 0: children are the next node and `begin`
   };
 
   std::int32_t build(const std::vector<SegmentBox>& boxes, std::size_t begin, std::size_t end);
@@ -47,7 +47,7 @@ void SegmentTree::visit(const Vec3<double>& nearest, const Vec3<double>& directi
   if (nodes_.empty()) return;
   Vec3<double> inverse;
   for (int i = 0; i < 3; ++i) {
-    // Along a side of a box: never 0 times infinity.
+    // Avoids 0 times infinity for rays parallel to a side of a box.
     const bool tiny = direction[i] < 1e-200 && direction[i] > -1e-200;
     inverse[i] = 1.0 / (tiny ? 1e-200 : direction[i]);
   }

@@ -1,11 +1,11 @@
 // A strand: a thin tube of density along a chain of cubic Bézier curves.
 //
-// Loops, bundles and flux ropes are made of strands; grids are filled from them (strand_grid.h) and rays
-// collect their light (strand_emitter.h). At a place at the distance d from the nearest point of the chain,
-// the density is
+// Loops, bundles and flux ropes are made of strands; strand_grid.h puts them on grids, strand_emitter.h
+// computes their light along rays. At a place with the distance d to the nearest point of the chain, the
+// density is
 //   along(t) falloff(d / radius(t)),
-// t the parameter of that point. Beyond the ends of the chain, in the half-spaces that its end tangents point
-// to, there is none: tubes end flat.
+// where t is the parameter of the nearest point. Beyond the ends of the chain, in the half-spaces to which
+// its end tangents point, the density is 0: tubes have flat ends.
 //   B(u) = (1 - u)³ P0 + 3 (1 - u)² u P1 + 3 (1 - u) u² P2 + u³ P3
 // (row C7 of the source). Lengths are in units of the Sun's frame, in which the points are.
 #pragma once
@@ -21,8 +21,8 @@ template <class T>
 struct Strand {
   std::vector<std::array<T, 3>> points;  ///< 3 n + 1 control points of n pieces
   T radius_first, radius_last;           ///< linear in t from the chain's start to its end
-  std::vector<T> along;  ///< density in the middle, at equal steps of t from 0 to 1, linear in between; >= 2
-  std::vector<T> line_gain{};  ///< factor of its light per emission line; empty: 1
+  std::vector<T> along;  ///< density on the axis, at >= 2 equal steps of t from 0 to 1, linear in between
+  std::vector<T> line_gain{};  ///< factor on its light per emission line; empty: 1
   int pieces() const { return static_cast<int>(points.size() / 3); }
 };
 

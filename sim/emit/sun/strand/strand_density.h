@@ -7,16 +7,17 @@
 
 namespace vegard::sim {
 
-/// Of 1 in the middle, at the distance q from it in radii.
+/// Returns the density at the distance q, in radii, from an axis with density 1.
 double falloff_across(RadialFalloff falloff, double q);
 
-/// In the middle, at t from 0 to 1 of the whole chain.
+/// Returns the density on the axis, at t from 0 to 1 of the whole chain.
 double density_in_middle(const Strand<double>& strand, double t);
 
-/// Whether the place is beyond the chain's first or last point, at which the nearest point is.
+/// True if the place is beyond the flat end at the chain's first or last point, given that this is the
+/// nearest point.
 bool beyond_end(const Strand<double>& strand, bool last, const std::array<double, 3>& place);
 
-/// By the nearest point of the chain, found for certain (closest_point.h): slow.
+/// Returns the density from the nearest point of the chain, found with certainty (closest_point.h); slow.
 double density_at(const Strand<double>& strand, RadialFalloff falloff, const std::array<double, 3>& place);
 
 }  // namespace vegard::sim

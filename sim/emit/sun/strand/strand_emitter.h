@@ -1,14 +1,14 @@
 // The light of strands along rays.
 //
-// Light is the integral of the density along the ray (strand.h), times rayleighs to a unit of path. Strands
+// Light is the integral of the density along the ray (strand.h), times rayleighs per unit of path. Strands
 // are cut into straight segments (strand_joints.h), which rays find by a hierarchy of boxes and whose
-// integrals are exact or nearly so (segment_light.h). The search is in doubles; for T = FreeDual those
-// segments only that are met are worked out with derivatives. Where a strand comes within its radius of
-// itself it counts for each of its arms.
+// integrals are exact or nearly so (segment_light.h). The search uses doubles; for T = FreeDual only the
+// segments that a ray meets are computed with derivatives. Where a strand comes within its radius of itself,
+// the densities of both parts are added.
 //
 // Strands narrower than about a pixel are widened to it without changing their light, to the radius at which
-// the projected strand's wave of the length of a pixel vanishes or nearly so, that is, at which rays a pixel
-// apart sum up to its light wherever they fall.
+// the Fourier component of the projected strand with the period of a pixel is nearly 0, so that rays one
+// pixel apart add up to its light wherever they fall.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ namespace vegard::sim {
 template <class T>
 class StrandEmitter : public Emitter<T> {
  public:
-  /// `light` per line, of density 1 to a unit of path (line_light.h); empty: dark.
+  /// `light`: per line, for density 1 and a unit of path (line_light.h); empty: dark.
   StrandEmitter(const Strands<T>& strands, const Sun& sun, const SunFrame<T>& frame, std::vector<T> light);
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override;
@@ -36,7 +36,7 @@ class StrandEmitter : public Emitter<T> {
  private:
   void march_ray(const T enu[3], const T& end_km, double blur, std::size_t ray, std::size_t rays,
                  const BundleLight<T>& out) const;
-  /// Per line, of the strand of a segment: where strands have factors.
+  /// Returns the factors per line of a segment's strand; only if strands have factors.
   const T* gains_of(std::uint32_t segment) const {
     return gain_.data() + strand_of_[segment] * light_.size();
   }
@@ -45,10 +45,10 @@ class StrandEmitter : public Emitter<T> {
   double radius_;  ///< of the photosphere
   RadialFalloff falloff_;
   std::vector<T> light_;
-  std::vector<PlacedJoint<double>> plain_;  ///< by their values
+  std::vector<PlacedJoint<double>> plain_;  ///< without derivatives
   std::vector<PlacedJoint<T>> joints_;      ///< empty if T is double
-  std::vector<std::uint32_t> segments_;     ///< the joint that each begins with; it ends with the next
-  // Of strands with factors per line, else empty:
+  std::vector<std::uint32_t> segments_;     ///< first joint of each segment; its second is the next one
+  // For strands with factors per line, else empty:
   std::vector<T> gain_;                   ///< [strand][line]
   std::vector<std::uint32_t> strand_of_;  ///< [segment]
   SegmentTree tree_;

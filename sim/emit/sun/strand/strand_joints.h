@@ -1,9 +1,9 @@
 // A strand cut into straight segments: the joints between them.
 //
-// The number of segments is decided by values, never by T: a chord is nowhere farther from its curve than a
+// The number of segments depends on values only, not on T: a chord is nowhere farther from its curve than a
 // twentieth of the strand's radius, by the bound max |B''| / (8 m²) on the error of m chords at equal steps
-// of u, where max |B''| = 6 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|). Wherever `along` has a number there is a
-// joint, so that density is linear within a segment; and a segment's radius changes by a quarter at most.
+// of u, where max |B''| = 6 max(|P0 - 2 P1 + P2|, |P1 - 2 P2 + P3|). There is a joint at every number of
+// `along`, so that density is linear within a segment; and a segment's radius changes by at most a quarter.
 #pragma once
 
 #include <vector>
@@ -17,10 +17,10 @@ namespace vegard::sim {
 template <class T>
 struct StrandJoint {
   Vec3<T> place;
-  Vec3<T> normal;  ///< of the plane in which its two segments meet, which bisects their angle; of length 1,
-                   ///< along the strand; at the chain's ends, the curve's tangent
+  Vec3<T> normal;  ///< unit normal, along the strand, of the plane that bisects the angle between the two
+                   ///< segments; at the chain's ends, the curve's tangent
   T radius;
-  T along;  ///< density in the middle
+  T along;  ///< density on the axis
 };
 
 /// Adds the joints of a strand, at least two, from its start to its end.

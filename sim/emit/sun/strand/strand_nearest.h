@@ -1,4 +1,4 @@
-// The nearest point of a strand by its straight pieces: which piece, then the curve itself.
+// The nearest point of a strand: first the nearest straight piece, then the point on the curve.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,18 @@
 
 namespace vegard::sim {
 
-/// What a place knows of the pieces that it has been compared with.
+/// The nearest of the pieces with which a place has been compared.
 struct NearestPiece {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  double square = kNone;  ///< of the distance; kNone if none is within reach
-  double rival = kNone;   ///< the same of the nearest piece that is not next to that one in its cubic
+  double square = kNone;  ///< square of the distance; kNone if no piece is within reach
+  double rival =
+      kNone;  ///< square of the distance to the nearest piece that does not adjoin this one in its cubic
   double t = 0.0;
   std::uint32_t piece = 0;
 };
 
-/// Holds a place, in voxels (strand_pieces.h), against a piece. `inverse` is 1 over the square of its length.
+/// Compares a place, in voxels (strand_pieces.h), with a piece. `inverse` is 1 over the square of the piece's
+/// length.
 inline void update_nearest(const PiecesOfStrand& of, std::uint32_t index, double inverse,
                            const double place[3], NearestPiece& nearest) {
   const StrandPiece& piece = of.pieces[index];
@@ -42,11 +44,11 @@ inline void update_nearest(const PiecesOfStrand& of, std::uint32_t index, double
   }
 }
 
-/// 1 over the square of a piece's length; 0 if it has none.
+/// Returns 1 over the square of a piece's length; 0 if the length is 0.
 double inverse_square(const StrandPiece& piece);
 
-/// The strand's density at a place in voxels, all of whose pieces within reach were compared with it, in
-/// their order. Right to a millionth of the falloff.
+/// Returns the strand's density at a place in voxels, after all pieces within reach have been compared with
+/// the place, in their order. The density is accurate to a millionth of its value on the axis.
 double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
                     const std::array<double, 3>& place);
 

@@ -10,18 +10,18 @@
 
 namespace vegard::sim {
 
-/// A straight line in the place of a part of the curve.
+/// A straight line that replaces a part of the curve.
 struct StrandPiece {
-  std::array<double, 3> from, way;  ///< begin, and end less begin
-  double t, t_way;                  ///< the same of the chain's parameter
-  std::uint32_t number;             ///< those of one cubic count up by one; between cubics, by two
+  std::array<double, 3> from, way;  ///< beginning, and end less beginning
+  double t, t_way;                  ///< chain's parameter at the beginning, and its change
+  std::uint32_t number;             ///< grows by one within a cubic and by two between cubics
 };
 
-/// Lengths are in voxels, and the centre of voxel (i, j, k) is at (i, j, k).
+/// A strand with its pieces. Lengths are in voxels, and the centre of voxel (i, j, k) is at (i, j, k).
 struct PiecesOfStrand {
   Strand<double> strand;
-  double radius;  ///< the larger one
-  double off;     ///< how far lines are from the curve, at most
+  double radius;  ///< larger of both ends' radii
+  double off;     ///< largest distance of the lines from the curve
   std::vector<StrandPiece> pieces;
 };
 
@@ -33,14 +33,14 @@ struct ReachOfStrand {
   std::uint32_t strand, first, last;
 };
 
-/// What of a brick is to be reached: the centres of its voxels, or any place in it.
+/// The part of a brick that a piece must reach: the centres of its voxels, or any place in it.
 enum class BrickPart { centres, whole };
 
-/// Appends those of all bricks, ordered by them.
+/// Appends the reaches of a strand into all bricks, sorted by brick.
 void find_bricks(const PiecesOfStrand& strand, std::uint32_t index, BrickPart part,
                  std::vector<ReachOfStrand>& to);
 
-/// About how many find_bricks() looks at, without looking.
+/// Returns an estimate of the number of bricks that find_bricks() tests, without testing them.
 double bricks_about(const PiecesOfStrand& strand);
 
 }  // namespace vegard::sim
