@@ -146,7 +146,7 @@ void add_calibrate_options(const Command& command, CalibrateOptions& options) {
               "Finding stars: signal-to-noise ratio of the faintest point of light (default: 4)")
       .range(1.0, 1e6);
   command.option("--mask", options.mask, "An image of the picture's size: white = look for stars there");
-  add_decoding_option(command, options.decoding);
+  add_decoding_option(command, options.decoding, SceneOfDecoding::none);
   add_map_options(command, options.maps);
   command
       .option("--wcs", options.wcs,

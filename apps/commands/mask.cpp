@@ -76,8 +76,6 @@ void run_mask(const MaskOptions& options) {
   check_outputs(options);
   check_numbers(options.request);
   const fit::Decoding decoding = decoding_of(options.decoding, "auto");
-  if (decoding == fit::Decoding::sensor)
-    throw usage_error("--decoding", "masks know no scene's sensor", "auto, srgb or linear");
   const fit::Photo photo = fit::read_photo(options.image, decoding);
   const int width = photo.linear.width, height = photo.linear.height;
   const MaskParts found = mask_parts(photo, options.request);
@@ -185,7 +183,7 @@ void add_mask_command(Program& program) {
   add_finders(command, options->request);
   command.option("--horizon-csv", options->horizon_csv, "Write the horizon, a row per column of pixels")
       .type_name("OUT.csv");
-  add_decoding_option(command, options->decoding);
+  add_decoding_option(command, options->decoding, SceneOfDecoding::none);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] {
     options->image = picture_at(options->image, options->at);

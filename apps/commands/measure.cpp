@@ -682,7 +682,7 @@ int run_measure(MeasureRequest options, const std::string& command) {
 void add_measure_command(Program& program) {
   const auto options = std::make_shared<MeasureRequest>();
   const Command command = program.add(
-      "measure", "Find camera, distance, height and energy of the aurora in one photograph, in one command");
+      "measure", "Find camera, distance and, where possible, energy of the aurora in one photograph");
   command.option("PHOTO", options->photo, "A photograph of any format that is read").required();
   add_at_option(command, options->at);
   command
@@ -701,7 +701,7 @@ void add_measure_command(Program& program) {
       .type_name("NM")
       .range(100.0, 2000.0)
       .shows_default();
-  add_decoding_option(command, options->decoding);
+  add_decoding_option(command, options->decoding, SceneOfDecoding::none);
   command.option("--replicates", options->replicates, "Perturbed solutions for the map's error bars")
       .range(0, 1000)
       .shows_default();

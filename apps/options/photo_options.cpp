@@ -11,16 +11,22 @@
 
 namespace vegard::apps {
 
-void add_decoding_option(const Command& command, std::string& word) {
-  const auto complaint_of = [](const std::string& text) {
+void add_decoding_option(const Command& command, std::string& word, SceneOfDecoding scene) {
+  const bool has_scene = scene == SceneOfDecoding::known;
+  const auto complaint_of = [has_scene](const std::string& text) {
     const auto complaint = sim::decoding_complaint(text);
-    return complaint ? complaint->problem + "; expected " + complaint->expected : std::string();
+    if (complaint) return complaint->problem + "; expected " + complaint->expected;
+    if (!has_scene && text == "sensor")
+      return std::string("there is no scene with a sensor; expected auto, srgb or linear");
+    return std::string();
   };
   command
       .option("--decoding", word,
-              "How the picture's numbers become light: auto (sRGB for integers, linear for floats), srgb, "
-              "srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor (inverse of the scene's sensor), "
-              "unknown or unknown:2 (fitted); default: the scene's")
+              has_scene ? "How the picture's numbers become light: auto (sRGB for integers, linear for "
+                          "floats), srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor (inverse "
+                          "of the scene's sensor), unknown or unknown:2 (fitted); default: the scene's"
+                        : "How the picture's numbers become light: auto (the default: sRGB for integers, "
+                          "linear for floats), srgb, srgb:EXPONENT, linear, gamma:2.2 or curve:FILE.csv")
       .check(complaint_of, "WORD");
 }
 

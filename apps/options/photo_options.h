@@ -12,8 +12,13 @@
 
 namespace vegard::apps {
 
-/// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing.
-void add_decoding_option(const Command& command, std::string& word);
+/// Whether a command has a scene, whose decoding is the default and whose sensor can be inverted.
+enum class SceneOfDecoding { known, none };
+
+/// Adds --decoding; `word` stays empty if it is not given, and must outlive the parsing. Without a scene the
+/// option refuses "sensor".
+void add_decoding_option(const Command& command, std::string& word,
+                         SceneOfDecoding scene = SceneOfDecoding::known);
 
 /// Returns the decoding of the command line's word (sim/scene/rows/decoding_word.h) or, if that is empty, of
 /// the scene's word. A curve table named by the scene's word is the one in `scene`; one named on the command

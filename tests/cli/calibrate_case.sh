@@ -159,3 +159,11 @@ printf 'star,x_px,y_px\nVega,1,2\n' >named.csv
 expect_exit 2 calibrate named.csv -o no.toml
 expect_stderr "--time"
 [[ ! -e no.toml ]] || fail "a refused calibration left its output"
+
+# Without a scene there is no sensor to invert.
+for command in "calibrate --image any.png -o sensor.toml" "measure any.png" "mask any.png -o sensor.png --stars"; do
+  # shellcheck disable=SC2086  # the words of a command
+  expect_exit 2 $command --decoding sensor
+  expect_one_message
+  expect_stderr "there is no scene with a sensor"
+done
