@@ -153,7 +153,7 @@ std::optional<double> limb_observer_km(const std::optional<sim::Scene>& scene) {
 
 fit::LineBrightness lines_of(const sim::Scene& scene, const fit::Photo& photo, const fit::Profile& profile) {
   return placing_errors(scene, [&] {
-    const fit::LineBrightness lines = fit::line_brightness(scene, profile);
+    fit::LineBrightness lines = fit::line_brightness(scene, profile);
     if (!photo.floating && photo.filters.empty() && scene.sensor.matrix_rule != sim::MatrixRule::none)
       tell(
           "vegard: the picture's file has cut off what its colour matrix put out of gamut, so that lines of "

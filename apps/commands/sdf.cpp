@@ -70,7 +70,8 @@ void run_sdf(const SdfRequest& options) {
   if (!is_exr && !options.spread_px)
     throw usage_error("--spread", "a " + options.output + " holds values from black to white only",
                       "--spread PX, the distance that is white", "an EXR holds pixels as they are");
-  sim::WholeFile(options.output, options.overwrite);  // refused now, not after the work
+  // Refused now, not after the work.
+  sim::WholeFile(options.output, options.overwrite);  // NOLINT(bugprone-unused-raii)
   const sim::PictureFile picture = sim::read_picture(options.image);
   constexpr int kMax = 32767;
   if (picture.image.width > kMax || picture.image.height > kMax)

@@ -121,7 +121,8 @@ SheetOptions sheet_options(const SlicesRequest& options, const Input& input) {
 
 int run_slices(const SlicesRequest& options) {
   const PlotFormat format = plot_format(options.output, "--output");
-  sim::WholeFile(options.output, options.overwrite);  // refused now, not after the work
+  // Refused now, not after the work.
+  sim::WholeFile(options.output, options.overwrite);  // NOLINT(bugprone-unused-raii)
   const std::atomic<bool>& stop = watch_for_interrupt();
   const Input input = input_of(options, stop);
   const sim::SparseGrid& grid = input.file.grid;

@@ -17,7 +17,7 @@
 namespace vegard::fit {
 
 /// The unknowns of an inversion, in this order everywhere.
-enum ColumnUnknown : std::size_t { kLnEnergy = 0, kLnFlux = 1, kLnOxygen = 2, kColumnUnknowns = 3 };
+inline constexpr std::size_t kLnEnergy = 0, kLnFlux = 1, kLnOxygen = 2, kColumnUnknowns = 3;
 
 /// ln(E0 in keV), ln(energy flux in mW m^-2), ln(factor of atomic oxygen).
 using ColumnPoint = std::array<double, kColumnUnknowns>;
