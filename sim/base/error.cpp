@@ -28,6 +28,28 @@ std::string message_of(const ErrorDetails& d) {
 Error::Error(ErrorKind kind, ErrorDetails details)
     : kind_(kind), details_(std::move(details)), text_(message_of(details_)) {}
 
+Error::Error(ErrorKind kind, std::string problem)
+    : Error(kind, ErrorDetails{std::move(problem), {}, 0, {}, {}, {}}) {}
+
+Error&& Error::with(std::string ErrorDetails::*part, std::string text) {
+  details_.*part = std::move(text);
+  text_ = message_of(details_);
+  return std::move(*this);
+}
+
+Error&& Error::file(std::string name) && { return with(&ErrorDetails::file, std::move(name)); }
+Error&& Error::key(std::string name) && { return with(&ErrorDetails::key, std::move(name)); }
+Error&& Error::hint(std::string what_to_do) && { return with(&ErrorDetails::hint, std::move(what_to_do)); }
+Error&& Error::expected(std::string what_is_right) && {
+  return with(&ErrorDetails::expected, std::move(what_is_right));
+}
+
+Error&& Error::line(int number) && {
+  details_.line = number;
+  text_ = message_of(details_);
+  return std::move(*this);
+}
+
 void refuse_file(ErrorKind kind, const std::string& file, const std::string& problem,
                  const std::string& expected, const std::string& hint) {
   throw Error(kind, {problem, file, 0, {}, expected, hint});

@@ -28,15 +28,28 @@ struct ErrorDetails {
   std::string hint;      ///< what to do, "did you mean 'width'?"
 };
 
-/// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h).
+/// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h). The parts
+/// that a place knows are added by name:
+///
+///   throw Error(ErrorKind::scene, "unknown key 'widht'").file(path).line(7).key("camera").hint("did you mean 'width'?");
 class Error : public std::exception {
  public:
+  Error(ErrorKind kind, std::string problem);
   Error(ErrorKind kind, ErrorDetails details);
+
+  Error&& file(std::string name) &&;
+  Error&& line(int number) &&;
+  Error&& key(std::string name) &&;
+  Error&& expected(std::string what_is_right) &&;
+  Error&& hint(std::string what_to_do) &&;
+
   const char* what() const noexcept override { return text_.c_str(); }
   ErrorKind kind() const { return kind_; }
   const ErrorDetails& details() const { return details_; }
 
  private:
+  Error&& with(std::string ErrorDetails::*part, std::string text);
+
   ErrorKind kind_;
   ErrorDetails details_;
   std::string text_;
