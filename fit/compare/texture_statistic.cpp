@@ -9,6 +9,7 @@
 
 #include "fit/measure/noise_model.h"
 #include "fit/measure/profile.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
@@ -78,7 +79,7 @@ bool read_row(const Photo& photo, int begin, int end, int top, int bottom, doubl
   }
   if (columns < kTextureNarrowest) return false;
   row.noise /= columns;
-  row.rest = -trend * (trend.transpose() * trend).ldlt().solve(trend.transpose());
+  row.rest = -trend * sim::solve_symmetric(trend.transpose() * trend, Eigen::MatrixXd(trend.transpose()));
   for (int i = 0; i < row.width; ++i)
     if (row.usable[i]) row.rest(i, i) += 1.0;
   const Eigen::VectorXd rest = row.rest * logarithm;
@@ -188,12 +189,12 @@ TextureStatistic::Stretch TextureStatistic::stretch_of(const Row& row, const std
     for (std::size_t l = 0; l < n; ++l)
       of_lags(k, l) = 2.0 * (times_covariance[k].array() * times_covariance[l].transpose().array()).sum();
   of_lags.diagonal().array() += std::pow(model_error, 4);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(of_lags);
-  for (Eigen::Index a = axes.eigenvalues().size(); a-- > 0;) {
-    const double variance = axes.eigenvalues()(a);
-    if (!(variance > kMinEigenvalue * axes.eigenvalues().maxCoeff())) continue;
+  const sim::SymmetricEigen axes = sim::symmetric_eigen(of_lags);
+  for (Eigen::Index a = axes.values.size(); a-- > 0;) {
+    const double variance = axes.values(a);
+    if (!(variance > kMinEigenvalue * axes.values.maxCoeff())) continue;
     for (std::size_t k = 0; k < n; ++k)
-      stretch.whitening.push_back(axes.eigenvectors()(static_cast<Eigen::Index>(k), a) *
+      stretch.whitening.push_back(axes.vectors(static_cast<Eigen::Index>(k), a) *
                                   std::sqrt(weight / variance));
     ++stretch.residuals;
   }

@@ -8,6 +8,7 @@
 
 #include "fit/photo/grey_light.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/rays.h"
 #include "sim/view/colour/line_colours.h"
@@ -283,7 +284,7 @@ void MapPicture::factor_sky() {
     const double dark = std::max(nth(light, 0.1), 1e-9);
     for (int i = 0; i < sky_terms_; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
     const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
-    const Eigen::MatrixXd inverse = full.inverse();
+    const Eigen::MatrixXd inverse = sim::inverse_of(full);
     sky_inverse_[c].assign(inverse.data(), inverse.data() + inverse.size());
   }
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -124,7 +125,7 @@ std::optional<LimbLayer> find_limb_layer(const std::vector<double>& tangent_km,
       dense(row, jacobian.cols[k]) = jacobian.values[k];
   const double n = static_cast<double>(points.light.size());
   const Eigen::MatrixXd covariance =
-      (dense.transpose() * dense).inverse() * (2.0 * cost / std::max(1.0, n - kNumbers));
+      sim::inverse_of(dense.transpose() * dense) * (2.0 * cost / std::max(1.0, n - kNumbers));
 
   LimbLayer layer;
   const double lower = std::exp(numbers[1]), upper = std::exp(numbers[2]);

@@ -1,6 +1,6 @@
 #include "fit/measure/power_spectrum.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -43,7 +44,7 @@ PowerSpectrum::PowerSpectrum(int columns, int rows, std::vector<double> window)
       terms_.row(static_cast<Eigen::Index>(r) * columns + c) << 1.0, u, v, u * u, u * v, v * v;
     }
   const Eigen::MatrixXd weighted = window_.asDiagonal() * terms_;
-  fit_ = (terms_.transpose() * weighted).ldlt().solve(weighted.transpose());
+  fit_ = sim::solve_symmetric(terms_.transpose() * weighted, Eigen::MatrixXd(weighted.transpose()));
 
   // Rings of wavenumbers.
   const double lowest = kLowest / std::max(columns, rows);

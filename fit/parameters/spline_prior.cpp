@@ -1,12 +1,13 @@
 #include "fit/parameters/spline_prior.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "sim/base/number/dense_solvers.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
@@ -44,16 +45,14 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& information) {
   for (Eigen::Index i = 0; i < n; ++i) scale(i) = scale(i) > 0.0 ? 1.0 / scale(i) : 1.0;
   const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
-  const Eigen::LLT<Eigen::MatrixXd> factors(scaled);
-  if (factors.info() == Eigen::Success && factors.rcond() > kSplineRankTolerance) {
-    result = factors.solve(Eigen::MatrixXd::Identity(n, n));
+  if (const auto regular = sim::inverse_of_definite(scaled, kSplineRankTolerance)) {
+    result = *regular;
   } else {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-    const double least = kSplineRankTolerance * eigen.eigenvalues().cwiseAbs().maxCoeff();
+    const sim::SymmetricEigen eigen = sim::symmetric_eigen(scaled);
+    const double least = kSplineRankTolerance * eigen.values.cwiseAbs().maxCoeff();
     for (Eigen::Index k = 0; k < n; ++k)
-      if (eigen.eigenvalues()(k) > least)
-        result +=
-            eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose() / eigen.eigenvalues()(k);
+      if (eigen.values(k) > least)
+        result += eigen.vectors.col(k) * eigen.vectors.col(k).transpose() / eigen.values(k);
   }
   return scale.asDiagonal() * result * scale.asDiagonal();
 }

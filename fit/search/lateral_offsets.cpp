@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
 
@@ -101,7 +102,7 @@ std::vector<std::vector<LateralOffset>> lateral_offsets(Comparison& comparison, 
     if (rows[b] == 0) continue;
     const double variance = kRowsTogether * std::max(1.0, chi2[b] / rows[b]);
     const Eigen::MatrixXd covariance =
-        (normal[b] / variance + Eigen::MatrixXd::Identity(n, n) / (kBelieved_km * kBelieved_km)).inverse();
+        sim::inverse_of(normal[b] / variance + Eigen::MatrixXd::Identity(n, n) / (kBelieved_km * kBelieved_km));
     const Eigen::VectorXd moved = covariance * right[b] / variance;
     const double x =
         0.5 * (band_begin(data.region, data.bands, b) + band_begin(data.region, data.bands, b + 1));

@@ -12,6 +12,7 @@
 #include "fit/search/profile_rounds.h"
 #include "fit/search/sine_numbers.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::fit {
@@ -512,7 +513,7 @@ class Search {
     normal = normal.selfadjointView<Eigen::Lower>();
     for (Eigen::Index j = 0; j < m; ++j)
       normal(j, j) = normal(j, j) * (1.0 + kDamping) + (normal(j, j) > 0.0 ? 0.0 : 1.0);
-    const Eigen::VectorXd step = normal.ldlt().solve(right);
+    const Eigen::VectorXd step = sim::solve_symmetric(normal, right);
 
     const double a = step(sine.thickness) + values[sine.thickness], b = step(static_cast<Eigen::Index>(n));
     Values best = values;

@@ -1,10 +1,11 @@
 #include "fit/uncertainty/band_bootstrap.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "fit/uncertainty/sample_summary.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 
@@ -27,12 +28,11 @@ std::vector<double> solved(const Normal& normal) {
   const Eigen::VectorXd length = normal.matrix.diagonal().cwiseMax(0.0).cwiseSqrt();
   if (!(length.minCoeff() > 0.0)) return {};
   const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * normal.matrix * unit);
-  if (eigen.info() != Eigen::Success ||
-      !(eigen.eigenvalues()(0) > kBootstrapRankTolerance * eigen.eigenvalues()(n - 1)))
+  const sim::SymmetricEigen eigen = sim::symmetric_eigen(unit * normal.matrix * unit);
+  if (!eigen.converged || !(eigen.values(0) > kBootstrapRankTolerance * eigen.values(n - 1)))
     return {};
-  const Eigen::VectorXd along = eigen.eigenvectors().transpose() * (unit * normal.right);
-  const Eigen::VectorXd step = -(unit * (eigen.eigenvectors() * along.cwiseQuotient(eigen.eigenvalues())));
+  const Eigen::VectorXd along = eigen.vectors.transpose() * (unit * normal.right);
+  const Eigen::VectorXd step = -(unit * (eigen.vectors * along.cwiseQuotient(eigen.values)));
   if (!step.allFinite()) return {};
   return {step.data(), step.data() + n};
 }

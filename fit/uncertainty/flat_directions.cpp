@@ -1,9 +1,11 @@
 #include "fit/uncertainty/flat_directions.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -26,17 +28,17 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index k = 0; k < n; ++k)
       if (sigma(i) > 0.0 && sigma(k) > 0.0) correlation(i, k) = u.covariance[i][k] / (sigma(i) * sigma(k));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(correlation);
+  const sim::SymmetricEigen axes = sim::symmetric_eigen(correlation);
 
   std::vector<double> variance(n);
   for (Eigen::Index i = 0; i < n; ++i) variance[i] = u.covariance[i][i];
   for (Eigen::Index a = 0; a < n; ++a) {
-    if (axes.eigenvalues()(a) <= 0.0) continue;
+    if (axes.values(a) <= 0.0) continue;
     const Eigen::VectorXd axis =
-        sigma.cwiseProduct(axes.eigenvectors().col(a)) * std::sqrt(axes.eigenvalues()(a));
+        sigma.cwiseProduct(axes.vectors.col(a)) * std::sqrt(axes.values(a));
     double probed = 0.0;
     for (Eigen::Index i = 0; i < n; ++i)
-      if (!bounded[i]) probed += axes.eigenvectors()(i, a) * axes.eigenvectors()(i, a);
+      if (!bounded[i]) probed += axes.vectors(i, a) * axes.vectors(i, a);
     if (probed < kProbed) continue;
     const auto is_flat = [&](double side) {
       std::vector<double> step(n);

@@ -1,9 +1,10 @@
 #include "fit/uncertainty/surrogate_cost.h"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <optional>
 
 #include "sim/base/number/chain/student_proposal.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -19,7 +20,7 @@ SurrogateCost::SurrogateCost(const Residuals& residuals, const std::vector<doubl
                              const std::atomic<bool>* stop)
     : answer_(Eigen::Map<const Eigen::VectorXd>(answer.data(), static_cast<Eigen::Index>(answer.size()))) {
   const Eigen::MatrixXd root = sim::root_of_covariance(covariance);
-  inverse_root_ = root.partialPivLu().inverse();
+  inverse_root_ = sim::inverse_of(root);
   const int n = static_cast<int>(answer.size());
   const auto stopped = [&] { return stop != nullptr && stop->load(); };
 

@@ -1,9 +1,11 @@
 #include "fit/uncertainty/uncertainty.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -76,9 +78,9 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
   for (int i = 0; i < coordinates; ++i)
     if (!(length(i) > 0.0)) length(i) = 1.0;
   const Eigen::MatrixXd scale = length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale * of_data * scale);
-  const Eigen::VectorXd& value = eigen.eigenvalues();
-  const Eigen::MatrixXd& v = eigen.eigenvectors();
+  const sim::SymmetricEigen eigen = sim::symmetric_eigen(scale * of_data * scale);
+  const Eigen::VectorXd& value = eigen.values;
+  const Eigen::MatrixXd& v = eigen.vectors;
   const double largest = coordinates > 0 ? value(coordinates - 1) : 0.0;
   const std::vector<double> errors = standard_errors(jacobians, residuals, coordinates, scale * v);
   Eigen::MatrixXd information = scale * of_priors * scale;
@@ -91,15 +93,15 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
     information(i, i) += 1.0 / (limit(i) * limit(i));
   }
   const Eigen::MatrixXd covariance =
-      information.ldlt().solve(Eigen::MatrixXd::Identity(coordinates, coordinates));
+      sim::solve_symmetric(information, Eigen::MatrixXd(Eigen::MatrixXd::Identity(coordinates, coordinates)));
 
   Uncertainty result;
   result.inflation = inflation;
   const Eigen::MatrixXd shrink = limit.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> left(shrink * covariance * shrink);
+  const sim::SymmetricEigen left = sim::symmetric_eigen(shrink * covariance * shrink);
   for (int k = 0; k < coordinates; ++k) {
-    if (left.eigenvalues()(k) < kLeftOpen) continue;
-    const Eigen::VectorXd leaning = limit.cwiseProduct(left.eigenvectors().col(k));
+    if (left.values(k) < kLeftOpen) continue;
+    const Eigen::VectorXd leaning = limit.cwiseProduct(left.vectors.col(k));
     Eigen::VectorXd direction = leaning.cwiseQuotient(length);
     const double most = leaning.cwiseAbs().maxCoeff();
     for (int i = 0; i < coordinates; ++i)

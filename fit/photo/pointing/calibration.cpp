@@ -1,6 +1,6 @@
 #include "fit/photo/pointing/calibration.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
@@ -71,8 +72,7 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
   // digits.
   const Eigen::RowVectorXd lengths = jacobian.colwise().norm();
   const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd triangle =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(scaled).matrixQR().topRows(k).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd triangle = sim::upper_triangle(scaled);
   const Eigen::MatrixXd inverse =
       triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(k, k));
   const Eigen::MatrixXd root = calibration.sigma_px * (lengths.cwiseInverse().asDiagonal() * inverse);

@@ -11,6 +11,7 @@
 #include "fit/photo/picture_field_of_view.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -248,7 +249,7 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
 
   Numbers sigma{};
   const Eigen::MatrixXd covariance =
-      found.information.inverse() * std::pow(result.used_error_px / p.point_error_px, 2);
+      sim::inverse_of(found.information) * std::pow(result.used_error_px / p.point_error_px, 2);
   for (std::size_t i = 0; i < free.size(); ++i)
     sigma[free[i]] = std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
   result.elevation_deg = degrees(found.numbers[kHorizonElevation], sigma[kHorizonElevation]);

@@ -1,14 +1,13 @@
 #include "fit/photo/pointing/lens_choice.h"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
 #include "fit/photo/pointing/starting_camera.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -35,7 +34,7 @@ bool determined(const SkyCamera& camera, const std::vector<LensNumber>& free,
     if (!(length > 0.0) || !std::isfinite(length)) return false;
     jacobian.col(j) /= length;
   }
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(jacobian).singularValues();
+  const Eigen::VectorXd values = sim::singular_values(jacobian);
   return values[values.size() - 1] > kWorstCondition * values[0];
 }
 
@@ -255,9 +254,7 @@ double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber
   Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
   // An orthonormal basis of its columns has the same hat matrix, to all digits.
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) jacobian.col(j).normalize();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  const Eigen::MatrixXd basis =
-      qr.householderQ() * Eigen::MatrixXd::Identity(jacobian.rows(), jacobian.cols());
+  const Eigen::MatrixXd basis = sim::orthonormal_columns(jacobian);
   const std::vector<Eigen::Vector2d> left = residuals(camera, stars);
   double sum = 0.0;
   Eigen::Index row = 0;

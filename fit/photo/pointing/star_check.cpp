@@ -1,11 +1,11 @@
 #include "fit/photo/pointing/star_check.h"
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
@@ -32,10 +32,7 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
   }
   const Eigen::MatrixXd about = places.rowwise() - places.colwise().mean();
   const Eigen::VectorXd spread =
-      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(about.transpose() * about / n)
-           .eigenvalues()
-           .cwiseMax(0.0))
-          .cwiseSqrt();
+      sim::symmetric_eigen(about.transpose() * about / n).values.cwiseMax(0.0).cwiseSqrt();
   if (spread[1] < 1.0)
     sim::refuse_file(sim::ErrorKind::unreadable_input, name,
                      "all " + called + " are at one point of the picture", called + " all over it", "");
@@ -45,10 +42,7 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
                      "");
   const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
   const Eigen::VectorXd width =
-      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(across.transpose() * across / n)
-           .eigenvalues()
-           .cwiseMax(0.0))
-          .cwiseSqrt();
+      sim::symmetric_eigen(across.transpose() * across / n).values.cwiseMax(0.0).cwiseSqrt();
   if (width[2] < 1e-5)
     sim::refuse_file(sim::ErrorKind::unreadable_input, name, "all " + called + " are at one point of the sky",
                      "different " + called, "");

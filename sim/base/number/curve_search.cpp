@@ -1,8 +1,10 @@
 #include "sim/base/number/curve_search.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::sim {
 namespace {
@@ -127,13 +129,13 @@ class Minimum {
 
   /// Where curvature is missing the way is as far as it goes, downhill.
   Eigen::VectorXd bottom_of_parabola() const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian_);
+    const SymmetricEigen eigen = symmetric_eigen(hessian_);
     Eigen::VectorXd way = Eigen::VectorXd::Zero(n_);
     for (int i = 0; i < n_; ++i) {
-      const double slope = eigen.eigenvectors().col(i).dot(gradient_), curvature = eigen.eigenvalues()(i);
+      const double slope = eigen.vectors.col(i).dot(gradient_), curvature = eigen.values(i);
       double along = slope > 0.0 ? -kMaxWay : kMaxWay;
       if (curvature > 0.0) along = std::clamp(-slope / curvature, -kMaxWay, kMaxWay);
-      way += along * eigen.eigenvectors().col(i);
+      way += along * eigen.vectors.col(i);
     }
     return (centre_ + way).cwiseMax(-limit_).cwiseMin(limit_);
   }
@@ -162,12 +164,12 @@ class Minimum {
   void finish(const Eigen::VectorXd& place) {
     found_.at = plain(place);
     const double of_limits = 4.0 * limit_ * limit_ / 12.0;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian_);
+    const SymmetricEigen eigen = symmetric_eigen(hessian_);
     // Half the curvature of -2 ln likelihood is the information.
-    Eigen::VectorXd information = 0.5 * eigen.eigenvalues().cwiseMax(0.0);
+    Eigen::VectorXd information = 0.5 * eigen.values.cwiseMax(0.0);
     information.array() += 1.0 / of_limits;
     const Eigen::MatrixXd covariance =
-        eigen.eigenvectors() * information.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose();
+        eigen.vectors * information.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
     found_.covariance.assign(n_, std::vector<double>(n_));
     for (int k = 0; k < n_; ++k) {
       for (int l = 0; l < n_; ++l) found_.covariance[k][l] = covariance(k, l);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::sim {
 namespace {
@@ -56,7 +57,7 @@ LineEstimate LineEstimator::estimate(const Vector3& rgb, const Matrix3& covarian
   const Eigen::MatrixXd scaled = white_model * scale.cwiseInverse().asDiagonal();
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
   const Eigen::VectorXd solution = scale.cwiseInverse().asDiagonal() * qr.solve(white_rgb);
-  const Eigen::MatrixXd spread = scale.cwiseInverse().asDiagonal() * (scaled.transpose() * scaled).inverse() *
+  const Eigen::MatrixXd spread = scale.cwiseInverse().asDiagonal() * inverse_of(scaled.transpose() * scaled) *
                                  scale.cwiseInverse().asDiagonal();
   LineEstimate result;
   for (int l = 0; l < lines(); ++l) {

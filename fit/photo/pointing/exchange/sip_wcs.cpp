@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/version.h"
@@ -137,7 +138,7 @@ std::array<SipPolynomial, 2> fitted(const std::vector<Eigen::Vector2d>& at,
       rows(i, t) = std::pow(at[i].x() / scale, terms[t].first) * std::pow(at[i].y() / scale, terms[t].second);
     right.row(i) = values[i].transpose();
   }
-  const Eigen::MatrixXd solved = rows.colPivHouseholderQr().solve(right);
+  const Eigen::MatrixXd solved = sim::least_squares(rows, right);
   std::array<SipPolynomial, 2> made;
   for (int k = 0; k < 2; ++k) {
     made[k].order = order;

@@ -1,9 +1,10 @@
 #include "sim/base/number/chain/student_proposal.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 
@@ -23,8 +24,7 @@ Eigen::MatrixXd root_of_covariance(const std::vector<std::vector<double>>& covar
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) c(i, j) = covariance[i][j];
   if (c.allFinite()) {
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(c);
-    if (cholesky.info() == Eigen::Success) return cholesky.matrixL();
+    if (const auto root = cholesky_root(c)) return *root;
   } else {
     c = c.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; });
   }
@@ -33,10 +33,10 @@ Eigen::MatrixXd root_of_covariance(const std::vector<std::vector<double>>& covar
   for (Eigen::Index i = 0; i < n; ++i)
     if (!(length(i) > 0.0)) length(i) = longest > 0.0 ? longest : 1.0;
   const Eigen::MatrixXd unit = length.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(unit * c * unit);
-  const Eigen::VectorXd value = eigen.eigenvalues().cwiseMax(
-      kMinShareOfVariance * std::max(1.0, n > 0 ? eigen.eigenvalues()(n - 1) : 1.0));
-  return length.asDiagonal() * eigen.eigenvectors() * value.cwiseSqrt().asDiagonal();
+  const SymmetricEigen eigen = symmetric_eigen(unit * c * unit);
+  const Eigen::VectorXd value = eigen.values.cwiseMax(
+      kMinShareOfVariance * std::max(1.0, n > 0 ? eigen.values(n - 1) : 1.0));
+  return length.asDiagonal() * eigen.vectors * value.cwiseSqrt().asDiagonal();
 }
 
 Eigen::VectorXd normal_numbers(std::uint64_t seed, std::uint32_t i, std::uint32_t j, std::uint32_t k,
@@ -52,7 +52,7 @@ Eigen::VectorXd normal_numbers(std::uint64_t seed, std::uint32_t i, std::uint32_
 StudentProposal::StudentProposal(const std::vector<double>& centre, const Eigen::MatrixXd& root)
     : centre_(Eigen::Map<const Eigen::VectorXd>(centre.data(), static_cast<Eigen::Index>(centre.size()))),
       root_(root),
-      inverse_root_(root.partialPivLu().inverse()) {}
+      inverse_root_(inverse_of(root)) {}
 
 std::uint32_t StudentProposal::reach() const {
   return static_cast<std::uint32_t>(centre_.size()) + static_cast<std::uint32_t>(kFreedom);
