@@ -38,15 +38,19 @@ install_missing_packages() {
   "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
-# usage: set_up [TARGET], without it all, with the Python module. Expects the project's root as the working directory.
-# With VEGARD_WARNINGS_AS_ERRORS=ON in the environment a warning ends it.
+# usage: set_up [TARGET...], without any all, with the Python module. Expects the project's root as the working directory.
+# Of the environment: VEGARD_WARNINGS_AS_ERRORS=ON, and a warning ends it; VEGARD_INSTRUCTION_SETS, by default "this": vector code
+# for this machine's processor alone, with the same results as "all" and compiled in a third of the time.
 set_up() {
-  local -a lists=(packages.txt) options=("-DVEGARD_WARNINGS_AS_ERRORS=${VEGARD_WARNINGS_AS_ERRORS:-OFF}")
-  if [[ $# -eq 0 ]]; then
+  local -a lists=(packages.txt) options=("-DVEGARD_WARNINGS_AS_ERRORS=${VEGARD_WARNINGS_AS_ERRORS:-OFF}"
+    "-DVEGARD_INSTRUCTION_SETS=${VEGARD_INSTRUCTION_SETS:-this}")
+  local -a targets=("$@")
+  [[ $# -gt 0 ]] || targets=(all)
+  if [[ " ${targets[*]} " == *" all "* || " ${targets[*]} " == *" vegard_python "* ]]; then
     lists+=(packages-python.txt)
     options+=(-DVEGARD_PYTHON=ON)
   fi
   install_missing_packages "${lists[@]}"
   cmake --preset release "${options[@]}"
-  cmake --build --preset release -j "$(nproc)" --target "${1:-all}"
+  cmake --build --preset release -j "$(nproc)" --target "${targets[@]}"
 }

@@ -1,5 +1,7 @@
 #include "sim/base/data_folders.h"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -15,6 +17,9 @@ std::vector<std::string> data_folders() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) folders.push_back((program.parent_path().parent_path() / "share" / "vegard" / "data").string());
+  Dl_info module;
+  if (dladdr(reinterpret_cast<const void*>(&data_folders), &module) != 0 && module.dli_fname != nullptr)
+    folders.push_back((fs::path(module.dli_fname).parent_path() / "data").string());
   folders.emplace_back(VEGARD_INSTALLED_DATA);
   folders.emplace_back("/usr/share/vegard/data");  // Debian's package, also where there is no /proc
   folders.emplace_back(VEGARD_SOURCE_DATA);

@@ -7,8 +7,9 @@
 namespace vegard::sim {
 
 /// Returns the folders that may contain the files of data/, in the order of search: the environment variable
-/// VEGARD_DATA if it is set; share/vegard/data beside the folder of the running program; the installation
-/// folder of this build; that of Debian's package; the source folder. They need not exist.
+/// VEGARD_DATA if it is set; share/vegard/data beside the folder of the running program; data beside this code's
+/// shared object (a Python wheel); the installation folder of this build; that of Debian's package; the source
+/// folder. They need not exist.
 std::vector<std::string> data_folders();
 
 /// Returns the path of this file in the first of data_folders() that has it; empty if none has.
