@@ -14,6 +14,7 @@
 #include "sim/base/grid/vdb_io.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/processor.h"
 #include "sim/base/version.h"
 
 namespace {
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   apps::replace_closed_streams();
   try {
+    sim::check_processor();
     const int exit_code = run(argc, argv);
     apps::finish_output();
     return exit_code;

@@ -1,5 +1,6 @@
 // vegard._vegard: the libraries for Python, which vegard/__init__.py hands on.
 #include "python/bindings.h"
+#include "sim/base/processor.h"
 #include "sim/base/version.h"
 
 PYBIND11_MODULE(_vegard, m) {
@@ -7,6 +8,7 @@ PYBIND11_MODULE(_vegard, m) {
   m.doc() = "vegard's libraries; import vegard instead.";
   m.attr("__version__") = vegard::sim::version();
   bind_errors(m);
+  vegard::sim::check_processor();
   bind_long_work(m);
   py::class_<SceneHandle> scene = bind_scene(m);
   bind_cameras(m, scene);
