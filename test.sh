@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds and runs the tests. The exit code is that of the tests.
+# Installs what is missing, builds and runs the tests, and compares the time they took with the budget. The exit code is that
+# of the tests, or 1 if they took too long.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
@@ -23,4 +24,7 @@ done
 source scripts/set_up.sh
 
 set_up
-exec ctest --preset release -j2 "${selection[@]}"
+ctest --preset release -j2 "${selection[@]}" --output-junit "$PWD/build/release/tests.xml"
+status=0
+scripts/budget.py tests build/release build/release/tests.xml || status=$?
+[[ $status -eq 77 ]] || exit "$status" # 77: the machine was too busy to judge, which was said
