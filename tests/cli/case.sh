@@ -65,9 +65,9 @@ scene_with() {
 # interrupt JOB: Ctrl-C once it listens and has said something; $status is its exit code.
 interrupt() {
   wait_until_interruptible "$1"
-  for _ in $(seq 600); do
+  for _ in $(seq 3000); do
     [[ ! -s $stderr ]] || break
-    sleep 0.05
+    sleep 0.01
   done
   kill -INT "$1" 2>/dev/null || true
   status=0
@@ -77,12 +77,20 @@ interrupt() {
 # wait_until_interruptible JOB: until the program listens for Ctrl-C, however busy the machine is.
 wait_until_interruptible() {
   local caught
-  for _ in $(seq 600); do
+  for _ in $(seq 3000); do
     # Until it runs our program, a job is a copy of the shell, which listens for Ctrl-C in its own way, but not for
     # SIGTERM; and what it listens for is still told for a moment when the program is already there.
     caught=$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$1/status" 2>/dev/null) || caught=
     [[ -n $caught && /proc/$1/exe -ef $VEGARD ]] && (((0x${caught: -4} & 0x4002) == 0x4002)) && return 0
-    sleep 0.1
+    sleep 0.02
   done
   fail "the program never listens for Ctrl-C"
+}
+
+# wait_until_worked JOB HUNDREDTHS: until the job has had so much of the processor's time, or has ended.
+wait_until_worked() {
+  local had
+  while had=$(awk '{ sub(/.*\) /, ""); print $12 + $13 }' "/proc/$1/stat" 2>/dev/null) && [[ -n $had && $had -lt $2 ]]; do
+    sleep 0.01
+  done
 }

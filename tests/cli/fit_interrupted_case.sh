@@ -6,13 +6,7 @@ set -m  # a job of its own; else the shell has it ignore the signal
   --threads 1 >"$stdout" 2>"$stderr" &
 job=$!
 # The first line of a stage says that the work is under way.
-for _ in $(seq 600); do
-  [[ ! -s $stderr ]] || break
-  sleep 0.1
-done
-kill -INT "$job"
-status=0
-wait "$job" || status=$?
+interrupt "$job"
 [[ $status -eq 130 ]] || fail "exit $status instead of 130"
 grep -qF '"verdict": "interrupted"' run/result.json || fail "another verdict"
 grep -qF '"termination": "stopped by the user"' run/result.json || fail "another end"

@@ -17,9 +17,9 @@ done
 nohup "$VEGARD" "${long[@]}" >"$stdout" 2>"$stderr" &
 job=$!
 wait_until_interruptible "$job"
+ignored=$(sed -n 's/^SigIgn:[[:space:]]*//p' "/proc/$job/status")
+(((0x$ignored & 1) == 1)) || fail "nohup is of no use"
 kill -HUP "$job"
-sleep 0.5
-kill -0 "$job" 2>/dev/null || fail "nohup is of no use"
 kill -TERM "$job"
 status=0
 wait "$job" || status=$?
@@ -42,11 +42,11 @@ sed '/^\[\[sheet\]\]/,/^$/d' "$SCENES/small.toml" >dark.toml
   --set time.instants=1000 --set time.exposure_s=10 >"$stdout" 2>"$stderr" &
 job=$!
 wait_until_interruptible "$job"
-sleep 0.2
+wait_until_worked "$job" 20
 kill -INT "$job"
-for _ in $(seq 100); do
+for _ in $(seq 500); do
   kill -0 "$job" 2>/dev/null || break
-  sleep 0.1
+  sleep 0.02
 done
 kill -KILL "$job" 2>/dev/null && fail "the stars go on after Ctrl-C"
 status=0

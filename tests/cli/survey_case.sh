@@ -54,9 +54,9 @@ expect_same whole.sqlite local.sqlite
 "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
 interrupt $!
 [[ $status -eq 130 || $status -eq 0 ]] || fail "exit $status after Ctrl-C"
-for pause in 0.1 0.25 0.4 0.3 0.2 0.5; do
+for work in 5 20 35 25 15 45; do
   "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
-  sleep "$pause"
+  wait_until_worked $! "$work"
   kill -KILL $! 2>/dev/null || true
   wait $! 2>/dev/null || true
 done

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
-#include <chrono>
-#include <thread>
 
 #include "fit/survey/survey_motion.h"
 #include "fit/survey/survey_results.h"
 #include "tests/fit/survey/made_answers.h"
 #include "tests/support/expect_error.h"
+#include "tests/support/next_second.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_netcdf_test {
@@ -147,7 +146,7 @@ TEST(SurveyNetcdf, IsTheSameLaterOn) {
   const SqliteFile database(made_shard(folder / "a.sqlite", tests::made_survey_plan(3, 7)),
                             SqliteFile::Opening::read);
   write_survey_netcdf(database, folder / "a.nc", false);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times are whole seconds
+  tests::await_next_second();  // HDF5's times are whole seconds
   write_survey_netcdf(database, folder / "b.nc", false);
   EXPECT_EQ(bytes_of(folder / "a.nc"), bytes_of(folder / "b.nc"));
   tests::expect_error(sim::ErrorKind::existing_output,

@@ -3,7 +3,6 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,11 +10,11 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 #include "tests/support/expect_error.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/next_second.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::image_io_test {
@@ -125,7 +124,7 @@ TEST(ImageIo, TheSameImageGivesTheSameBytesASecondLater) {
     }
   };
   write_all("");
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+  tests::await_next_second();
   write_all("later/");
   for (const std::string& name : names) {
     const std::string bytes = bytes_of(first / name);
