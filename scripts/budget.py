@@ -5,7 +5,7 @@ usage: budget.py build [--write] BUILD_FOLDER
        budget.py tests [--write] BUILD_FOLDER JUNIT_FILE
 
 build: units of ninja's log, by target. tests: entries of a file that `ctest --output-junit` has written, by program or by
-what is before the point in their names. All times are given in those of one reference (tests/house/budget/reference.cpp),
+what is before the first point in their names. All times are given in those of one reference (tests/house/budget/reference.cpp),
 compiled or run several times among them, so that budgets hold on slow machines and on fast ones.
 
 Too much is a target (or group) above its budget times `group_slack`, or a single unit (or entry) above its own figure times
@@ -60,7 +60,8 @@ def of_tests(folder, junit):
     for case in xml.etree.ElementTree.parse(junit).getroot().iter("testcase"):
         name = case.get("name")
         if case.get("status") == "run":
-            group = name.split(".")[0] if "." in name else programs.get(name, "others")
+            program = programs.get(name, "")
+            group = program[:-6] if program.endswith("_tests") else name.split(".")[0]
             groups.setdefault(group, {})[name] = float(case.get("time"))
     return groups
 

@@ -141,7 +141,7 @@ class Budgets(unittest.TestCase):
         self.assertEqual(code, 0, said)
         code, said = self.run_of_tests({**ENTRIES, "Spline": 30.0})
         self.assertEqual(code, 1, said)
-        self.assertIn("Spline of sim_tests takes 30.00 references", said)
+        self.assertIn("Spline of sim takes 30.00 references", said)
         code, said = self.run_of_tests({**ENTRIES, "cli.fit": 42.0})
         self.assertEqual(code, 1, said)
         self.assertIn("cli takes 52.00 references, of 30.00 in the budget; most grown: cli.fit from 20.00 to 42.00", said)
