@@ -14,7 +14,7 @@ start_of() { "$VEGARD" animate scene.toml --list "${@:2}" --frames "$1:$1" | sed
 
 for kind in exr png tif jpg; do
   expect_exit 0 animate scene.toml -o "$kind/a_####.$kind" --frames 1:3:2 --threads 1
-  expect_stdout "2 frames of 160 x 120 pixels, 0 of them finished before"
+  expect_stdout "2 frames | 160 x 120 | 0 of them"
   expect_exit 0 render scene.toml --set "$(start_of 3)" -o "still.$kind" --threads 2
   expect_same "$kind/a_0003.$kind" "still.$kind"
   expect_different "$kind/a_0001.$kind" "$kind/a_0003.$kind"
@@ -38,7 +38,7 @@ expect_stderr "sky/00.png"
 expect_same sky/00.png kept.png
 expect_exit 0 render "$SCENES/small.toml" -o sky/00.png --set camera.azimuth_deg=40 --overwrite
 expect_exit 2 animate scene.toml -o over/##.png "${behind[@]}"
-expect_stderr "a file that the scene names differs"
+expect_stderr "scene names differs"
 rm sky/00.png
 expect_exit 3 animate scene.toml -o none/##.png "${behind[@]}"
 [[ ! -e none ]] || fail "a folder is left"
@@ -47,14 +47,14 @@ expect_exit 3 animate scene.toml -o none/##.png "${behind[@]}"
 before=$(stat -c %y exr/a_0001.exr exr/a_0003.exr)
 sed 's/^seed/# a remark\nseed/' scene.toml >same.toml
 expect_exit 0 animate same.toml -o exr/a_####.exr --overwrite
-expect_stdout "4 frames of 160 x 120 pixels, 2 of them finished before"
+expect_stdout "4 frames | 160 x 120 | 2 of them"
 [[ $before == "$(stat -c %y exr/a_0001.exr exr/a_0003.exr)" ]] || fail "a finished frame was made again"
 (cd exr && expect_only a_0000.exr a_0001.exr a_0002.exr a_0003.exr a.animation.json)
 
 # An empty file is no finished frame, and a folder none at all.
 : >exr/a_0002.exr
 expect_exit 0 animate same.toml -o exr/a_####.exr
-expect_stdout "4 frames of 160 x 120 pixels, 3 of them finished before"
+expect_stdout "4 frames | 160 x 120 | 3 of them"
 expect_file exr/a_0002.exr
 mv exr/a_0001.exr kept.exr
 mkdir exr/a_0001.exr
@@ -71,17 +71,17 @@ mv kept.exr exr/a_0001.exr
 
 # How long it is, what a fit is told, and a rate that was said already make no other animation.
 expect_exit 0 animate scene.toml -o exr/a_####.exr --set time.frames=5 --set fit.bands=30
-expect_stdout "5 frames of 160 x 120 pixels, 4 of them finished before"
+expect_stdout "5 frames | 160 x 120 | 4 of them"
 rm exr/a_0004.exr
 expect_exit 0 animate scene.toml -o exr/a_####.exr --fps 7 --set time.frames_per_second=3
-expect_stdout "4 frames of 160 x 120 pixels, 4 of them finished before"
+expect_stdout "4 frames | 160 x 120 | 4 of them"
 
 # Another animation's frames are not replaced unasked, and never mixed with its own.
 cp exr/a_0000.exr old.exr
 for change in "--seed 8" "--fps 8" "--set sheet.main.energy_kev=4"; do
   # shellcheck disable=SC2086  # an option and its value
   expect_exit 2 animate scene.toml -o exr/a_####.exr $change
-  expect_stderr "of another animation: the "
+  expect_stderr "another animation"
   expect_stderr "--overwrite"
   expect_one_message
 done
@@ -128,14 +128,14 @@ mkdir full && echo mine >full/mine
 status=0
 (ulimit -f 4 && exec "$VEGARD" animate scene.toml -o full/##.exr --camera-json >"$stdout" 2>"$stderr") || status=$?
 [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
-expect_stderr "nothing was left behind"
+expect_stderr "nothing was left"
 (cd full && expect_only mine)
 # Frames that are finished stay, and it says so.
 expect_exit 0 animate scene.toml -o part/##.exr --frames 0:0
 status=0
 (ulimit -f 4 && exec "$VEGARD" animate scene.toml -o part/##.exr >"$stdout" 2>"$stderr") || status=$?
 [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk"
-expect_stderr "1 of 4 frames are finished, and the same command goes on from there"
+expect_stderr "1 of 4 | same command"
 expect_one_message
 (cd part && expect_only animation.json 00.exr)
 echo >file

@@ -12,7 +12,7 @@ kill -INT "$job"
 status=0
 wait "$job" || status=$?
 [[ $status -eq 130 ]] || fail "exit $status instead of 130"
-expect_stderr "the same command goes on"
+expect_stderr "same command"
 frames=$(find part -name '[0-9]*.png' | wc -l)
 [[ $frames -ge 2 && $frames -lt 60 ]] || fail "$frames frames after the interruption"
 [[ $(find part -type f | wc -l) -eq $((frames + 1)) ]] || fail "more than frames and a manifest is left"
@@ -25,7 +25,7 @@ wait "$job" || status=$?
 [[ $status -eq 143 ]] || fail "exit $status instead of 143"
 frames=$(find part -name '[0-9]*.png' | wc -l)
 expect_exit 0 animate scene.toml -o part/###.png --frames "0:$frames"
-expect_stdout "$((frames + 1)) frames of 160 x 120 pixels, $frames of them finished before"
+expect_stdout "$((frames + 1)) frames | 160 x 120 | $frames of them"
 expect_exit 0 animate scene.toml -o whole/###.png --frames "$frames:$frames"
 expect_same "part/$(printf %03d "$frames").png" "whole/$(printf %03d "$frames").png"
 # What a process that was killed outright has left is removed; what a living one writes, or what is no part

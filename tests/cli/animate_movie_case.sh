@@ -3,7 +3,7 @@ source "$(dirname "$0")/case.sh"
 options=(--set "sheet.main.drift_km_s=[20.0, 0.0]" --set sheet.main.beams=40 --frames 0:5 --fps 12.5)
 small=$SCENES/small.toml
 expect_exit 0 animate "$small" "${options[@]}" -o movie.mp4 --camera-json
-expect_stdout "6 frames of 160 x 120 pixels at 12.5 per second"
+expect_stdout "6 frames | 160 x 120 | 12.5 per second"
 [[ $(head -c 8 movie.mp4 | tail -c 4) == ftyp ]] || fail "movie.mp4 is no MP4"
 expect_only movie.mp4 movie.camera.json
 # The same again is the same, and nothing is replaced unasked.

@@ -4,7 +4,7 @@ source "$2/tests/cli/case.sh"
 here=(--time 2014-03-10T06:05:33Z --latitude-deg 65 --longitude-deg -148)
 expect_exit 0 atmosphere "${here[@]}" --f107 150 --f107a 140 --ap 20 -o air.csv --plot air.svg
 expect_only air.csv air.svg
-expect_stdout "65 N 148 W, 20:14 local time, F10.7 150, mean 140, Ap 20"
+expect_stdout "65 N 148 W | 20:14 | F10.7 150 | 140 | Ap 20"
 expect_stdout "O overtakes N2"
 grep -q '^altitude_km,T_K,nN2,nO2,nO,' air.csv || fail "the table's head"
 grep -q '^75,' air.csv && grep -q '^640,' air.csv || fail "the table's ends"

@@ -11,12 +11,12 @@ cp "$stdout" one.txt
 expect_exit 0 brightness "$small" --threads 1
 expect_same one.txt "$stdout"
 # 5 mW m^-2 over 2 km sqrt(2 pi) and 3 layers of 330 km: 24.8 MW.
-expect_stdout "75.2 kW per km of arc, 24.8 MW in all"
+expect_stdout "75.2 kW per km | 24.8 MW"
 expect_exit 0 brightness "$small" --json --set sheet.main.brightness_kilorayleigh=100 --set time.exposure_s=2
 for words in '"class": "IBC 3"' '"luminance_cd_m2": ' '"relative_uncertainty": null'; do expect_stdout "$words"; done
 # Nothing in view, nothing luminous: no numbers that are none.
 expect_exit 0 brightness "$small" --set camera.azimuth_deg=180
-expect_stderr "no light reaches the picture"
+expect_stderr "no light"
 expect_stdout "dark"
 expect_exit 0 brightness "$small" --set camera.azimuth_deg=180 --json
 grep -q '"magnitudes_per_square_arcsecond": null' "$stdout" || fail "a magnitude of darkness"

@@ -20,15 +20,15 @@ grep -q '^time_utc = "2020-01-01T20:00:00Z"' camera.toml || fail "no time in cam
 awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }' camera.toml || fail "another scale"
 [[ $(wc -l <residuals.csv) -eq 13 ]] || fail "not a line for every star"
 grep -q '^<svg' residuals.svg || fail "no SVG"
-expect_stdout "note: stars alone cannot reveal a wrong time or site"
+expect_stdout "note: | wrong time"
 grep -q '^# stars alone cannot reveal' camera.toml || fail "the doubt is not in camera.toml"
 # A time with a zone and a site with letters are the same time and site.
 expect_exit 0 calibrate stars.csv -o zone.toml --size 64,48 --site 65N,20E,100m --time 2020-01-01T21:00:00+01:00
 expect_same camera.toml zone.toml
 expect_exit 2 calibrate stars.csv -o no.toml --size 64,48 --site 65E,20E --time 2020-01-01T20:00:00Z
-expect_stderr "--site: '65E,20E' is no latitude and longitude"
+expect_stderr "--site: | '65E,20E'"
 expect_exit 2 calibrate stars.csv -o no.toml --size 64,48 --site 65,20 --time 2020-01-01T20:00:00+1
-expect_stderr "or with a zone"
+expect_stderr "zone"
 # The same again gives the same bytes.
 expect_exit 0 calibrate stars.csv -o again.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z
 expect_same camera.toml again.toml
@@ -62,7 +62,7 @@ expect_same camera.toml run/camera.toml
 # A star that is none.
 stars_to 4 >mistaken.csv
 expect_exit 0 calibrate mistaken.csv -o mistaken.toml --size 64,48
-expect_stdout "left out: star 4 of line 6"
+expect_stdout "star 4 | line 6"
 # Of few stars none is left out for less than a pixel.
 awk -F, -v OFS=, 'NR == 5 { $4 += 0.6 } { print }' stars.csv >near.csv
 expect_exit 0 calibrate near.csv -o near.toml --size 64,48
@@ -71,7 +71,7 @@ expect_stdout "over 12 of 12 stars"
 awk -F, -v OFS=, 'NR > 1 { $4 *= 3.5; $5 *= 3.5 } { print }' stars.csv >large.csv
 expect_exit 3 calibrate large.csv -o no.toml --size 64,48
 expect_stderr "large.csv:"
-expect_stderr "outside of the picture of 64 x 48 px"
+expect_stderr "64 x 48 px"
 expect_one_message
 expect_exit 0 calibrate large.csv -o large.toml --size 600,600
 expect_stdout "upper left quarter"
@@ -87,8 +87,8 @@ awk -F, -v OFS=, 'BEGIN { pi = atan2(0, -1); d = pi / 180; l = 65 * d; h = 30 * 
     if ($3 > 90) next
   } { print }' stars.csv >late.csv
 expect_exit 0 calibrate late.csv -o late.toml --size 64,48 --camera zenith.toml --site 65,20
-expect_stdout "--camera looks to the zenith, but by the stars its axis is"
-expect_stdout "a time 2 h 0 min later"
+expect_stdout "--camera | zenith | axis"
+expect_stdout "2 h 0 min"
 # Only the turn, of a camera that is known.
 expect_exit 0 calibrate stars.csv -o turned.toml --size 64,48 --camera camera.toml --free rotation
 expect_stdout "over 12 of 12 stars"
@@ -121,11 +121,11 @@ expect_exit 3 calibrate crop.corr -o no.toml --site 65,20 --time 2020-01-01T20:0
 expect_stderr "crop.corr: 1 star"
 corr_with 0 field_x >none.corr
 expect_exit 3 calibrate none.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
-expect_stderr "none.corr: this FITS table has no rows"
+expect_stderr "none.corr: | no rows"
 expect_one_message
 corr_with 1 x >other.corr
 expect_exit 3 calibrate other.corr -o no.toml --site 65,20 --time 2020-01-01T20:00:00Z
-expect_stderr "other.corr: this FITS table has no column field_x"
+expect_stderr "other.corr: | field_x"
 expect_one_message
 # A picture that says when and where it was taken, by FITS or EXIF.
 { cards "SIMPLE  =                    T" "BITPIX  =                    8" "NAXIS   =                    2" \
@@ -145,7 +145,7 @@ expect_exit 2 calibrate -o no.toml --offset 1,2 --image stars.csv --camera camer
 expect_stderr "--offset"
 head -4 stars.csv >few.csv
 expect_exit 3 calibrate few.csv -o no.toml
-expect_stderr "few.csv: 3 stars for a camera of 6 numbers"
+expect_stderr "few.csv: | 3 stars | 6 numbers"
 expect_one_message
 expect_exit 2 calibrate stars.csv -o camera.toml
 expect_stderr camera.toml
@@ -165,5 +165,5 @@ for command in "calibrate --image any.png -o sensor.toml" "measure any.png" "mas
   # shellcheck disable=SC2086  # the words of a command
   expect_exit 2 $command --decoding sensor
   expect_one_message
-  expect_stderr "there is no scene with a sensor"
+  expect_stderr "no scene"
 done

@@ -30,9 +30,17 @@ expect_exit() {
   [[ $status -eq $expected ]] || fail "exit $status instead of $expected: vegard $*"
 }
 
-# expect_stderr TEXT, expect_stdout TEXT: the last run said this (a fixed string).
-expect_stderr() { grep -qF -- "$1" "$stderr" || fail "no '$1' in the messages"; }
-expect_stdout() { grep -qF -- "$1" "$stdout" || fail "no '$1' in the output"; }
+# says FILE FACTS: one line of the file has all the facts, fixed strings with " | " between them. What is asked for are numbers,
+# keys and names, so that sentences can be bettered.
+says() {
+  facts=$2 awk 'BEGIN { number = split(ENVIRON["facts"], fact, / \| /) }
+    { for (i = 1; i <= number; i++) if (!index($0, fact[i])) next; found = 1; exit }
+    END { exit !found }' "$1"
+}
+
+# expect_stderr FACTS, expect_stdout FACTS: the last run said this.
+expect_stderr() { says "$stderr" "$1" || fail "no '$1' in the messages"; }
+expect_stdout() { says "$stdout" "$1" || fail "no '$1' in the output"; }
 
 # expect_one_message: an error is told in one line.
 expect_one_message() { [[ $(wc -l <"$stderr") -eq 1 ]] || fail "not one line of message"; }

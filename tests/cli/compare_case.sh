@@ -6,7 +6,7 @@ expect_exit 0 fit "$SCENES/fit.toml" --photo photo.png --out right
 sed -e 's/^free = .*/free = ["sheet.main.center_km.north"]/' -e 's/^energy_kev = .*/energy_kev = 6.0/' "$SCENES/fit.toml" >held.toml
 expect_exit 5 fit held.toml --photo photo.png --out held
 expect_exit 0 compare right held/
-expect_stdout "right explains it better than held: BIC lower by"
+expect_stdout "right | better than held | BIC"
 expect_stdout "very strong evidence"
 for text in "AIC" "BIC" "chi2/dof" "independent" "sheet.main.energy_kev"; do expect_stdout "$text"; done
 row=$(grep -E '^right ' "$stdout" | head -1)

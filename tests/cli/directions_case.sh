@@ -2,7 +2,7 @@
 source "$(dirname "$0")/case.sh"
 scene=$SCENES/small.toml
 expect_exit 0 directions "$scene" -o maps.exr
-expect_stdout "maps.exr: 160 x 120 pixels, 19200 of which look somewhere"
+expect_stdout "maps.exr: | 160 x 120 | 19200"
 expect_starts maps.exr 762f3101
 expect_exit 0 directions "$scene" -o again.exr
 expect_same maps.exr again.exr
@@ -18,7 +18,7 @@ expect_starts maps_az.fits 53494d504c45
 expect_exit 0 render "$scene" -o sky.png
 rows() { grep -v '^#' "$1" | tail -n +2; }
 expect_exit 0 profile sky.png -o scene.csv --scene "$scene" --azimuths 350,0,10 --elevation-step 2 --plot scene.svg
-expect_stdout "scene.csv: 3 directions of 45 steps of elevation"
+expect_stdout "scene.csv: | 3 directions | 45 steps"
 grep -q '^<svg' scene.svg || fail "no SVG"
 [[ $(rows scene.csv | cut -d, -f1 | sort -u | paste -sd' ') == "0 10 350" ]] || fail "not the three azimuths"
 # Maps of the same camera give the same numbers; all around as well as by name.
@@ -42,9 +42,9 @@ sed -i 's/^elevation_deg = .*/elevation_deg = -18.0/' orbit.toml
 expect_exit 0 profile sky.png -o orbit.csv --scene orbit.toml --bands 1
 grep -q '^band,row_px,elevation_deg,tangent_altitude_km,' orbit.csv || fail "no tangent altitudes"
 expect_exit 0 profile sky.png -o limb.csv --scene orbit.toml --azimuths 0 --tangent-step 5 --tangent-range 0,300
-expect_stdout "limb.csv: 1 directions of 60 steps of tangent altitude"
+expect_stdout "limb.csv: | 1 directions | 60 steps | tangent altitude"
 expect_stdout "azimuth 0°:"
-expect_stdout "0.1° of the camera's elevation is 3.5 km there"
+expect_stdout "0.1° | 3.5 km"
 grep -q '^# green_layer: azimuth 0°:' limb.csv || fail "no layer in the table"
 
 refused() {  # EXIT WORDS ARGUMENTS...
@@ -55,13 +55,13 @@ refused() {  # EXIT WORDS ARGUMENTS...
   expect_one_message
   [[ ! -e no.csv ]] || fail "something was written"
 }
-refused 2 "where the pixels look is not known" --azimuths 0
+refused 2 "not known" --azimuths 0
 refused 2 "--elevation-map" --elevation-map maps.exr --azimuths 0
 refused 2 "overlap" --azimuth-map maps.exr --azimuths 0,5 --azimuth-width 20
 refused 2 "no pixel looks" --azimuth-map maps.exr --azimuths 180
 refused 2 "--directions" --azimuth-map maps.exr --azimuths 0 --directions 4
 refused 2 "--dark" --azimuth-map maps.exr --dark 1,1,1
-refused 2 "nothing of green is brighter" --azimuth-map maps.exr --azimuths 0 --dark 0,384,0
+refused 2 "green" --azimuth-map maps.exr --azimuths 0 --dark 0,384,0
 refused 2 "--elevation-step" --azimuth-map maps.exr --azimuths 0 --elevation-step 0
 refused 2 "--lines" --scene "$scene" --lines --azimuths 0
 refused 2 "--tangent-step" --scene "$scene" --tangent-step 5
@@ -71,6 +71,6 @@ refused 2 "--elevation-step" --scene "$scene" --azimuths 0 --tangent-step 5 --el
 refused 3 "sky.png" --azimuth-map sky.png --azimuths 0
 refused 3 "missing.exr" --azimuth-map missing.exr --azimuths 0
 expect_exit 0 directions "$scene" -o wide.exr --set camera.width=200
-refused 3 "wide.exr: the maps have 200 x 120 pixels" --azimuth-map wide.exr --azimuths 0
+refused 3 "wide.exr: | 200 x 120" --azimuth-map wide.exr --azimuths 0
 head -c 20000 maps.exr >cut.exr
 refused 3 "cut.exr" --azimuth-map cut.exr --azimuths 0

@@ -39,9 +39,9 @@ expect_exit 0 fit runs/both/best.toml --out runs/again
 expect_exit 0 params runs/both/best.toml
 
 expect_exit 2 fit both.toml --photo pictures/south.png --out run
-expect_stderr "the scene names its photographs itself"
+expect_stderr "names its photographs"
 expect_exit 2 fit "$SCENES/fit.toml" --out run
-expect_stderr "no photograph is given"
+expect_stderr "no photograph"
 mv pictures/north.png pictures/moved.png
 expect_exit 3 fit both.toml --out run
 expect_stderr "photograph 'far'"

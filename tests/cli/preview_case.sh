@@ -7,7 +7,7 @@ same_pixels() { oiiotool --fail 0 --diff "$1" "$2" >.diff 2>&1 || fail "$1 and $
 
 # Frames are the very stills that `render` makes of the same camera and size.
 expect_exit 0 preview scene.toml -o frames --frames 3 --turn 12 --size 80x80 --threads 1
-expect_stdout "frames: 3 frames of 80 x 60 pixels: median "
+expect_stdout "3 frames | 80 x 60 | median"
 (cd frames && expect_only frame_0000.png frame_0001.png frame_0002.png)
 small=(--set camera.width=80 --set camera.height=60 --set march.step_km=4 --set march.shrink=2)
 for n in 0 1 2; do
@@ -34,7 +34,7 @@ expect_different coarse/frame_0000.png frames/frame_0000.png
 
 # --bench writes nothing.
 expect_exit 0 preview scene.toml --bench --frames 2 --size 40x40
-expect_stdout "2 frames of 40 x 30 pixels: median "
+expect_stdout "2 frames | 40 x 30 | median"
 
 # A folder is replaced only if asked for, and only if it holds nothing else.
 before=$(stat -c %y frames/frame_0001.png)

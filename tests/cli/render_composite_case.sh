@@ -39,7 +39,7 @@ expect_one_message
 expect_exit 0 render scene/small.toml -o masked.png --set composite.mask=trees.png
 # The pictures are not to be lost.
 expect_exit 2 render scene/small.toml -o scene/photo.jpg --overwrite
-expect_stderr "a file that the scene reads"
+expect_stderr "scene reads"
 
 sed -i 's/photo.jpg/trees.png/' scene/small.toml
 expect_exit 0 render scene/small.toml -o layers.exr --layers sheets --set stars.shown=true

@@ -66,6 +66,6 @@ END
 printf 'iVBORw0KGgoAAAANSUhEUgAAAAgAAAAICAAAAADhZOFXAAAADElEQVR42mNgoA4AAABIAAEQRe/SAAAAAElFTkSuQmCC' |
   base64 -d >scene/black.png
 expect_exit 0 render scene/dark.toml -o dark.png
-expect_stderr "warning: no light reaches the picture"
-expect_stderr "the middle of footprint 'black' is at azimuth 0"
+expect_stderr "warning: no light"
+expect_stderr "'black' | azimuth 0"
 expect_only add.exr dark.png large.exr literal.png plain.exr scene some.png standing.png with.exr

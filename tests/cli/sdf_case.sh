@@ -30,7 +30,7 @@ expect_exit 2 sdf none.png -o field.exr
 expect_stderr "field.exr"
 expect_exit 6 sdf none.png -o no/such/folder/out.exr
 expect_exit 2 sdf "$photo" -o no.exr --threshold 0.999
-expect_stderr "nothing above the threshold"
+expect_stderr "threshold"
 expect_exit 2 sdf "$photo" -o no.exr --threshold 2
 expect_one_message
 expect_exit 3 sdf none.png -o no.exr

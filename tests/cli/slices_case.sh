@@ -6,7 +6,7 @@ Volume "volumegrid" "integer nx" [3] "integer ny" [3] "integer nz" [3]
   "float density" [ 0 0 0 0 1 0 0 0 0  0 1 0 1 2 1 0 1 0  0 0 0 0 1 0 0 0 0 ]
 TEXT
 expect_exit 0 slices a.pbrt -o a.png
-expect_stdout "a.png: density: white is 2; 3 × 3 × 3 voxels of 2 units"
+expect_stdout "a.png: density: | 2; | 3 × 3 × 3 | 2 units"
 expect_starts a.png 89504e470d0a1a0a
 expect_exit 0 grid a.pbrt -o a.vdb
 expect_exit 0 slices a.vdb -o a.svg
@@ -44,13 +44,13 @@ name = "made"
 file = "light.vdb"
 SCENE
 expect_exit 3 slices again.toml -o no.png
-expect_stderr "it stands on the Sun"
+expect_stderr "the Sun"
 expect_one_message
 expect_exit 0 slices again.toml -o again.svg --set volume.made.frame=sun --voxel 2 --channel emission_171
 grep -q "white is 0.2 photons" again.svg || fail "the same light again"
 # Without a word about voxels some 300 to a side, of what is in the box; and of things by their names.
 expect_exit 0 slices sun.toml -o usual.svg --box=-5,3,-5,3,695,703
-expect_stdout "voxels of 0.026 units of 1000 km"
+expect_stdout "0.026 units of 1000"
 rm usual.svg
 cat > strands.toml <<'SCENE'
 [emission]
@@ -82,13 +82,13 @@ expect_exit 0 slices strands.toml -o cloud.svg --box 695,712,-8,8,-2,2 --voxel 0
 expect_stdout "density: white is"
 rm thin.svg dark.svg cloud.svg
 expect_exit 2 slices strands.toml -o no.png --voxel 0.5
-expect_stderr "--voxel: strands of the loop 'thin', of radius 0.2, would fall between voxels of 0.5"
+expect_stderr "--voxel: | 'thin' | radius 0.2 | voxels of 0.5"
 expect_one_message
 expect_exit 2 volume strands.toml -o no.vdb --voxel 0.5
-expect_stderr "--voxel: strands of the loop 'thin', of radius 0.2, would fall between voxels of 0.5"
+expect_stderr "--voxel: | 'thin' | radius 0.2 | voxels of 0.5"
 expect_one_message
 expect_exit 2 slices strands.toml -o no.png --memory-limit 0.01
-expect_stderr "--memory-limit: voxels of 0.2 would take"
+expect_stderr "--memory-limit: | 0.2"
 expect_stderr "--of NAME"
 expect_one_message
 # Refused.

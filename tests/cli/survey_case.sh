@@ -22,7 +22,7 @@ reason = "a lamp"
 TOML
 printf 'late.png 2019-03-01T22:10:07Z\n' >night/late.txt
 expect_exit 0 survey plan night/survey.toml -o plan.json
-expect_stdout "8 frames (1 skipped) in 3 blocks"
+expect_stdout "8 frames | 1 skipped | 3 blocks"
 
 query() { sqlite3 "$1" "$2" 2>/dev/null || python3 -c 'import sqlite3, sys
 for row in sqlite3.connect(sys.argv[1]).execute(sys.argv[2]): print("|".join(map(str, row)))' "$1" "$2"; }
@@ -41,7 +41,7 @@ expect_stdout "8 frames of 1 database"
 # In two shards and by several processes.
 expect_exit 0 survey run plan.json --out two --shard 2/2
 expect_exit 5 survey merge two -o part.sqlite
-expect_stdout "frames of the plan are not there yet"
+expect_stdout "not there yet"
 expect_exit 0 survey run plan.json --out two --shard 1/2
 expect_exit 0 survey merge two/shard-0002-of-0002.sqlite two/shard-0001-of-0002.sqlite -o two.sqlite
 expect_same whole.sqlite two.sqlite
@@ -139,10 +139,10 @@ expect_exit 2 survey merge whole -o whole.sqlite
 expect_exit 2 survey merge whole -o whole/shard-0001-of-0001.sqlite --overwrite
 mkdir begun && : >begun/shard-0001-of-0001.sqlite # what is left where a run ended before its first frame was kept
 expect_exit 2 survey merge begun -o none.sqlite
-expect_stderr "no frame has been measured yet"
+expect_stderr "no frame"
 expect_exit 0 survey run plan.json --out begun
 expect_exit 2 survey merge night -o none.sqlite
-expect_stderr "no shard in the folder"
+expect_stderr "no shard"
 expect_exit 3 survey merge plan.json -o none.sqlite
 expect_stderr "plan.json"
 expect_one_message
@@ -155,18 +155,18 @@ sed 's/"night"/"changed"/' plan.json >changed.json
 cp changed/scene.toml scene.toml
 sed -i 's/^bands = 4/bands = 5/' changed/scene.toml
 expect_exit 2 survey run changed.json --out other
-expect_stderr "the setup of a, calibration 1"
+expect_stderr "setup of a | calibration 1"
 [[ ! -e other ]] || fail "something was written"
 expect_exit 2 survey run changed.json --out other --local 2
 expect_one_message
 cp scene.toml changed/scene.toml
 expect_exit 2 survey run changed.json --out whole
-expect_stderr "is of another plan"
+expect_stderr "another plan"
 expect_exit 0 survey run changed.json --out other
 expect_exit 2 survey merge whole other -o none.sqlite
 expect_stderr "of 2 plans"
 expect_exit 0 survey merge whole other -o mixed.sqlite --mixed
-expect_stdout "of 2 plans and 1 version"
+expect_stdout "2 plans | 1 version"
 # A full disk keeps what was finished.
 (
   ulimit -f $(($(stat -c %s whole/shard-0001-of-0001.sqlite) / 1024 - 6)) # kB

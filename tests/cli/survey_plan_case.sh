@@ -18,7 +18,7 @@ reason = "a lamp"
 TOML
 printf '# not there yet\nb/frame.pgm#7 2019-03-01T22:10:02.5Z\n' >night/b.txt
 expect_exit 0 survey plan night/survey.toml -o plan.json
-expect_stdout "1 camera, 4 frames (1 skipped) in 2 blocks; about 7 s on one core: 1 shard"
+expect_stdout "1 camera | 4 frames | 1 skipped | 2 blocks | 7 s | 1 shard"
 grep -q '"folder": "night"' plan.json || fail "another folder"
 grep -qF '["a/20190301_221000.png",1551478200.0,"a lamp"]' plan.json || fail "no row of the first frame"
 grep -qF '["b/frame.pgm#7",1551478202.5]' plan.json || fail "no row of the last frame"
@@ -34,7 +34,7 @@ expect_exit 2 survey plan night/survey.toml -o plan.json
 expect_one_message
 expect_exit 0 survey plan night/survey.toml -o plan.json --overwrite
 expect_exit 2 survey plan night/survey.toml -o night/scene.toml --overwrite
-expect_stderr "a file of camera a"
+expect_stderr "camera a"
 expect_exit 3 survey plan night/none.toml -o none.json
 expect_exit 2 survey
 expect_stderr "which subcommand"

@@ -32,7 +32,7 @@ expect_exit 2 profile
 expect_only
 expect_exit 0 --help
 expect_stdout render
-expect_stdout "From a photograph to numbers:"
+expect_stdout "numbers:"
 # What an option takes, its default and its limits are words, not the library's types.
 expect_exit 0 render --help
 expect_stdout --overwrite

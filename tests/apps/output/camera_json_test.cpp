@@ -10,7 +10,7 @@
 
 #include "sim/render/beams/points.h"
 #include "sim/render/film.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::apps::camera_json_test {

@@ -84,7 +84,7 @@ TEST(PhotoLineRatios, AreMissingWithAReason) {
   const DerivedNumber none = photo_line_ratios(result).at(0);
   EXPECT_TRUE(std::isnan(none.value));
   EXPECT_FALSE(none.sigma);
-  EXPECT_NE(none.why_none.find("gain of its own"), std::string::npos);
+  EXPECT_NE(none.why_none.find("gain"), std::string::npos);
   result = lit_by({1.5, 6.0, 1.2});
   result.photos[0].best.emission.lines = {557.7};
   EXPECT_TRUE(photo_line_ratios(result).empty());

@@ -6,6 +6,7 @@
 
 #include "fit/answer/verdict.h"
 #include "sim/base/number/constants.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::fit::trust_test {
 namespace {
@@ -42,8 +43,7 @@ TEST(Trust, WhatIsNotToldSpoilsNothingElse) {
   EXPECT_EQ(r.derived[1].trust, Trust::good);
   EXPECT_EQ(r.derived[2].trust, Trust::unconstrained);
   EXPECT_EQ(r.derived[2].trust_reason, "the data do not determine it");
-  EXPECT_EQ(r.verdict_line,
-            "Doubtful: no error bar for length_km. Good all the same: distance, lower border.");
+  EXPECT_TRUE(tests::has_facts(r.verdict_line, "Doubtful | length_km | Good | distance | lower border"));
 }
 
 // Two answers: the distance is 2 km farther in the other one, the border 8 km higher.
@@ -65,9 +65,8 @@ TEST(Trust, BothErrorsCount) {
   r.derived[0].systematic = 15.0;  // 8 % of 200 km, with the statistical 4 km
   assess_quantities(r);
   EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
-  EXPECT_EQ(r.derived[0].trust_reason,
-            "the standard error is 7.8 % of the value: statistical 2 %, by the fit's choices 7.5 %");
-  EXPECT_EQ(r.verdict_line, "Doubtful: no error bar for length_km. Good all the same: lower border.");
+  EXPECT_TRUE(tests::has_facts(r.derived[0].trust_reason, "7.8 % | 2 % | 7.5 %"));
+  EXPECT_TRUE(tests::has_facts(r.verdict_line, "Doubtful | length_km | Good | lower border"));
 }
 
 TEST(Trust, NothingIsGoodOfAPictureThatIsNotExplained) {
@@ -77,7 +76,7 @@ TEST(Trust, NothingIsGoodOfAPictureThatIsNotExplained) {
   EXPECT_EQ(r.derived[0].trust, Trust::doubtful);
   EXPECT_EQ(r.derived[0].trust_reason, "chi2 per degree of freedom is 12");
   EXPECT_EQ(r.derived[2].trust, Trust::unconstrained);
-  EXPECT_EQ(r.verdict_line.find("Good all the same"), std::string::npos);
+  EXPECT_EQ(r.verdict_line.find("Good"), std::string::npos);
 }
 
 TEST(Trust, ALimitCountsAgainstWhatDependsOnIt) {

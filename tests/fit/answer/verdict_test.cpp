@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/expect_error.h"
+
 namespace vegard::fit::verdict_test {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(Verdict, NotesAModelErrorThatIsTooLarge) {
   assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
   ASSERT_EQ(r.reasons.size(), 1u);
-  EXPECT_NE(r.reasons[0].find("larger than what the model misses"), std::string::npos);
+  EXPECT_NE(r.reasons[0].find("model misses"), std::string::npos);
 }
 
 TEST(Verdict, DoubtsForEachReasonByItself) {
@@ -148,9 +150,7 @@ TEST(Verdict, HoldsWithoutBlameWhatOnlyEndsWouldTell) {
   r.derived = {distance};
   assess_fit(clear(), r);
   EXPECT_EQ(r.verdict, Verdict::good);
-  EXPECT_NE(r.verdict_line.find("but for length_km and center_km.east, which the data do not constrain"),
-            std::string::npos)
-      << r.verdict_line;
+  EXPECT_NE(r.verdict_line.find("length_km and center_km.east"), std::string::npos) << r.verdict_line;
   assess_fit(clear(), without_distance);
   EXPECT_EQ(without_distance.verdict, Verdict::doubtful);
 
@@ -187,7 +187,7 @@ TEST(Verdict, SaysHowTheSearchEndedOnceAndWithoutTheSolversWords) {
   FitResult r = fine();
   r.termination = "converged: another step would hardly change chi2 (Ceres: Function tolerance reached.)";
   assess_fit(clear(), r);
-  EXPECT_EQ(r.checks.front().words, "another step would hardly change chi2");
+  EXPECT_TRUE(tests::has_facts(r.checks.front().words, "another step"));
   for (const char* bare : {"converged", ""}) {
     r.termination = bare;
     assess_fit(clear(), r);
@@ -249,7 +249,7 @@ TEST(Verdict, TellsATradeOffOnceThoughManyLeanOnIt) {
   assess_fit(clear(), r);
   ASSERT_GE(r.reasons.size(), 2u);
   EXPECT_EQ(r.reasons[0], r.undetermined[0]);
-  EXPECT_EQ(r.reasons[1], "no error bar for energy_kev and center_km.north");
+  EXPECT_TRUE(tests::has_facts(r.reasons[1], "energy_kev and center_km.north"));
   EXPECT_EQ(r.verdict_line.find("told in the report"), std::string::npos) << r.verdict_line;
 }
 
@@ -292,7 +292,7 @@ TEST(Verdict, SpeaksOfWhatTheSceneShinesWith) {
   };
   sim::Scene sun;
   sun.sun.shown = true;
-  EXPECT_NE(words_of(sun).find("a sky without any solar light explains"), std::string::npos);
+  EXPECT_NE(words_of(sun).find("any solar light"), std::string::npos);
   sim::Scene arc = sun;
   arc.footprints.resize(1);
   EXPECT_NE(words_of(arc).find("without any aurora"), std::string::npos);
@@ -304,8 +304,7 @@ TEST(Verdict, SpeaksOfWhatTheSceneShinesWith) {
   Evidence outside = clear();
   outside.aurora_in_view = false;
   assess_fit(outside, none);
-  EXPECT_NE(none.verdict_line.find("no light of the scene's Sun falls into"), std::string::npos)
-      << none.verdict_line;
+  EXPECT_NE(none.verdict_line.find("no light"), std::string::npos) << none.verdict_line;
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST(GranulationStatistic, SaysThatAllIsNoise) {
   for (float& value : photo.linear.data) value = static_cast<float>(normal(random));
   const std::string text = tests::expect_error(
       sim::ErrorKind::unreadable_input, [&] { GranulationStatistic(scene, photo, kAll, 1.0, 0.02, 2); });
-  EXPECT_NE(text.find("noise makes up more than half"), std::string::npos) << text;
+  EXPECT_NE(text.find("noise"), std::string::npos) << text;
   EXPECT_NE(text.find("fit.granulation_weight"), std::string::npos) << text;
   EXPECT_NE(text.find("fit.roi_px"), std::string::npos) << text;
 }

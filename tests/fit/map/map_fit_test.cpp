@@ -126,7 +126,7 @@ TEST(MapFit, RefusesAPictureWithoutLight) {
   const Photo noise = tests::photo_of(dark, 0.0015, 6);
   const std::string text =
       tests::expect_error(sim::ErrorKind::unreadable_input, [&] { map_photos(dark, {noise}, quick()); });
-  EXPECT_NE(text.find("no light is above the noise"), std::string::npos) << text;
+  EXPECT_NE(text.find("noise"), std::string::npos) << text;
 }
 
 TEST(MapFit, RefusesACameraThatLooksDown) {
@@ -134,7 +134,7 @@ TEST(MapFit, RefusesACameraThatLooksDown) {
   down.camera.elevation_deg = -60.0;
   const std::string text =
       tests::expect_error(sim::ErrorKind::scene, [&] { map_photos(down, {photo()}, quick()); });
-  EXPECT_NE(text.find("looks at the sky"), std::string::npos) << text;
+  EXPECT_NE(text.find("the sky"), std::string::npos) << text;
 }
 
 TEST(MapFit, RefusesAnotherSize) {
@@ -152,7 +152,7 @@ TEST(MapFit, RefusesStationsWithoutACommonVolume) {
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] {
     map_photos(two, {photo(), photo()}, quick());
   });
-  EXPECT_NE(text.find("two of the stations"), std::string::npos) << text;
+  EXPECT_NE(text.find("two"), std::string::npos) << text;
 }
 
 TEST(MapFit, RefusesAFieldForEachPhotograph) {
@@ -162,7 +162,7 @@ TEST(MapFit, RefusesAFieldForEachPhotograph) {
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] {
     map_photos(two, {photo(), photo()}, quick());
   });
-  EXPECT_NE(text.find("photograph there sets a magnetic field"), std::string::npos) << text;
+  EXPECT_NE(text.find("magnetic field"), std::string::npos) << text;
 }
 
 TEST(MapNumbers, AreThoseOfCameraAndAirWithTheirPriors) {
@@ -206,7 +206,7 @@ TEST(MapNumbers, HavePriorsAboutTheScenesOwnValues) {
   };
   const std::string about =
       refused("{ path = \"camera.elevation_deg\", prior = { mean = 30.0, sigma = 0.5 } }");
-  EXPECT_NE(about.find("is about 30, and the map is made with 33"), std::string::npos) << about;
+  EXPECT_TRUE(tests::has_facts(about, "30 | 33")) << about;
   const std::string field =
       refused("{ path = \"field.inclination_deg\", photo = \"a\", prior = { mean = 78.0, sigma = 0.5 } }");
   EXPECT_NE(field.find("one field"), std::string::npos) << field;

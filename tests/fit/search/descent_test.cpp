@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fit/compare/observation.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"
@@ -56,8 +57,7 @@ TEST(Descent, EndsAfterTwoStepsInARowThatAreOfNoAccount) {
   const Descent early = fit.down(weight);
   EXPECT_EQ(fit.trace.size(), 3u) << "the start and two steps";
   EXPECT_TRUE(early.converged);
-  EXPECT_EQ(early.termination.rfind("converged: the last steps hardly changed chi2 (Ceres: ", 0), 0u)
-      << early.termination;
+  EXPECT_TRUE(tests::has_facts(early.termination, "converged | (Ceres: "));
   EXPECT_EQ(early.values, fit.trace.back().values) << "the last step counts";
   EXPECT_DOUBLE_EQ(early.chi2, fit.trace.back().chi2);
   EXPECT_LT(early.chi2, early.chi2_initial);
@@ -91,7 +91,7 @@ TEST(Descent, SaysThatTheEvaluationsRanOutOnTheWay) {
   fit.log.limit = 3;
   const Descent cut = fit.down(1.0);
   EXPECT_FALSE(cut.converged);
-  EXPECT_EQ(cut.termination, "stopped: the evaluations ran out");
+  EXPECT_TRUE(tests::has_facts(cut.termination, "evaluations"));
   EXPECT_LE(cut.chi2, cut.chi2_initial);
   EXPECT_LE(fit.log.residuals, 4) << "the step under way is finished";
 }

@@ -8,6 +8,7 @@
 #include "fit/photo/mask/mask_picture.h"
 #include "sim/base/file/sha256.h"
 #include "tests/fit/survey/made_answers.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"
 #include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/frames/made_frames.h"
@@ -53,15 +54,15 @@ class SurveyOfFiles {
 
 TEST(SurveyFrame, ThatCannotBeHadSaysWhy) {
   SurveyOfFiles survey({"none.png", "junk.png", "folder", "a.png#3", "a.png"});
-  survey.put("junk.png", "no picture at all");
+  survey.put("junk.png", "no picture");
   survey.put("a.png", SurveyOfFiles::png(40, 30));
   std::filesystem::create_directories(survey.path("folder"));
   const FrameAnswer none = *survey.answer(0), junk = *survey.answer(1);
   EXPECT_EQ(none.status, FrameStatus::missing);
-  EXPECT_EQ(none.reason, "there is no such file");
+  EXPECT_TRUE(tests::has_facts(none.reason, "no such file"));
   EXPECT_FALSE(none.sha256);
   EXPECT_EQ(junk.status, FrameStatus::unreadable);
-  EXPECT_EQ(junk.sha256, sim::sha256("no picture at all"));
+  EXPECT_EQ(junk.sha256, sim::sha256("no picture"));
   ASSERT_TRUE(junk.reason);
   EXPECT_EQ(junk.reason->find(survey.path("")), std::string::npos) << *junk.reason;  // of no machine
   EXPECT_EQ(survey.answer(2)->reason, "is a directory");
@@ -130,7 +131,7 @@ TEST(SurveyFrame, MayBePackedAndIsToBeChosenAmongMany) {
   EXPECT_EQ(packed.status, FrameStatus::done) << packed.reason.value_or("");
   EXPECT_EQ(packed.sha256, sim::sha256(one));
   EXPECT_EQ(unchosen.status, FrameStatus::unreadable);
-  EXPECT_NE(unchosen.reason->find("more than one picture"), std::string::npos) << *unchosen.reason;
+  EXPECT_NE(unchosen.reason->find("one picture"), std::string::npos) << *unchosen.reason;
   EXPECT_EQ(unchosen.sha256, sim::sha256(many));
   EXPECT_EQ(fits.status, FrameStatus::done) << fits.reason.value_or("");
 }

@@ -142,13 +142,11 @@ TEST(SurveyFrames, AreRefusedWhereTheyTellNoTimeOrAreNotThere) {
   };
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"in.png\"").find("has no time"), std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"list.txt\"").find("list.txt:2"), std::string::npos);
-  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none\"").find("there is no such file"),
-            std::string::npos);
+  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none\"").find("no such file"), std::string::npos);
   EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"none.txt\"").find("none.txt"), std::string::npos);
   put(folder / "many_20190301_221000.pgm", "P5 1 1 255\nxP5 1 1 255\ny");
-  EXPECT_NE(error_of(sim::ErrorKind::unreadable_input, "\"many_20190301_221000.pgm\"")
-                .find("frame 0 of 'many_20190301_221000.pgm' has no time"),
-            std::string::npos);
+  EXPECT_TRUE(tests::has_facts(error_of(sim::ErrorKind::unreadable_input, "\"many_20190301_221000.pgm\""),
+                               "frame 0 | 'many_20190301_221000.pgm'"));
   EXPECT_NE(error_of(sim::ErrorKind::scene, "\"empty\"").find("has no frame"), std::string::npos);
 }
 

@@ -75,7 +75,7 @@ TEST(SurveyPlan, CutsBlocksAtCalibrationsGapsAndLengths) {
   EXPECT_EQ(counts, (std::vector<int>{2, 4, 4, 2, 3, 3, 1}));
   EXPECT_EQ(firsts, (std::vector<int>{0, 2, 6, 10, 12, 15, 18}));
   EXPECT_EQ(plan.frames(), 19);
-  EXPECT_EQ(plan.blocks[0].frames[1].skip, "the camera has no calibration for this time");
+  EXPECT_TRUE(tests::has_facts(plan.blocks[0].frames[1].skip, "no calibration"));
   EXPECT_EQ(plan.blocks[5].frames[0].skip, "a lamp");
   EXPECT_EQ(plan.blocks[5].seconds, 20.0);
   EXPECT_EQ(plan.seconds(), 16 * 10.0);

@@ -88,7 +88,7 @@ TEST(SurveyResults, OfAnotherPlanOrVersionAreRefused) {
     return tests::expect_error(sim::ErrorKind::existing_output,
                                [&] { ShardResults results(folder / "a.sqlite", plan); });
   };
-  EXPECT_NE(words_of().find("is of another plan"), std::string::npos);
+  EXPECT_NE(words_of().find("another plan"), std::string::npos);
   plan = made_survey_plan(1, 2);
   {
     SqliteFile file(folder / "a.sqlite", SqliteFile::Opening::write);
@@ -157,7 +157,7 @@ TEST(SurveyResults, AreRefusedWhereTheyAreNone) {
     EXPECT_NE(words.find("b.sqlite"), std::string::npos) << words;
     return words;
   };
-  EXPECT_NE(refused("PRAGMA application_id = 5").find("no database of a survey"), std::string::npos);
+  EXPECT_NE(refused("PRAGMA application_id = 5").find("no database"), std::string::npos);
   EXPECT_NE(refused("PRAGMA user_version = 2").find("another version"), std::string::npos);
   refused("CREATE TABLE more (a)");
   refused("DROP TABLE result");

@@ -152,7 +152,7 @@ TEST(SurveyToml, AsksForACameraWithItsCalibration) {
     FAIL() << "was read";
   } catch (const sim::Error& error) {
     EXPECT_EQ(error.details().line, 4);
-    EXPECT_NE(error.details().problem.find("no calibration and no scene"), std::string::npos);
+    EXPECT_NE(error.details().problem.find("no calibration"), std::string::npos);
   }
 }
 
@@ -170,7 +170,7 @@ TEST(SurveyToml, IsRefusedWithoutItsHead) {
     FAIL() << "was read";
   } catch (const sim::Error& error) {
     EXPECT_EQ(error.details().key, "survey");
-    EXPECT_NE(error.details().problem.find("there is no table [survey]"), std::string::npos);
+    EXPECT_NE(error.details().problem.find("[survey]"), std::string::npos);
   }
 }
 

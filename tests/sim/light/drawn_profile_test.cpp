@@ -87,7 +87,7 @@ TEST(DrawnProfile, WithoutGreenLightHasNoBrightness) {
   EXPECT_NE(message(scene).find("cannot be reached"), std::string::npos);
   scene = scene_with_table("altitude_km,6300\n100,1\n110,1\n", {630.0});
   scene.sheets[0].brightness_kilorayleigh = 1.0;
-  EXPECT_NE(message(scene).find("no column of 557.7 nm"), std::string::npos);
+  EXPECT_NE(message(scene).find("557.7 nm"), std::string::npos);
 }
 
 }  // namespace

@@ -159,13 +159,11 @@ TEST(OwnLight, ThatNobodyWouldSeeIsTold) {
     for (const std::string& line : inert_keys(parse_scene(text, "a.toml"))) all += line + "\n";
     return all;
   };
-  EXPECT_NE(told("[[line]]\nname = \"x\"\nwavelength_nm = 500.0\n[[sheet]]\n")
-                .find("a.toml:3: line.x.wavelength_nm: the line is not among emission.lines"),
-            std::string::npos);
+  EXPECT_TRUE(tests::has_facts(told("[[line]]\nname = \"x\"\nwavelength_nm = 500.0\n[[sheet]]\n"),
+                               "a.toml:3: | line.x.wavelength_nm: | emission.lines"));
   const std::string shown = "[emission]\nlines = [500.0]\n[[sheet]]\n";
-  EXPECT_NE(
-      told("[[line]]\nname = \"x\"\nwavelength_nm = 500.0\n" + shown).find("nothing makes the line shine"),
-      std::string::npos);
+  EXPECT_NE(told("[[line]]\nname = \"x\"\nwavelength_nm = 500.0\n" + shown).find("nothing"),
+            std::string::npos);
   EXPECT_NE(
       told("[[line]]\nname = \"x\"\nwavelength_nm = 500.0\nratio = 2\n" + shown).find("follows no other"),
       std::string::npos);
@@ -178,18 +176,15 @@ TEST_P(BadOwnLine, IsRefusedInItsLine) { expect_refused(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     OwnLight, BadOwnLine,
-    ::testing::Values(Bad{"unknown", "[emission]\nlines = [557.7,\n500.0]\n", 3, "emission.lines",
-                          "no emission line at 500 nm | one of 9.4"},
-                      Bad{"twice", "[[line]]\nname = \"a\"\n[[line]]\nname = \"b\"\nwavelength_nm = 486.12\n",
-                          5, "line.b.wavelength_nm", "'a' and 'b' are both at 486.12 nm"},
-                      Bad{"bands", "[[line]]\nwavelength_nm = 670.5\n", 2, "line.line.wavelength_nm",
-                          "is the name of a set"},
-                      Bad{"follows", "[[line]]\nfollows_nm = 656.3\n", 2, "line.line.follows_nm",
-                          "the emission tables have no light of 656.3 nm | 0, or one of 337.1"},
-                      Bad{"both", "[[line]]\nfollows_nm = 557.7\nrayleigh_per_mw_m2 = 3\n", 3,
-                          "line.line.rayleigh_per_mw_m2", "one of the two"},
-                      Bad{"dark_layers", "[[sheet]]\nprofile = \"layer\"\n", 2, "sheet.main.profile",
-                          "nothing shines"}),
+    ::testing::Values(
+        Bad{"unknown", "[emission]\nlines = [557.7,\n500.0]\n", 3, "emission.lines", "500 nm | 9.4"},
+        Bad{"twice", "[[line]]\nname = \"a\"\n[[line]]\nname = \"b\"\nwavelength_nm = 486.12\n", 5,
+            "line.b.wavelength_nm", "'a' | 'b' | 486.12 nm"},
+        Bad{"bands", "[[line]]\nwavelength_nm = 670.5\n", 2, "line.line.wavelength_nm", "a set"},
+        Bad{"follows", "[[line]]\nfollows_nm = 656.3\n", 2, "line.line.follows_nm", "656.3 nm | 337.1"},
+        Bad{"both", "[[line]]\nfollows_nm = 557.7\nrayleigh_per_mw_m2 = 3\n", 3,
+            "line.line.rayleigh_per_mw_m2", "one of"},
+        Bad{"dark_layers", "[[sheet]]\nprofile = \"layer\"\n", 2, "sheet.main.profile", "nothing shines"}),
     [](const auto& info) { return std::string(info.param.what); });
 
 }  // namespace

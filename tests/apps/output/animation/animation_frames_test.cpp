@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::apps::animation_frames_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,14 +67,14 @@ TEST(TarFrames, AreInTheOrderOfTheirTimes) {
   EXPECT_EQ(metadata.site, "gill");
   EXPECT_EQ(metadata.imager, "rgb-04");
   EXPECT_EQ(metadata.mode, "burst");
-  EXPECT_EQ(metadata.sources.header_time, "PNG's name in the tar");
+  EXPECT_TRUE(tests::has_facts(metadata.sources.header_time, "PNG's name"));
 }
 
 TEST(TarFrames, AreRefusedWhereTheTarIsDamaged) {
   tests::TemporaryFolder folder;
   const std::string whole = tests::bytes_of(kTar);
   tests::put(folder / "cut.png.tar", whole.substr(0, 1100));
-  expect_words(ErrorKind::unreadable_input, {"cut.png.tar", "damaged or cut short"},
+  expect_words(ErrorKind::unreadable_input, {"cut.png.tar", "damaged"},
                [&] { frame_index(folder / "cut.png.tar"); });
   std::string other = whole;
   other[512 + 1] = 'X';
@@ -84,8 +84,7 @@ TEST(TarFrames, AreRefusedWhereTheTarIsDamaged) {
     }
   });
   const std::string nothing = header_of("readme.txt", "00000000000") + std::string(1024, '\0');
-  expect_words(ErrorKind::unreadable_input, {"it", "no PNG in this tar"},
-               [&] { FrameReader(nothing, "it"); });
+  expect_words(ErrorKind::unreadable_input, {"it", "no PNG"}, [&] { FrameReader(nothing, "it"); });
 }
 
 TEST(TarFrames, MakeNoRoomForWhatAHeaderPromises) {
@@ -93,7 +92,7 @@ TEST(TarFrames, MakeNoRoomForWhatAHeaderPromises) {
   expect_words(ErrorKind::unreadable_input, {"it", "claims 8589934591 bytes"},
                [&] { FrameReader(bomb, "it"); });
   const std::string short_one = header_of("a.png", "00100000000") + std::string(1024, '\0');
-  expect_words(ErrorKind::unreadable_input, {"it", "damaged or cut short"}, [&] {
+  expect_words(ErrorKind::unreadable_input, {"it", "damaged"}, [&] {
     FrameReader reader(short_one, "it");
     reader.next();
   });

@@ -48,7 +48,7 @@ TEST(LevelDoubt, TellsHowWrongTheTimeMayBe) {
   EXPECT_LT(wrong.rms_px, 1e-6);
   // cos of the angle between two places of the same declination, an hour apart: 15.041 cos 67 deg = 5.87.
   const std::string words = fit::level_doubt(wrong, {"--camera looks to the zenith", 67.0});
-  EXPECT_NE(words.find("its axis is 5.9 deg from the zenith"), std::string::npos) << words;
+  EXPECT_NE(words.find("5.9 deg"), std::string::npos) << words;
   EXPECT_NE(words.find("1 h 0 min"), std::string::npos) << words;
 }
 
@@ -68,12 +68,11 @@ TEST(LevelDoubt, BlamesNoTimeForATiltToThePole) {
   fit::SkyCamera truth = known_camera(sim::LensModel::equidistant, 150.0, 0.0, 75.0, 0.0);
   const fit::Calibration tilted = fit::calibrate(plain(), star_field(truth, 25, 0.0, 31), kFrame, "stars");
   const std::string words = fit::level_doubt(tilted, {"it is level", 60.0});
-  EXPECT_NE(words.find("15.0 deg from the zenith; no error of the time"), std::string::npos) << words;
+  EXPECT_TRUE(tests::has_facts(words, "15.0 deg | time")) << words;
 }
 
 TEST(TimeAndSiteDoubt, IsSaidWhereTheTurnsWereFree) {
-  EXPECT_NE(fit::time_and_site_doubt(with_wrong_time(0.0, 67.0)).find("cannot reveal a wrong time"),
-            std::string::npos);
+  EXPECT_NE(fit::time_and_site_doubt(with_wrong_time(0.0, 67.0)).find("wrong time"), std::string::npos);
   const fit::SkyCamera truth = known_camera(sim::LensModel::equidistant, 150.0, 30.0, 80.0, 10.0);
   fit::LensSettings held;
   held.start = truth;
@@ -106,8 +105,7 @@ TEST(UnseenStars, AreThoseInViewWithoutAPointOfLight) {
   EXPECT_EQ(unseen.stars[1].name, "star 12");
   EXPECT_EQ(unseen.stars[2].name, "star 14");
   const std::string words = fit::words_of(unseen);
-  EXPECT_EQ(words.find("3 of the 14 stars to magnitude 2.5 in view have no point of light within 3.0 px"), 0u)
-      << words;
+  EXPECT_TRUE(tests::has_facts(words, "3 of the 14 | magnitude 2.5 | 3.0 px"));
   EXPECT_NE(words.find("star 10 (magnitude 1.0) at ("), std::string::npos) << words;
   EXPECT_EQ(fit::words_of(fit::UnseenStars()), "");
 }
@@ -122,7 +120,7 @@ TEST(StarPlaces, OfAnotherPicturesSizeAreRefused) {
   stars[0].line = 0;
   const std::string words = expect_error(sim::ErrorKind::unreadable_input,
                                          [&] { fit::check_star_places(stars, kFrame, "stars.csv"); });
-  EXPECT_NE(words.find("outside of the picture of 640 x 480 px"), std::string::npos) << words;
+  EXPECT_NE(words.find("640 x 480 px"), std::string::npos) << words;
 }
 
 }  // namespace

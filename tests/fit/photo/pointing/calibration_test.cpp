@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "tests/support/expect_error.h"
-#include "tests/support/expect_words.h"
 #include "tests/support/star_field.h"
 
 namespace vegard::tests::calibration_test {
@@ -236,7 +235,7 @@ TEST(StarCheck, RefusesStarsThatTellNothing) {
     return expect_error(sim::ErrorKind::unreadable_input,
                         [&] { fit::calibrate({}, some, kFrame, "stars.csv"); });
   };
-  EXPECT_NE(refused({}).find("0 stars for a camera of 6 numbers"), std::string::npos);
+  EXPECT_TRUE(tests::has_facts(refused({}), "0 stars | 6 numbers"));
   EXPECT_NE(refused({stars.begin(), stars.begin() + 4}).find("expected at least 5"), std::string::npos);
   auto line = stars, point = stars, same_star = stars;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -245,9 +244,9 @@ TEST(StarCheck, RefusesStarsThatTellNothing) {
     point[i].y_px = 20.0;
     same_star[i].enu = stars[0].enu;
   }
-  EXPECT_NE(refused(line).find("one line of the picture"), std::string::npos);
-  EXPECT_NE(refused(point).find("one point of the picture"), std::string::npos);
-  EXPECT_NE(refused(same_star).find("one point of the sky"), std::string::npos);
+  EXPECT_NE(refused(line).find("one line"), std::string::npos);
+  EXPECT_TRUE(tests::has_facts(refused(point), "one point | picture"));
+  EXPECT_TRUE(tests::has_facts(refused(same_star), "one point | sky"));
 }
 
 TEST(HeldLens, OnlyTheRotationMoves) {

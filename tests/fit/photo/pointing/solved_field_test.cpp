@@ -89,15 +89,14 @@ TEST(SolvedField, WhatIsNoneIsRefused) {
     auto columns = one_star();
     for (FitsColumn& column : columns)
       if (column.name == name) column.name = "other";
-    EXPECT_NE(refused(columns).find(std::string("crop.corr: this FITS table has no column ") + name),
-              std::string::npos);
+    EXPECT_TRUE(tests::has_facts(refused(columns), std::string("crop.corr | ") + name));
   }
   auto columns = one_star();
   for (FitsColumn& column : columns) column.values.clear();
   EXPECT_NE(refused(columns).find("no rows"), std::string::npos);
   columns = one_star();
   columns[4].values[0] = 91.0;
-  EXPECT_NE(refused(columns).find("index_dec of row 1 is out of range"), std::string::npos);
+  EXPECT_TRUE(tests::has_facts(refused(columns), "index_dec | row 1"));
   columns[4].values[0] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refused(columns).find("index_dec of row 1"), std::string::npos);
   const std::string whole = fits_table(one_star());

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::rayleigh_camera_test {

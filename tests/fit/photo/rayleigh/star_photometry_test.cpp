@@ -17,7 +17,7 @@
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/star_flux.h"
 #include "sim/view/sky/star_place.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/star_field.h"
 
 namespace vegard::fit::star_photometry_test {

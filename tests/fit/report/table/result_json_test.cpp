@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/version.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/small_fit.h"
 
 namespace vegard::fit::result_json_test {
@@ -92,7 +93,7 @@ TEST(ResultJson, SaysNullForWhatIsUnknownOrNotFinite) {
   EXPECT_TRUE(json["correlation"][0][1].is_null());
   EXPECT_TRUE(json["parameters"][1]["sigma"].is_null());
   EXPECT_TRUE(json["parameters"][1]["interval68"].is_null());
-  EXPECT_EQ(json["parameters"][1]["why_no_sigma"], "the data do not determine it");
+  EXPECT_TRUE(tests::has_facts(json["parameters"][1]["why_no_sigma"], "do not determine"));
   EXPECT_TRUE(json["parameters"][0]["why_no_sigma"].is_null());
   EXPECT_TRUE(json["parameters"][1]["min"].is_null());
   EXPECT_TRUE(json["solved"][1]["sigma"].is_null());

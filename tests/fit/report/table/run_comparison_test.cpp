@@ -59,7 +59,7 @@ TEST(ReadRun, RefusesWhatIsNone) {
   const auto text = [&] {
     return tests::expect_error(sim::ErrorKind::unreadable_input, [&] { read_run(directory); });
   };
-  EXPECT_NE(text().find("there is no such file"), std::string::npos);
+  EXPECT_NE(text().find("no such file"), std::string::npos);
   tests::put(folder / "result.json", "[1]");
   EXPECT_NE(text().find("no JSON"), std::string::npos);
   tests::put(folder / "result.json", "{\"verdict\": \"good\"}");
@@ -76,8 +76,8 @@ TEST(ComparedRuns, TheLeastBicIsTheBest) {
   EXPECT_NEAR(c.runs[2].bic_difference, std::log(c.independent_values) - 1.0, 0.1);
   EXPECT_NEAR(c.runs[0].aic_difference, 34.0, 1.0);
   ASSERT_EQ(c.sentences.size(), 2u);
-  EXPECT_NE(c.sentences[0].find("two explains it better than one"), std::string::npos) << c.sentences[0];
-  EXPECT_NE(c.sentences[1].find("two explains it better than three"), std::string::npos) << c.sentences[1];
+  EXPECT_TRUE(tests::has_facts(c.sentences[0], "two | better than one")) << c.sentences[0];
+  EXPECT_TRUE(tests::has_facts(c.sentences[1], "two | better than three")) << c.sentences[1];
 }
 
 TEST(ComparedRuns, AreOfTheSameData) {

@@ -119,7 +119,7 @@ TEST(SurveyReport, CountsWhatTheFramesSay) {
   EXPECT_EQ(digest.failures.count("fit refused: the file ends after \u2026 bytes <script>"), 1u);
   const NightDigest other = digest_night(reader, {"abisko", {{0, 36}}}, {});
   EXPECT_TRUE(other.energies.empty());
-  EXPECT_EQ(other.why_no_flux, "no gain is known");
+  EXPECT_TRUE(tests::has_facts(other.why_no_flux, "no gain"));
 }
 
 TEST(SurveyReport, KnowsWhereACurtainStood) {
@@ -164,12 +164,12 @@ TEST(SurveyReport, WritesAPageForEachNightAndOneForAll) {
   EXPECT_NE(report.why_no_keogram.find("--plan"), std::string::npos);
   const std::string index = bytes_of(folder / "pages/index.html"),
                     night = bytes_of(folder / "pages/night-2019-03-01.html");
-  EXPECT_NE(index.find("144 frames of 2 cameras in 2 nights"), std::string::npos);
+  EXPECT_TRUE(tests::has_facts(index, "144 frames | 2 cameras | 2 nights"));
   EXPECT_NE(index.find("<a href=\"night-2019-03-02.html\">"), std::string::npos);
-  EXPECT_NE(night.find("72 frames of 2 cameras, 20:00 to 01:50 UTC"), std::string::npos);
+  EXPECT_TRUE(tests::has_facts(night, "72 frames | 2 cameras | 20:00 | 01:50"));
   EXPECT_NE(night.find("night-2019-03-02.html\">2019-03-02"), std::string::npos);
   for (const std::string& page : {index, night}) {
-    EXPECT_NE(page.find("there is no such file"), std::string::npos);
+    EXPECT_NE(page.find("no such file"), std::string::npos);
     EXPECT_NE(page.find("bytes &lt;script&gt;"), std::string::npos);
     // Nothing is run, and nothing is fetched.
     EXPECT_EQ(page.find("<script"), std::string::npos);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/temporary_folder.h"
 

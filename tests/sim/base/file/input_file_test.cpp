@@ -44,7 +44,7 @@ TEST(InputFile, IsReadUpToALimitThatIsSaid) {
   EXPECT_EQ(refused.problem, "is larger than 1 kB");
   EXPECT_TRUE(refused.bytes.empty());
   // It says that it is empty, and is not.
-  EXPECT_EQ(read_input("/proc/self/status", 10).problem, "is larger than 10 bytes");
+  EXPECT_TRUE(tests::has_facts(read_input("/proc/self/status", 10).problem, "10 bytes"));
 }
 
 // Each of these would wait, or go on, for ever.
@@ -67,16 +67,15 @@ TEST(InputFile, OnlyRegularFilesAreRead) {
     EXPECT_EQ(why_no_input(folder / name), problem) << name;
     return problem;
   };
-  EXPECT_EQ(why("pipe"), "is a pipe, not a file");
-  EXPECT_EQ(why("device"), "is a device, not a file");
+  EXPECT_TRUE(tests::has_facts(why("pipe"), "is a pipe"));
+  EXPECT_TRUE(tests::has_facts(why("device"), "is a device"));
   EXPECT_EQ(why("folder"), "is a directory");
-  EXPECT_EQ(why("socket"), "is a socket, not a file");
-  EXPECT_EQ(why("nowhere"), "there is no such file");
+  EXPECT_TRUE(tests::has_facts(why("socket"), "is a socket"));
+  EXPECT_TRUE(tests::has_facts(why("nowhere"), "no such file"));
   ::close(descriptor);
   const std::string message = tests::expect_error(ErrorKind::unreadable_input,
-                                                  [&] { input_bytes(folder / "pipe", "a table of stars"); });
-  EXPECT_NE(message.find("pipe: is a pipe, not a file (expected a table of stars)"), std::string::npos)
-      << message;
+                                                  [&] { input_bytes(folder / "pipe", "table of stars"); });
+  EXPECT_TRUE(tests::has_facts(message, "pipe: | is a pipe | table of stars")) << message;
 }
 
 }  // namespace

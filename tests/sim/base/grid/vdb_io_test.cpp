@@ -163,7 +163,7 @@ TEST(VdbIo, RefusesTwoGridsOfOneName) {
   sim::VdbOptions options;
   options.colour_of_channel = {{1.0f, 1.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
   sim::write_vdb(folder / "a.vdb", std::move(grid), {}, options);
-  EXPECT_NE(refusal(folder / "a.vdb", {"color"}).find("several grids called 'color'"), std::string::npos);
+  EXPECT_NE(refusal(folder / "a.vdb", {"color"}).find("'color'"), std::string::npos);
   EXPECT_EQ(sim::read_vdb(folder / "a.vdb", {"density"}).grid.channels.size(), 1u);
 }
 
@@ -294,14 +294,14 @@ TEST(VdbIo, ATreeThatTheLibraryWouldBelieveIsRefusedBeforeIt) {
   EXPECT_NE(refused_with(root.buffers, number(2)).find("several buffers"), std::string::npos);
   EXPECT_NE(refused_with(root.tiles, number(0x7FFFFFFF)).find("more nodes"), std::string::npos);
   EXPECT_NE(refused_with(root.children, number(0x7FFFFFFF)).find("more nodes"), std::string::npos);
-  EXPECT_NE(refused_with(root.first_node, number(4095)).find("at no place of a node"), std::string::npos);
+  EXPECT_NE(refused_with(root.first_node, number(4095)).find("no place"), std::string::npos);
   // A child where there is a number, too.
   EXPECT_NE(
       refused_with(root.first_masks + 4096, whole.substr(root.first_masks, 4096)).find("number as well"),
       std::string::npos);
   // A tile in place of the node: its yes or no would be a byte that is neither.
   const std::string tile = number(1) + number(0) + number(0) + number(0) + number(0) + number(0) + "\x07";
-  EXPECT_NE(refused_with(root.tiles, tile).find("a yes or no"), std::string::npos);
+  EXPECT_NE(refused_with(root.tiles, tile).find("yes or no"), std::string::npos);
   // A packed length of terabytes.
   const std::size_t numbers = root.first_masks + 2 * 4096 + 1;
   const std::int64_t terabytes = std::int64_t{3} << 40;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/base/number/random.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::volumegrid_text_test {
@@ -180,7 +180,7 @@ TEST(VolumegridText, SaysWhatIsWrongAndWhere) {
     words.push_back("a.pbrt");
     tests::expect_words(ErrorKind::unreadable_input, words, [&] { sim::read_volumegrid(folder / "a.pbrt"); });
   }
-  tests::expect_words(ErrorKind::unreadable_input, {"there is no such file"},
+  tests::expect_words(ErrorKind::unreadable_input, {"no such file"},
                       [&] { sim::read_volumegrid(folder / "b.pbrt"); });
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/error.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::sim::mask5_test {
 namespace {
@@ -59,13 +60,13 @@ TEST(Mask5, RefusesWhatIsNoMaskAndSaysWhere) {
   const ErrorDetails word = complaint("1 2\n3 four\n");
   EXPECT_EQ(word.line, 2);
   EXPECT_EQ(word.file, "mask.csv");
-  EXPECT_EQ(word.problem, "'four' is no number");
-  EXPECT_EQ(complaint("1 inf").problem, "'inf' is no number");
+  EXPECT_TRUE(tests::has_facts(word.problem, "'four'"));
+  EXPECT_TRUE(tests::has_facts(complaint("1 inf").problem, "'inf'"));
   EXPECT_EQ(complaint("1 +").problem, "'+' is no number");
   const ErrorDetails large = complaint("1\n-1.1e6\n");
   EXPECT_EQ(large.line, 2);
-  EXPECT_EQ(large.problem, "the weight -1.1e6 is too large");
-  EXPECT_EQ(complaint("1 1e300").problem, "the weight 1e300 is too large");
+  EXPECT_TRUE(tests::has_facts(large.problem, "-1.1e6"));
+  EXPECT_TRUE(tests::has_facts(complaint("1 1e300").problem, "1e300"));
   EXPECT_EQ(read_mask5(numbers(124) + "-1e6", "m").weights[124], -1e6);
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/utc_time.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::sim::msis_air_test {
 namespace {
@@ -34,8 +35,8 @@ TEST(MsisAir, KnowsTheDayAndTheLocalTime) {
   leap.utc_s += 1.0;
   EXPECT_EQ(msis_drivers(leap).day_of_year, 1.0);
   EXPECT_EQ(msis_drivers(leap).ut_s, 0.0);
-  EXPECT_EQ(condition_words(poker_flat()),
-            "2014-03-10T06:05:33Z, 65 N 148 W, 20:14 local time, F10.7 150, mean 140, Ap 20");
+  EXPECT_TRUE(tests::has_facts(condition_words(poker_flat()),
+                               "2014-03-10T06:05:33Z | 65 N 148 W | 20:14 | F10.7 150 | mean 140 | Ap 20"));
 }
 
 TEST(MsisAir, IsTheSameForAllNamesOfALongitude) {

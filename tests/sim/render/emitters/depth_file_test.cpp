@@ -7,7 +7,7 @@
 
 #include "sim/base/picture/image_io.h"
 #include "sim/view/camera/rays.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::depth_file_test {

@@ -277,7 +277,7 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   EXPECT_NO_THROW(grid_of_scene(scene, options));
   options.voxel = 2.01;
   std::string text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
-  EXPECT_NE(text.find("loop 'a', of radius 2, would fall between voxels of 2.01"), std::string::npos) << text;
+  EXPECT_TRUE(tests::has_facts(text, "loop 'a' | radius 2 | 2.01")) << text;
   EXPECT_NE(text.find("--voxel"), std::string::npos) << text;
   Bundle bundle;
   bundle.name = "b";
@@ -289,7 +289,7 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   scene.bundles = {bundle};
   options.voxel = 1.6;
   text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
-  EXPECT_NE(text.find("bundle 'b', of radius 1.5"), std::string::npos) << text;
+  EXPECT_TRUE(tests::has_facts(text, "bundle 'b' | 1.5")) << text;
   // At its top a rope's strand has 0.1 of the rope's radius, which is a quarter of the front's height of 20;
   // at its feet three tenths of that, and a bit more where its first piece ends.
   scene.loops.clear();
@@ -297,7 +297,7 @@ TEST(SceneGrid, RefusesVoxelsThatStrandsWouldFallBetween) {
   scene.ejections = {rope};
   options.voxel = 0.5;
   text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
-  EXPECT_NE(text.find("ejection 'c', of radius "), std::string::npos) << text;
+  EXPECT_NE(text.find("ejection 'c'"), std::string::npos) << text;
   EXPECT_GT(thinnest_part(scene).radius, 0.3 * 0.5);
   EXPECT_LT(thinnest_part(scene).radius, 0.5 * 0.5);
   scene.ejections[0].kind = EjectionKind::shell;
@@ -327,7 +327,7 @@ TEST(SceneGrid, ChoosesAVoxelByWhatThereIs) {
   scene.loops[0].strand_radius = 0.2;
   options.memory_limit = 1 << 24;
   const std::string text = tests::expect_error(ErrorKind::usage, [&] { grid_of_scene(scene, options); });
-  EXPECT_NE(text.find("voxels of 0.2 would take"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.2"), std::string::npos) << text;
   EXPECT_NE(text.find("--of NAME"), std::string::npos) << text;
   // Alone it is 140 wide.
   scene.loops.clear();

@@ -14,15 +14,15 @@ TEST_P(BadFreeVolume, IsRefusedWithLineKeyAndReason) { expect_refused(GetParam()
 
 const Bad bad_free_volumes[] = {
     {"width_of_noise", "[[footprint]]\nsource = 'noise'\n[fit]\nfree = ['footprint.width_km']\n", 4,
-     "footprint.arc.width_km", "comes from \"noise\", so width_km has no effect"},
+     "footprint.arc.width_km", "\"noise\" | width_km"},
     {"map_of_a_shell",
      "[[footprint]]\nshape = 'shell'\nlatitude_deg = [60, 61]\nlongitude_deg = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
-     6, "footprint.arc.width_km", "shell, whose map has no derivative"},
+     6, "footprint.arc.width_km", "shell"},
     {"width_of_what_flows",
      "[[footprint]]\nflow_turns = 1\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.width_km']\n",
-     6, "footprint.arc.width_km", "flow that winds the footprint up depends on width_km"},
+     6, "footprint.arc.width_km", "winds | width_km"},
     {"point_of_what_flows",
      "[[footprint]]\nflow_turns = 1\neast_km = [1, 2]\nnorth_km = [1, 2]\n[fit]\nfree = "
      "['footprint.arc.north_km.1']\n",
@@ -30,14 +30,14 @@ const Bad bad_free_volumes[] = {
     {"sheet_that_flows",
      "[[sheet]]\n[[footprint]]\nflow_turns = 1\nsource = 'sheets'\n[fit]\nfree = "
      "['sheet.main.center_km']\n",
-     6, "sheet.main.center_km.east", "winds the sheets' footprint up depends on center_km"},
+     6, "sheet.main.center_km.east", "winds | center_km"},
     {"energy_of_a_footprint_of_given_brightness",
      "[[sheet]]\nbrightness_kilorayleigh = 20\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = "
      "['sheet.main.energy_kev']\n",
      6, "sheet.main.energy_kev", "brightness is given"},
     {"footprint_of_sheets",
      "[[sheet]]\n[[footprint]]\nsource = 'sheets'\n[fit]\nfree = ['footprint.energy_kev']\n", 5,
-     "footprint.arc.energy_kev", "those of the sheets"},
+     "footprint.arc.energy_kev", "the sheets"},
     {"literal_nebula",
      "[[nebula]]\nmethod = 'literal'\ngas = 'n'\n[[node]]\nname = 'n'\n[fit]\nfree = "
      "['nebula.elevation_deg']\n",
@@ -53,10 +53,10 @@ const Bad bad_free_volumes[] = {
     {"waist_of_a_sphere",
      "[[nebula]]\nglow = 'n'\nglow_rayleigh = [1, 1, 1]\n[[node]]\nname = 'n'\n[fit]\nfree = "
      "['node.n.waist']\n",
-     7, "node.n.waist", "of kind \"sphere\", so waist has no effect"},
+     7, "node.n.waist", "\"sphere\" | waist"},
     {"albedo_without_a_lamp",
      "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\n[fit]\nfree = ['volume.volume.albedo']\n", 5,
-     "volume.volume.albedo", "no lamp lights the volume"},
+     "volume.volume.albedo", "no lamp"},
     {"asymmetry_of_what_does_not_scatter",
      "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\nlamp_kind = 'direction'\nlamp_flux = [1, 1, "
      "1]\n[fit]\nfree = ['volume.volume.asymmetry']\n",
@@ -65,9 +65,9 @@ const Bad bad_free_volumes[] = {
      "[[volume]]\nfile = 'a.vdb'\nextinction_per_km = 0.1\nalbedo = 0.5\nlamp_kind = 'point'\nlamp_flux = "
      "[1, 1, "
      "1]\n[fit]\nfree = ['volume.volume.shift_km']\n",
-     8, "volume.volume.shift_km.east", "moved against its lamp"},
+     8, "volume.volume.shift_km.east", "its lamp"},
     {"node_of_no_nebula", "[[node]]\nname = 'n'\n[fit]\nfree = ['node.n.radius']\n", 4, "node.n.radius",
-     "no nebula that is marched physically"},
+     "no nebula"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Scenes, BadFreeVolume, testing::ValuesIn(bad_free_volumes),

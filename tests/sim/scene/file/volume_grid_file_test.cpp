@@ -5,7 +5,7 @@
 
 #include "sim/base/grid/vdb_io.h"
 #include "sim/base/grid/volumegrid_text.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"
 
@@ -67,9 +67,9 @@ TEST(VolumeGridFile, OneFramesFileIsNotTakenForTheOthers) {
     return read_volume_grid(scene, scene.volumes[0]);
   };
   tests::expect_words(ErrorKind::unreadable_input,
-                      {"sun.vdb", "volume.volume.file", "stands on the Sun", "frame = \"sun\""},
+                      {"sun.vdb", "volume.volume.file", "the Sun", "frame = \"sun\""},
                       [&] { read("sun.vdb", "site"); });
-  tests::expect_words(ErrorKind::unreadable_input, {"site.vdb", "stands on the ground", "frame = \"site\""},
+  tests::expect_words(ErrorKind::unreadable_input, {"site.vdb", "the ground", "frame = \"site\""},
                       [&] { read("site.vdb", "sun"); });
   for (const char* frame : {"sun", "site"}) EXPECT_EQ(read("foreign.vdb", frame).grid.voxel, 2.0);
   EXPECT_EQ(read("site.vdb", "site").site.latitude_deg, 60.0);

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tests/support/expect_error.h"
+
 namespace vegard::sim::nearest_name_test {
 namespace {
 
@@ -29,7 +31,7 @@ TEST(NearestName, TakesACutShortNameForItsWhole) {
 
 TEST(NearestHint, IsOnlyAsSureAsTheNamesAreNear) {
   EXPECT_EQ(nearest_hint("widht", {"width"}), "did you mean 'width'?");
-  EXPECT_EQ(nearest_hint("qqqqqqq", {"width"}), "the nearest known is 'width'");
+  EXPECT_TRUE(tests::has_facts(nearest_hint("qqqqqqq", {"width"}), "'width'"));
   EXPECT_EQ(nearest_hint("qqqqqqq", {}), "");
 }
 

@@ -5,6 +5,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::sim::spline_rates_test {
 namespace {
@@ -64,31 +65,28 @@ TEST(SplineRates, AProfileSetLaterIsFilledIn) {
 }
 
 TEST(SplineRates, WhatCannotBeIsRefused) {
-  EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\nspline_knots = 5\nspline_rate = [1.0, 2.0]\n")
-                .find("2 coefficients for 3 emission lines with 5 knots each"),
-            std::string::npos);
+  EXPECT_TRUE(tests::has_facts(
+      complaint("[[sheet]]\nprofile = \"spline\"\nspline_knots = 5\nspline_rate = [1.0, 2.0]\n"),
+      "2 coefficients | 3 emission lines | 5 knots"));
   EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\nspline_bottom_km = 300\nspline_top_km = 200\n")
-                .find("no room between 300 and 200"),
+                .find("300 and 200"),
             std::string::npos);
-  EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\nbrightness_kilorayleigh = 3.0\n")
-                .find("has its own brightness"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint("[[sheet]]\nprofile = \"spline\"\nbrightness_kilorayleigh = 3.0\n").find("own brightness"),
+      std::string::npos);
   EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\n[fit]\nfree = [\"sheet.main.energy_kev\"]\n")
-                .find("the electrons' energy has no effect"),
+                .find("electrons' energy"),
             std::string::npos);
-  EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\ntop_km = 300\n")
-                .find("reaches up to 500 km, above its beams, which start at 300"),
-            std::string::npos);
+  EXPECT_TRUE(tests::has_facts(complaint("[[sheet]]\nprofile = \"spline\"\ntop_km = 300\n"), "500 km | 300"));
   EXPECT_NE(complaint("[[sheet]]\nprofile = \"spline\"\n[fit]\n"
                       "free = [\"sheet.main.energy_flux_mw_m2\", \"sheet.spline_rate\"]\n")
-                .find("its energy flux has no effect"),
+                .find("energy flux"),
             std::string::npos);
   EXPECT_EQ(complaint("[[sheet]]\nprofile = \"spline\"\ntop_km = 300\nspline_top_km = 300\n[fit]\n"
                       "free = [\"sheet.main.energy_flux_mw_m2\"]\n"),
             "")
       << "a profile that is known";
-  EXPECT_NE(complaint("[[sheet]]\n[fit]\nfree = [\"sheet.main.spline_rate\"]\n")
-                .find("no coefficients of a free-form profile"),
+  EXPECT_NE(complaint("[[sheet]]\n[fit]\nfree = [\"sheet.main.spline_rate\"]\n").find("no coefficients"),
             std::string::npos);
   EXPECT_NE(complaint("[[sheet]]\n[fit]\nfree = [\"sheet.main.peak_km\"]\n").find("peak_km has no effect"),
             std::string::npos);

@@ -69,7 +69,7 @@ TEST(BoundedToml, KnowsTextsAndComments) {
 
 TEST(BoundedToml, MeasuresTheWhole) {
   EXPECT_EQ(excess_of(std::string(kMaxTomlBytes, '\n')), "");
-  EXPECT_EQ(excess_of(std::string(kMaxTomlBytes + 1, '\n')), "0: it is larger than 16 MB");
+  EXPECT_TRUE(tests::has_facts(excess_of(std::string(kMaxTomlBytes + 1, '\n')), "16 MB"));
 }
 
 TEST(BoundedToml, WhatIsNoTomlIsSaidWhereItBegins) {

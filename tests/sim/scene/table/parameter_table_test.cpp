@@ -13,6 +13,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/table/parameter_declarations.h"
+#include "tests/support/expect_error.h"
 
 namespace vegard::sim::parameter_table_test {
 namespace {
@@ -236,7 +237,7 @@ TEST(Resolve, NamesTheNearestPath) {
   EXPECT_NE(hint("sheet"), "");
   EXPECT_NE(hint("sheet.main"), "");
   EXPECT_NE(hint("camera."), "");
-  EXPECT_EQ(error_of([] { resolve(Scene(), "sheet.main.energy_kev"); }).hint, "the scene has no sheet");
+  EXPECT_EQ(error_of([] { resolve(Scene(), "sheet.main.energy_kev"); }).hint, "no sheet");
 }
 
 TEST(SetFromText, SetsVectorsAndBareWords) {
@@ -309,16 +310,14 @@ TEST(SetFromText, RefusesWhatIsWrongAndLeavesTheScene) {
     EXPECT_EQ(details.line, 0);
     return details.problem + " | " + details.expected;
   };
-  EXPECT_EQ(refused("camera.width", "wide"),
-            "'wide' cannot be understood | a whole number from 1 to 65535 (px)");
-  EXPECT_EQ(refused("camera.width", "3.0"), "found the number 3.0 | a whole number from 1 to 65535 (px)");
-  EXPECT_EQ(refused("camera.width", "0"), "0 is outside the limits | a whole number from 1 to 65535 (px)");
-  EXPECT_EQ(refused("camera.width", "4294967297"),
-            "4294967297 is outside the limits | a whole number from 1 to 65535 (px)");
-  EXPECT_EQ(refused("sheet.length_km", "-3"), "-3 is outside the limits | a number from 0.1 to 5000 (km)");
-  EXPECT_EQ(refused("sheet.length_km", "nan"), "nan is no usable number | a number from 0.1 to 5000 (km)");
-  EXPECT_EQ(refused("sheet.length_km", "-inf"), "-inf is no usable number | a number from 0.1 to 5000 (km)");
-  EXPECT_EQ(refused("sheet.length_km", ""), "'' cannot be understood | a number from 0.1 to 5000 (km)");
+  EXPECT_TRUE(tests::has_facts(refused("camera.width", "wide"), "'wide' | 1 to 65535 (px)"));
+  EXPECT_TRUE(tests::has_facts(refused("camera.width", "3.0"), "number 3.0 | 1 to 65535 (px)"));
+  EXPECT_TRUE(tests::has_facts(refused("camera.width", "0"), "0 | 1 to 65535 (px)"));
+  EXPECT_TRUE(tests::has_facts(refused("camera.width", "4294967297"), "4294967297 | 1 to 65535 (px)"));
+  EXPECT_TRUE(tests::has_facts(refused("sheet.length_km", "-3"), "-3 | 0.1 to 5000 (km)"));
+  EXPECT_TRUE(tests::has_facts(refused("sheet.length_km", "nan"), "nan | 0.1 to 5000 (km)"));
+  EXPECT_TRUE(tests::has_facts(refused("sheet.length_km", "-inf"), "-inf | 0.1 to 5000 (km)"));
+  EXPECT_TRUE(tests::has_facts(refused("sheet.length_km", ""), "'' | 0.1 to 5000 (km)"));
   refused("sheet.length_km", "3\nother = 4");
   refused("sheet.length_km", "[3.0]");
   refused("sheet.center_km", "[1.0]");
@@ -339,7 +338,7 @@ TEST(SetFromText, RefusesWhatIsWrongAndLeavesTheScene) {
   refused("site.time_utc", "2019-02-29");
   refused("site.time_utc", "2019-03-01T22:10:00+15:00");
   EXPECT_EQ(set_error(scene, "sensor.primaries", "smpte_c").hint, "did you mean \"smpte-c\"?");
-  EXPECT_EQ(set_error(scene, "emission.lines", "[558]").hint, "the nearest known is 557.7");
+  EXPECT_TRUE(tests::has_facts(set_error(scene, "emission.lines", "[558]").hint, "557.7"));
 
   const Scene untouched = scene_of_one();
   for (const ParameterPath& p : all_paths(untouched))
@@ -356,12 +355,12 @@ TEST(Validate, RefusesScenesMadeByHand) {
 
   scene = scene_of_one();
   scene.sheets.push_back(scene.sheets[0]);
-  EXPECT_EQ(validate_error(scene).problem, "two of [[sheet]] are called 'main'");
+  EXPECT_TRUE(tests::has_facts(validate_error(scene).problem, "[[sheet]] | 'main'"));
 
   scene = Scene();
   scene.emission.lines = {557.7};
   EXPECT_EQ(validate_error(scene).key, "blur.width_deg");
-  EXPECT_EQ(validate_error(scene).problem, "3 widths for 1 emission lines");
+  EXPECT_TRUE(tests::has_facts(validate_error(scene).problem, "3 widths | 1 emission line"));
 
   scene = Scene();
   scene.sky.gradient[1] = -nan;
@@ -374,15 +373,15 @@ TEST(Validate, RefusesScenesMadeByHand) {
   scene = Scene();
   scene.footprints.resize(1);
   scene.footprints[0].profile = ProfileKind::file;  // a sheet may have it
-  EXPECT_EQ(validate_error(scene).problem, "\"file\" is not one of the choices");
-  EXPECT_EQ(validate_error(scene).expected,
-            "\"maxwellian\" or \"mono\" or \"gaussian\" or \"form\" or \"layer\"");
+  EXPECT_TRUE(tests::has_facts(validate_error(scene).problem, "\"file\""));
+  EXPECT_TRUE(tests::has_facts(validate_error(scene).expected,
+                               "\"maxwellian\" | \"mono\" | \"gaussian\" | \"form\" | \"layer\""));
 
   scene = Scene();
   scene.fit.roi_px = {10, 10, 0, 20};
   EXPECT_EQ(validate_error(scene).key, "fit.roi_px");
   scene.fit.roi_px = {10, 10, 23, 20};
-  EXPECT_EQ(validate_error(scene).problem, "24 bands do not fit into a region 23 pixels wide");
+  EXPECT_TRUE(tests::has_facts(validate_error(scene).problem, "24 bands | 23 pixels"));
 }
 
 TEST(Validate, WantsATimeInIso8601) {
@@ -418,15 +417,15 @@ TEST(Validate, WantsTheTimeAndThePlaceOfTheRealSky) {
     EXPECT_EQ(error_of(shown, place + "time_utc = '2012-03-08T21:00:00Z'\n").problem, "") << shown;
     EXPECT_EQ(error_of(shown, place + "time_utc = '2012-03-08T21:00Z'\n").problem, "") << shown;
     const ErrorDetails never = error_of(shown, place);
-    EXPECT_NE(never.problem.find("by the time, which is not given"), std::string::npos) << shown;
-    EXPECT_NE(never.expected.find("of the years 1900 to 2200"), std::string::npos) << shown;
+    EXPECT_NE(never.problem.find("the time"), std::string::npos) << shown;
+    EXPECT_NE(never.expected.find("1900 to 2200"), std::string::npos) << shown;
     const ErrorDetails day = error_of(shown, place + "time_utc = '2012-03-08'\n");
-    EXPECT_NE(day.problem.find("'2012-03-08' has no time of day"), std::string::npos) << shown;
+    EXPECT_TRUE(tests::has_facts(day.problem, "'2012-03-08' | time of day")) << shown;
     EXPECT_EQ(day.key, "site.time_utc");
     EXPECT_EQ(day.line, 4);
     for (const std::string year : {"1899", "2201"}) {
       const ErrorDetails other = error_of(shown, place + "time_utc = '" + year + "-06-01T12:00:00Z'\n");
-      EXPECT_NE(other.problem.find("outside of the years"), std::string::npos) << shown << year;
+      EXPECT_NE(other.problem.find("years"), std::string::npos) << shown << year;
     }
     const std::string time = "time_utc = '2012-03-08T21:00:00Z'\n";
     EXPECT_NE(error_of(shown, "longitude_deg = 20.4\n" + time).problem.find("latitude"), std::string::npos);
@@ -478,29 +477,29 @@ TEST(Validate, ChecksWhatIsFree) {
   accepted({free("sheet.main.center_km"), free("sheet.energy_kev"), free("camera.hfov_deg")});
 
   EXPECT_EQ(problem(free("sheet.main.enrgy_kev")), "no such parameter");
-  EXPECT_EQ(problem(free("camera.width")), "this parameter cannot be free");
-  EXPECT_EQ(problem(free("sheet.main.top_km")), "this parameter cannot be free");
-  EXPECT_EQ(problem(free("sky.level")), "this parameter cannot be free");
+  EXPECT_TRUE(tests::has_facts(problem(free("camera.width")), "cannot be free"));
+  EXPECT_TRUE(tests::has_facts(problem(free("sheet.main.top_km")), "cannot be free"));
+  EXPECT_TRUE(tests::has_facts(problem(free("sky.level")), "cannot be free"));
 
   FreeParameter f = free("sheet.main.energy_kev");  // the scene's value is 3
   f.min = 4.0;
-  EXPECT_EQ(problem(f), "the scene's value 3.0 is not between min and max");
+  EXPECT_TRUE(tests::has_facts(problem(f), "value 3.0 | min and max"));
   f.start = 5.0;
   accepted({f});
   f.max = 4.5;
-  EXPECT_EQ(problem(f), "start 5.0 is not between min and max");
+  EXPECT_TRUE(tests::has_facts(problem(f), "start 5.0 | min and max"));
   f.max = 4.0;
-  EXPECT_EQ(problem(f), "min 4.0 is not below max 4.0");
+  EXPECT_TRUE(tests::has_facts(problem(f), "min 4.0 | max 4.0"));
   f.max = 25.0;
-  EXPECT_EQ(problem(f), "max: 25 is outside the limits");
+  EXPECT_TRUE(tests::has_facts(problem(f), "max: 25"));
   f.max.reset();
   f.start = std::nan("");
-  EXPECT_EQ(problem(f), "start: nan is no usable number");
+  EXPECT_TRUE(tests::has_facts(problem(f), "start: nan"));
   f.start = 5.0;
   f.prior = Prior{5.0, 0.0};
-  EXPECT_EQ(problem(f), "prior: the sigma 0.0 is no width");
+  EXPECT_TRUE(tests::has_facts(problem(f), "prior: | sigma 0.0"));
   f.prior = Prior{std::nan(""), 1.0};
-  EXPECT_EQ(problem(f), "prior: the mean nan is no usable number");
+  EXPECT_TRUE(tests::has_facts(problem(f), "prior: | mean nan"));
   f.prior = Prior{5.0, 1.0};
   accepted({f});
 
@@ -517,7 +516,7 @@ TEST(Validate, RefusesAPathThatIsFreeTwiceAlsoThroughItsVector) {
   scene.fit.free[1].path = "sheet.center_km.north";
   scene.fit.free[1].line = 8;
   const ErrorDetails details = validate_error(scene);
-  EXPECT_EQ(details.problem, "free twice, first as 'sheet.main.center_km' in line 7");
+  EXPECT_TRUE(tests::has_facts(details.problem, "'sheet.main.center_km' | line 7"));
   EXPECT_EQ(details.line, 8);
   EXPECT_EQ(details.key, "sheet.main.center_km.north");
 }

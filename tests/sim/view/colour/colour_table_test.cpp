@@ -8,7 +8,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/sensor/sensor.h"
-#include "tests/support/expect_words.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::colour_table_test {
