@@ -16,7 +16,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/emitter/glow_ball/glow_ball.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/noisy_photo.h"
+#include "tests/support/rendered_photo.h"
 
 namespace vegard::tests::added_emitter_test {
 namespace {

@@ -7,7 +7,6 @@
 #include <iostream>
 
 #include "fit/report/table/result_json.h"
-#include "tests/support/encoded_photo.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/two_stations.h"

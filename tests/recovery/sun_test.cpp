@@ -24,7 +24,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
-#include "tests/support/noisy_photo.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::fit::sun_test {

@@ -8,7 +8,7 @@
 
 #include "fit/curve_fit.h"
 #include "sim/scene/file/scene_toml.h"
-#include "tests/support/encoded_photo.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::fit::transfer_curve_test {

@@ -11,7 +11,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
-#include "tests/support/noisy_photo.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::fit::volumes_test {

@@ -1,4 +1,5 @@
-// A scene that every part of the simulator has a hand in and that takes milliseconds.
+// Small scenes: one that every part of the simulator has a hand in and that takes milliseconds, and one that
+// holds a sheet and is otherwise the default.
 #pragma once
 
 #include "sim/scene/structs/scene.h"
@@ -25,6 +26,12 @@ inline sim::Scene small_scene() {
   sheet.layers = 2;
   sheet.beams = 400;
   scene.sheets.push_back(sheet);
+  return scene;
+}
+
+inline sim::Scene with_sheet(const sim::Sheet& sheet) {
+  sim::Scene scene;
+  scene.sheets = {sheet};
   return scene;
 }
 

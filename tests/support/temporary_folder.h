@@ -1,17 +1,24 @@
-// A folder of a test's own, gone when the test is.
+// What tests of files need: a folder of their own, gone when the test is; a full disk; the clock's next
+// second.
 #pragma once
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <system_error>
+#include <thread>
 
 namespace vegard::tests {
 
+/// A folder of a test's own, gone when the test is.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -47,6 +54,34 @@ inline std::string bytes_of(const std::string& path) {
 
 inline void put(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// A disk that is full after so many bytes per file: the file size limit, which answers writes with EFBIG.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes_per_file) {
+    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &old_limit_);
+    rlimit limit = old_limit_;
+    limit.rlim_cur = bytes_per_file;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_limit_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit old_limit_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
+/// Returns as soon as the clock shows another second.
+inline void await_next_second() {
+  const std::time_t now = std::time(nullptr);
+  while (std::time(nullptr) == now) std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 }  // namespace vegard::tests

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 

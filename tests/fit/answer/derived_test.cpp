@@ -2,7 +2,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/kind_named.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 #include <gtest/gtest.h>
 

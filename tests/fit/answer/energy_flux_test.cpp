@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/view/sensor/expected_counts.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::fit::energy_flux_test {
 namespace {

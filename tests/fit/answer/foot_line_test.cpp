@@ -10,7 +10,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/structs/station.h"
 #include "tests/support/free_paths.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::fit::foot_line_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "sim/light/sheet_profile.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/kind_named.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::fit::line_light_test {
 namespace {

@@ -12,7 +12,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/noisy_photo.h"
+#include "tests/support/rendered_photo.h"
 
 namespace vegard::fit::granulation_statistic_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "fit/measure/smoothing.h"
 #include "fit/report/model_picture.h"
 #include "sim/scene/file/scene_toml.h"
-#include "tests/support/noisy_photo.h"
+#include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::fit::bins_picture_test {

@@ -9,7 +9,6 @@
 #include "sim/base/picture/image_io.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/small_fit.h"
 #include "tests/support/temporary_folder.h"
 

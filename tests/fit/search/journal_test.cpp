@@ -17,7 +17,6 @@
 #include "fit/uncertainty/fit_intervals.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::tests::journal_test {

@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
-
 #include "fit/survey/survey_motion.h"
 #include "fit/survey/survey_results.h"
 #include "tests/fit/survey/made_answers.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/next_second.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_netcdf_test {

@@ -5,7 +5,6 @@
 
 #include "tests/fit/survey/made_answers.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_results_test {

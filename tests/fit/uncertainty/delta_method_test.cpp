@@ -1,6 +1,6 @@
 #include "fit/uncertainty/delta_method.h"
 #include "tests/support/free_paths.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 #include <gtest/gtest.h>
 

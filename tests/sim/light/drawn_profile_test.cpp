@@ -4,7 +4,7 @@
 
 #include "sim/light/sheet_profile.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::drawn_profile_test {
 namespace {

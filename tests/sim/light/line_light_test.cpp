@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/light/height_profile.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::line_light_test {
 namespace {

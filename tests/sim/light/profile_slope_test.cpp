@@ -7,7 +7,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/parameter_id.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::profile_slope_test {
 namespace {

@@ -1,7 +1,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/kind_named.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "sim/light/tables/emission_table.h"
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/glow.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::spectrum_profile_test {
 namespace {

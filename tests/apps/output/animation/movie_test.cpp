@@ -12,7 +12,6 @@
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/small_scene.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,7 +8,6 @@
 
 #include "sim/base/file/durable_rename.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::whole_file_test {

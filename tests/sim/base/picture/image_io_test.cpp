@@ -13,8 +13,6 @@
 #include <vector>
 
 #include "tests/support/expect_error.h"
-#include "tests/support/full_disk.h"
-#include "tests/support/next_second.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::image_io_test {

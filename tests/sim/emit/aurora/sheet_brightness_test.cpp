@@ -8,7 +8,6 @@
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "tests/support/kind_named.h"
-#include "tests/support/one_sheet.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::sheet_brightness_test {

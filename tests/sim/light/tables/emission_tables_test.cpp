@@ -19,7 +19,7 @@
 #include "tests/sim/light/made_tables.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/glow.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::emission_tables_test {
 namespace {

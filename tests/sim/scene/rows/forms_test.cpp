@@ -9,7 +9,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
-#include "tests/support/one_sheet.h"
+#include "tests/support/small_scene.h"
 
 namespace vegard::sim::forms_test {
 namespace {
