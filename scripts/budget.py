@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Does compiling, or the run of the tests, take longer than tests/house/budget/budget.json allows?
 
-usage: budget.py build [--write] BUILD_FOLDER
-       budget.py tests [--write] BUILD_FOLDER JUNIT_FILE
+usage: budget.py build [--write | --table N] BUILD_FOLDER
+       budget.py tests [--write | --table N] BUILD_FOLDER JUNIT_FILE
 
 build: units of ninja's log, by target. tests: entries of a file that `ctest --output-junit` has written, by program or by
 what is before the first point in their names. All times are given in those of one reference (tests/house/budget/reference.cpp),
@@ -192,6 +192,15 @@ def write(kind, groups, budget, folder):
     return 0
 
 
+def table(measured, slowest):
+    """Groups, then the slowest units, by their references."""
+    for group, units in sorted(measured.items(), key=lambda item: -sum(item[1].values())):
+        print(f"{sum(units.values()):8.2f}  {group}, {len(units)}")
+    units = sorted(((value, unit, group) for group, units in measured.items() for unit, value in units.items()), reverse=True)
+    for value, unit, group in units[:slowest]:
+        print(f"{value:8.2f}  {unit} of {group}")
+
+
 def main():
     global BUDGET
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -200,6 +209,7 @@ def main():
     parser.add_argument("junit", type=pathlib.Path, nargs="?", help="of tests: what ctest has written")
     parser.add_argument("--budget", type=pathlib.Path, default=BUDGET, help="another file of budgets")
     parser.add_argument("--write", action="store_true", help="the budget becomes what is measured")
+    parser.add_argument("--table", type=int, metavar="N", help="lists groups and the N slowest instead")
     arguments = parser.parse_args()
     if (arguments.kind == "tests") != (arguments.junit is not None):
         parser.error("a file of ctest's is for tests, and tests need it")
@@ -207,6 +217,10 @@ def main():
     budget = json.loads(BUDGET.read_text()) if BUDGET.exists() else {}
     groups = of_build(arguments.folder) if arguments.kind == "build" else of_tests(arguments.folder, arguments.junit)
     try:
+        if arguments.table is not None:
+            reference = statistics.median(references_of(groups))
+            table(in_references(groups, reference), arguments.table)
+            return 0
         return (write if arguments.write else check)(arguments.kind, groups, budget, arguments.folder)
     except Unmeasured as reason:
         print(f"budget.py: not measured: {reason}")
