@@ -21,7 +21,6 @@
 #include "sim/scene/table/parameter_table.h"
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/truth.h"
-#include "tests/recovery/scorecard/wide_start.h"
 
 namespace {
 

@@ -13,7 +13,6 @@
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/score.h"
 #include "tests/recovery/scorecard/truth.h"
-#include "tests/recovery/scorecard/wide_start.h"
 
 namespace vegard::scorecard {
 namespace {

@@ -13,7 +13,7 @@
 #include "apps/options/command.h"
 #include "tests/recovery/scorecard/card.h"
 #include "tests/recovery/scorecard/one_case.h"
-#include "tests/recovery/scorecard/summary.h"
+#include "tests/recovery/scorecard/score.h"
 
 namespace vegard::scorecard {
 namespace {

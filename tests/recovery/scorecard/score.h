@@ -33,4 +33,8 @@ double waves_in_view(const sim::Scene& scene, int sheet);
 /// criteria.
 Row score(const Truth& truth, const sim::Scene& start, const fit::FitResult& result);
 
+/// Markdown: recovered by class, criteria, verdict against recovery, coverage, cost, and the failures one by
+/// one. What counts as recovered is worked out again from the numbers.
+std::string summary(const std::vector<Row>& rows);
+
 }  // namespace vegard::scorecard

@@ -12,7 +12,6 @@
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/score.h"
 #include "tests/recovery/scorecard/truth.h"
-#include "tests/recovery/scorecard/wide_start.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::scorecard::scorecard_test {
