@@ -61,7 +61,7 @@ refused 2 "overlap" --azimuth-map maps.exr --azimuths 0,5 --azimuth-width 20
 refused 2 "no pixel looks" --azimuth-map maps.exr --azimuths 180
 refused 2 "--directions" --azimuth-map maps.exr --azimuths 0 --directions 4
 refused 2 "--dark" --azimuth-map maps.exr --dark 1,1,1
-refused 2 "green" --azimuth-map maps.exr --azimuths 0 --dark 0,384,0
+refused 2 "nothing of green" --azimuth-map maps.exr --azimuths 0 --dark 0,384,0
 refused 2 "--elevation-step" --azimuth-map maps.exr --azimuths 0 --elevation-step 0
 refused 2 "--lines" --scene "$scene" --lines --azimuths 0
 refused 2 "--tangent-step" --scene "$scene" --tangent-step 5

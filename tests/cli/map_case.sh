@@ -5,7 +5,7 @@ expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
 expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 16 --threads 2
 for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
 expect_stdout "curtains: good"
-expect_stdout "relative"
+expect_stdout "relative: "
 expect_starts run/precipitation.fits 53494d504c4520203d
 grep -q "^curtain,point,east_km,north_km,distance_km," run/curtains.csv || fail "another head of the table"
 grep -qF "FLUXCAL = 'relative'" run/precipitation.fits || fail "a scale that nobody knows"

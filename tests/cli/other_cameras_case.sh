@@ -30,7 +30,7 @@ expect_exit 0 directions camera.toml -o again.wcs
 expect_same field.wcs again.wcs
 expect_exit 0 calibrate --wcs field.wcs "${when[@]}" -o back.toml --json back.json
 near focal_px 260 0.05 && near azimuth_deg 20 0.01 && near elevation_deg 50 0.01 && near roll_deg 5 0.02
-expect_stdout "points"
+expect_stdout "points of the"
 grep -q '"rms_px"' back.json || fail "no residual"
 
 expect_exit 0 directions camera.toml -o station.acc
@@ -65,7 +65,7 @@ expect_stdout "1 camera of AIDA_tools"
 expect_exit 0 describe sky.axy
 expect_stdout "points of light"
 expect_exit 0 describe sky.corr
-expect_stdout "stars"
+expect_stdout "stars that were"
 expect_exit 0 directions camera.toml -o maps.fits
 expect_exit 0 describe maps_az.fits
 expect_stdout "360 x 240 pixels"

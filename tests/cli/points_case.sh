@@ -34,7 +34,7 @@ printf 'altitude_km,rate\n100,1\n110,2\n120,1\n' >rates.csv
 cp rates.csv before.csv
 sed 's/^\[\[sheet\]\]/&\nprofile = "spline"\nprofile_file = "rates.csv"/' "$small" >table.toml
 expect_exit 2 points table.toml -o rates.csv --overwrite
-expect_stderr "the scene"
+expect_stderr "table of the"
 expect_same rates.csv before.csv
 rm dark.toml none.csv thin_none.csv rates.csv before.csv table.toml
 expect_exit 6 points "$small" -o no/such/folder/out.ply

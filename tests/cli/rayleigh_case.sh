@@ -98,7 +98,7 @@ open("noise.pgm", "wb").write(b"P5 384 384 65535\n" + b"".join(random.randrange(
 EOF
 # shellcheck disable=SC2086
 expect_exit 5 photometry counts.toml noise.pgm $when -o no.toml
-expect_stderr "factor"
+expect_stderr "not determine"
 
 # shellcheck disable=SC2086
 expect_exit 3 photometry counts.toml empty.pgm $when -o no.toml

@@ -115,7 +115,7 @@ TEST(MapRecord, KnowsAnotherPhotographSiteAndSize) {
   tests::expect_words(sim::ErrorKind::scene, {"another size"},
                       [&] { check_same_subject(record, scene, inputs_of_map(), {}); });
   check_same_subject(record, scene_of_map(), inputs_of_map(), {"sRGB"});
-  tests::expect_words(sim::ErrorKind::scene, {"decoding", "linear"},
+  tests::expect_words(sim::ErrorKind::scene, {"made with", "linear"},
                       [&] { check_same_subject(record, scene_of_map(), inputs_of_map(), {"linear"}); });
   change(folder / "map", "altitude_scale", 1.05);
   const MapRecord higher = read_map_record(folder / "map");
@@ -147,7 +147,7 @@ TEST(MapRecord, RefusesPointsThatAreNowhereAndPassesOverRings) {
   Curtain far = curtain(200.0, 5.0);
   far.points[3].foot_km.east = 1e300;
   write(folder / "map", {far});
-  tests::expect_words(sim::ErrorKind::unreadable_input, {"point"}, [&] { read_map_record(folder / "map"); });
+  tests::expect_words(sim::ErrorKind::unreadable_input, {"a point that"}, [&] { read_map_record(folder / "map"); });
   Curtain ring = curtain(200.0, 5.0);
   ring.points.resize(3);
   ring.points[2] = ring.points[0];

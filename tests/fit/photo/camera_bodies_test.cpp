@@ -89,7 +89,7 @@ TEST_F(CameraBodies, SayWhatIsLacking) {
   EXPECT_FALSE(none.hfov_deg);
   EXPECT_NE(none.why_not.find("has no Nobody's"), std::string::npos);
   unknown.focal_length_mm.reset();
-  EXPECT_TRUE(tests::has_facts(picture_field_of_view(unknown).why_not, "picture"));
+  EXPECT_TRUE(tests::has_facts(picture_field_of_view(unknown).why_not, "how wide"));
   setenv("VEGARD_LENSFUN", "", 1);
   EXPECT_NE(picture_field_of_view(picture(3000, 2000)).why_not.find("liblensfun-data-v1"), std::string::npos);
 }

@@ -180,7 +180,7 @@ TEST(PhotoDefaults, ASizeThatIsThereAnywayIsNotTaken) {
 // The field does not follow the place silently, nor does it silently stay.
 TEST(PhotoDefaults, SayWhatBecomesOfTheMagneticField) {
   EXPECT_TRUE(mentions(with_photo_defaults(parsed(""), phone()).notes, "78 deg"));
-  EXPECT_TRUE(mentions(with_photo_defaults(parsed("[field]\nmodel = \"dipole\"\n"), phone()).notes, "field"));
+  EXPECT_TRUE(mentions(with_photo_defaults(parsed("[field]\nmodel = \"dipole\"\n"), phone()).notes, "photograph's place"));
   EXPECT_TRUE(with_photo_defaults(parsed("[field]\ninclination_deg = 80\n"), phone()).notes.empty());
   EXPECT_TRUE(with_photo_defaults(parsed(""), phone(), {"field.inclination_deg"}).notes.empty());
   EXPECT_TRUE(with_photo_defaults(parsed("[site]\nlatitude_deg = 62\n"), phone()).notes.empty());

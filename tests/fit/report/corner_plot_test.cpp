@@ -117,7 +117,7 @@ TEST(CornerPlot, ShowsTheChainOnTheCurvesScale) {
   for (const Point& q : curves.at(0)) peak = std::min(peak, q.y);
   EXPECT_NEAR((bottom - top) / (bottom - peak), std::sqrt(2.0 * std::acos(-1.0) / 12.0), 0.01);
   EXPECT_GT(count(svg, "fill=\"#d55e00\"/>"), 1000);  // dots
-  EXPECT_NE(svg.find("samples"), std::string::npos);
+  EXPECT_NE(svg.find("of the chain"), std::string::npos);
 }
 
 TEST(CornerData, LeavesOutWhatHasNoWidth) {

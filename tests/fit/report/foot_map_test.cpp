@@ -78,11 +78,11 @@ TEST(FootMap, HasAGraticuleOnlyWhereTheSiteIsGiven) {
   EXPECT_TRUE(has(whole, "\u00b0 E</text>"));
   EXPECT_TRUE(has(whole, "68 %: \u00b18 km"));
   const std::string half = with_site(true, false, 0.0);
-  EXPECT_TRUE(has(half, "longitude"));
+  EXPECT_TRUE(has(half, "from the site"));
   EXPECT_TRUE(has(half, "no error bar"));
   const std::string none = with_site(false, false, 8.0);
   EXPECT_FALSE(has(none, "\u00b0 N</text>"));
-  EXPECT_TRUE(has(none, "site"));
+  EXPECT_TRUE(has(none, "not given"));
   EXPECT_EQ(whole, with_site(true, true, 8.0));
 }
 

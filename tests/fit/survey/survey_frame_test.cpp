@@ -59,7 +59,7 @@ TEST(SurveyFrame, ThatCannotBeHadSaysWhy) {
   std::filesystem::create_directories(survey.path("folder"));
   const FrameAnswer none = *survey.answer(0), junk = *survey.answer(1);
   EXPECT_EQ(none.status, FrameStatus::missing);
-  EXPECT_TRUE(tests::has_facts(none.reason, "no such file"));
+  EXPECT_TRUE(tests::has_facts(none.reason.value_or(""), "no such file"));
   EXPECT_FALSE(none.sha256);
   EXPECT_EQ(junk.status, FrameStatus::unreadable);
   EXPECT_EQ(junk.sha256, sim::sha256("no picture"));
