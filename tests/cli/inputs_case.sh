@@ -13,11 +13,15 @@ for ending in png exr csv toml txt vdb pbrt fits; do
   fi
 done
 
-# refused ENDING ARGUMENTS...: @ stands for the input.
+# refused ENDING ARGUMENTS...: @ stands for the input. A pipe for all of them, the others once for each ending: what is no file is
+# found out in one place, and the pipe shows who asks there.
+declare -A asked
 refused() {
-  local ending=$1 input status words
+  local ending=$1 input status words inputs=(pipe)
   shift
-  for input in folder pipe device closed none; do
+  [[ -n ${asked[$ending]:-} ]] || inputs+=(folder device closed none)
+  asked[$ending]=true
+  for input in "${inputs[@]}"; do
     input=$input.$ending
     [[ -e $input || $input == none.* ]] || continue
     words=("${@//@/$input}")
