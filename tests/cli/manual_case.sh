@@ -20,9 +20,9 @@ mapfile -t commands < <(sed -n '/^From a photograph/,/^Exit codes/s/^  \([a-z][a
 for command in "${commands[@]}"; do
   expect_file "share/man/man1/vegard-$command.1"
   "$VEGARD" "$command" --help >help.txt
-  for option in $(grep -oE '^  (-[a-zA-Z],)?--[a-z][a-z0-9-]*' help.txt | grep -oE '\-\-.*'); do
-    grep -qF -- "\\fB${option//-/\\-}\\fR" "share/man/man1/vegard-$command.1" || fail "$command: $option is not on its page"
-  done
+  missing=$(LC_ALL=C comm -23 <(sed -nE 's/^  (-[a-zA-Z],)?(--[a-z][a-z0-9-]*).*/\2/p' help.txt | LC_ALL=C sort -u) \
+    <(grep -oE '\\fB\\-\\-[a-z0-9\-]*\\fR' "share/man/man1/vegard-$command.1" | sed 's/\\fB//; s/\\fR//; s/\\//g' | LC_ALL=C sort -u))
+  [[ -z $missing ]] || fail "$command: ${missing//$'\n'/ } is not on its page"
 done
 # The pages are sound: no warning of groff's, where it is installed.
 if command -v groff >/dev/null; then
