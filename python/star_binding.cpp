@@ -15,6 +15,7 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/instant.h"
 
@@ -65,9 +66,7 @@ std::string table_text(const py::object& columns) {
       throw py::value_error("the columns of stars have different lengths");
     cells.push_back(std::move(column));
   }
-  std::string text;
-  for (std::size_t c = 0; c < names.size(); ++c) text += (c > 0 ? "," : "") + names[c];
-  text += "\n";
+  std::string text = sim::joined(names, ",") + "\n";
   for (std::size_t row = 0; !cells.empty() && row < cells.front().size(); ++row) {
     for (std::size_t c = 0; c < cells.size(); ++c) text += (c > 0 ? "," : "") + cells[c][row];
     text += "\n";

@@ -1,8 +1,6 @@
 #include "apps/commands/commands.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -34,6 +32,7 @@
 #include "fit/photo/composite_pictures.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/text.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/render/render.h"
 #include "sim/render/volumes/volumes.h"
@@ -56,12 +55,7 @@ struct AnimateRequest {
   std::string memory_limit;
 };
 
-bool is_movie(const std::string& output) {
-  std::string extension = std::filesystem::path(output).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".mp4";
-}
+bool is_movie(const std::string& output) { return sim::lowered_extension(output) == ".mp4"; }
 
 std::vector<int> frames_of(const AnimateRequest& options, const sim::Scene& scene) {
   if (!options.frames.empty()) return frames_from_words(options.frames);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -26,6 +25,7 @@
 #include "fit/report/columns/inversion_plot.h"
 #include "fit/report/columns/inversion_texts.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/text.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/emission_folder.h"
@@ -209,8 +209,7 @@ sim::Image brightness_plane(const std::string& file, double line_nm) {
 enum class MapFormat { fits, netcdf };
 
 MapFormat map_format(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = sim::lowered_extension(file);
   if (ending == ".fits" || ending == ".fit" || ending == ".fts") return MapFormat::fits;
   if (ending == ".nc") return MapFormat::netcdf;
   throw usage_error("--output", "'" + file_name_of(file) + "' does not say what maps are to be written as",

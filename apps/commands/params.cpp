@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <memory>
 #include <set>
 #include <string>
@@ -13,6 +12,7 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
+#include "sim/base/text.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/forms.h"
 #include "sim/scene/table/alternative_forms.h"
@@ -110,9 +110,7 @@ std::string unit_in_keys(const std::string& unit) {
   if (unit == "kR") return "kilorayleigh";
   std::string text = unit;
   for (const auto& [from, to] : kSpellings) text = replaced(text, from, to);
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+  return sim::lowered(text);
 }
 
 /// The unit, where the key does not end with it.

@@ -16,6 +16,7 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/standard_streams.h"
 #include "sim/base/shown_text.h"
+#include "sim/base/text.h"
 #include "sim/scene/rows/nearest_name.h"
 
 namespace vegard::apps {
@@ -134,9 +135,7 @@ std::string described(const CLI::Option& option) {
   std::vector<std::string> facts;
   if (takes_value(option)) {
     const ValueText value = value_text(option);
-    std::string choices;
-    for (const std::string& choice : value.choices) choices += (choices.empty() ? "" : ", ") + choice;
-    if (!choices.empty()) facts.push_back(choices);
+    if (!value.choices.empty()) facts.push_back(sim::joined(value.choices));
     if (!value.limits.empty()) facts.push_back(value.limits);
   }
   const std::string& words = option.get_description();
@@ -148,9 +147,8 @@ std::string described(const CLI::Option& option) {
   // What already ends with facts in parentheses gets the others there.
   const std::size_t last = words.rfind("(default");
   const bool has_facts = last != std::string::npos && words.find(')', last) + 1 == words.size();
-  std::string text = has_facts ? words.substr(0, words.size() - 1) + "; " : words + " (";
-  for (std::size_t i = 0; i < facts.size(); ++i) text += (i == 0 ? "" : "; ") + facts[i];
-  return text + ")";
+  return (has_facts ? words.substr(0, words.size() - 1) + "; " : words + " (") + sim::joined(facts, "; ") +
+         ")";
 }
 
 /// --help with the same words as the manual.

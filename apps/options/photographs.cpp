@@ -7,18 +7,15 @@
 #include "apps/options/standard_streams.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 
 namespace vegard::apps {
 namespace {
 
 std::set<std::string> paths_of(const std::vector<std::string>& changes) {
   std::set<std::string> paths;
-  for (const std::string& words : changes) {
-    std::string path = words.substr(0, words.find('='));
-    path.erase(path.find_last_not_of(' ') + 1);
-    path.erase(0, path.find_first_not_of(' '));
-    paths.insert(path);
-  }
+  for (const std::string& words : changes)
+    paths.emplace(sim::trimmed(std::string_view(words).substr(0, words.find('=')), " "));
   return paths;
 }
 

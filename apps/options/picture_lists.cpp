@@ -18,6 +18,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/picture_metadata.h"
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::apps {
@@ -77,10 +78,7 @@ using Kind = fit::PictureTimes::Kind;
   throw sim::Error(sim::ErrorKind::unreadable_input, details);
 }
 
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
+std::string trimmed(const std::string& text) { return std::string(sim::trimmed(text)); }
 
 std::optional<double> plain_number(const std::string& text) {
   char* end = nullptr;

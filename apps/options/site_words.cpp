@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "apps/options/refusals.h"
+#include "sim/base/text.h"
 
 namespace vegard::apps {
 namespace {
@@ -58,10 +59,7 @@ class AngleReader {
     const char upper = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return std::string_view("NSEW").find(upper) != std::string_view::npos && upper != 0 ? upper : char{0};
   }
-  void trim() {
-    while (!rest_.empty() && rest_.front() == ' ') rest_.remove_prefix(1);
-    while (!rest_.empty() && rest_.back() == ' ') rest_.remove_suffix(1);
-  }
+  void trim() { rest_ = sim::trimmed(rest_, " "); }
   /// Of digits and one point.
   std::optional<double> number() {
     const std::size_t end = std::min(rest_.find_first_not_of("0123456789."), rest_.size());
@@ -114,8 +112,7 @@ void add_site_option(const Command& command, std::vector<std::string>& words) {
 }
 
 SitePlace site_place(const std::vector<std::string>& words, const std::string& key) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ",") + word;
+  const std::string all = sim::joined(words, ",");
   if (words.size() < 2 || words.size() > 3) throw usage_error(key, "'" + all + "' is no place", kSiteForm);
   std::optional<SiteAngle> first = AngleReader(words[0]).read(), second = AngleReader(words[1]).read();
   for (int i = 0; i < 2; ++i)

@@ -1,21 +1,18 @@
 #include "apps/output/grid_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"
 #include "sim/base/grid/volumegrid_text.h"
+#include "sim/base/text.h"
 
 namespace vegard::apps {
 namespace {
 
 std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
+  return names.empty() ? "none" : sim::joined(names);
 }
 
 void refuse_channel(const std::string& path, const std::string& name, const std::vector<std::string>& known) {
@@ -24,12 +21,7 @@ void refuse_channel(const std::string& path, const std::string& name, const std:
 
 }  // namespace
 
-bool is_vdb_name(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".vdb";
-}
+bool is_vdb_name(const std::string& path) { return sim::lowered_extension(path) == ".vdb"; }
 
 void check_grid_name(const std::string& key, const std::string& path) {
   if (!is_vdb_name(path) && !sim::is_volumegrid_name(path))

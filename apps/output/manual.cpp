@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/exit_code.h"
+#include "sim/base/text.h"
 #include "sim/base/version.h"
 
 namespace vegard::apps {
@@ -70,12 +71,6 @@ void each_command(const CommandText& command, const Call& call) {
   }
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::vector<std::string> names_of_subcommands(const CommandText& command) {
   std::vector<std::string> names;
   for (const CommandText& sub : command.subcommands)
@@ -135,9 +130,9 @@ std::string man_page(const CommandText& program, const CommandText& command) {
 std::string bash_completion(const CommandText& program) {
   std::string cases;
   const auto add = [&](const CommandText& command, const std::string& path) {
-    cases +=
-        fmt::format("    {}) words={} ;;\n", in_quotes(path),
-                    in_quotes(joined(names_of_subcommands(command)) + " " + joined(option_names(command))));
+    cases += fmt::format("    {}) words={} ;;\n", in_quotes(path),
+                         in_quotes(sim::joined(names_of_subcommands(command), " ") + " " +
+                                   sim::joined(option_names(command), " ")));
   };
   add(program, "");
   std::string values;
@@ -147,7 +142,7 @@ std::string bash_completion(const CommandText& program) {
       if (!option.choices.empty())
         for (const std::string& name : option.names)
           values += fmt::format("    {}) words={} ;;\n", in_quotes(command.name + " " + name),
-                                in_quotes(joined(option.choices)));
+                                in_quotes(sim::joined(option.choices, " ")));
   });
   std::string all;
   each_command(program, [&](const CommandText& command) { all += " " + in_quotes(command.name); });
@@ -209,7 +204,7 @@ std::string fish_completion(const CommandText& program) {
       for (const std::string& name : option.names)
         text += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!option.value.empty()) text += " -r";
-      if (!option.choices.empty()) text += " -f -a " + in_quotes(joined(option.choices));
+      if (!option.choices.empty()) text += " -f -a " + in_quotes(sim::joined(option.choices, " "));
       text += " -d " + in_quotes(short_words(option.words)) + "\n";
     }
   });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -12,6 +11,7 @@
 
 #include "apps/options/refusals.h"
 #include "sim/base/file/output_error.h"
+#include "sim/base/text.h"
 #include "sim/base/version.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/table/parameter_table.h"
@@ -55,9 +55,7 @@ std::vector<std::string> remarks_on(const sim::Scene& scene, const std::string& 
 }  // namespace
 
 PointFormat point_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = sim::lowered_extension(path);
   if (extension == ".ply") return PointFormat::ply;
   if (extension == ".csv") return PointFormat::csv;
   throw usage_error("--output", "'" + path + "' cannot hold points", "a name that ends in .ply or .csv");
@@ -85,8 +83,7 @@ std::string PointFile::header() const {
   std::string text;
   if (format_ == PointFormat::csv) {
     for (const std::string& remark : remarks_) text += "# " + remark + "\n";
-    for (std::size_t i = 0; i < columns_.size(); ++i) text += (i > 0 ? "," : "") + columns_[i];
-    return text + "\n";
+    return text + sim::joined(columns_, ",") + "\n";
   }
   constexpr std::size_t kDigits = 20;  // of the largest 64-bit number
   const std::string count = std::to_string(count_);

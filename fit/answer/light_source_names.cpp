@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/base/text.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 
 namespace vegard::fit {
@@ -34,11 +35,7 @@ std::string sources_of(const sim::Scene& scene) {
       has_light(scene, LightKind::any))
     sources.emplace_back("volumes");
   if (scene.sun.shown) sources.emplace_back("Sun");
-  if (sources.empty()) return "sheets";
-  std::string text = sources.front();
-  for (std::size_t i = 1; i < sources.size(); ++i)
-    text += (i + 1 == sources.size() ? " and " : ", ") + sources[i];
-  return text;
+  return sources.empty() ? "sheets" : sim::joined(sources, ", ", " and ");
 }
 
 }  // namespace vegard::fit

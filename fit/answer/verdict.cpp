@@ -8,6 +8,7 @@
 #include "fit/answer/derived.h"
 #include "fit/answer/light_source_names.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
@@ -26,12 +27,6 @@ constexpr const char* kOneAnswerCheck = "one answer";
 constexpr const char* kCorrelationCheck = "effective sample size";
 constexpr double kNoRise = 1e-6;  // of chi2 at the start: rounding
 
-std::string joined(const std::vector<std::string>& reasons) {
-  std::string text;
-  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-  return text;
-}
-
 /// Collects the checks and the reasons of the verdict.
 class Checks {
  public:
@@ -42,7 +37,7 @@ class Checks {
 
   /// The check passes if there are no objections; else the objections become reasons of the verdict.
   void add(const std::string& name, const std::string& found, const std::vector<std::string>& against) {
-    result_.checks.push_back({name, against.empty(), against.empty() ? found : joined(against)});
+    result_.checks.push_back({name, against.empty(), against.empty() ? found : sim::joined(against, "; ")});
     result_.reasons.insert(result_.reasons.end(), against.begin(), against.end());
   }
 
@@ -136,16 +131,7 @@ bool is_constrained_by_ends_only(const FitResult& r, const FittedParameter& p) {
 
 /// Ends that are out of view may be as far as the limits let them.
 bool is_length_at_limit(const FittedParameter& p) {
-  static const std::string kEnd = ".length_km";
-  return p.at_limit && p.path.size() > kEnd.size() &&
-         p.path.compare(p.path.size() - kEnd.size(), kEnd.size(), kEnd) == 0;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return list;
+  return p.at_limit && sim::ends_with(p.path, ".length_km");
 }
 
 /// Parameters that the data do not constrain and that leave all other results unaffected.
@@ -154,7 +140,7 @@ std::string unconstrained_parameters(const FitResult& r) {
   for (const FittedParameter& p : r.parameters)
     if ((!p.sigma || is_length_at_limit(p)) && is_constrained_by_ends_only(r, p))
       names.push_back(sim::short_path(p.path, r.best.sheets.size() == 1));
-  return listed(names);
+  return sim::joined(names, ", ", " and ");
 }
 
 /// One sentence for each unconstrained direction, then the parameters without an error bar. The report gives
@@ -172,7 +158,7 @@ std::vector<std::string> without_error_bar(const FitResult& r) {
   if (coefficients > 0) names.push_back(number_of(coefficients, "coefficient") + " of free-form profiles");
   if (names.empty()) return {};
   std::vector<std::string> reasons = r.undetermined;
-  reasons.push_back("no error bar for " + listed(names));
+  reasons.push_back("no error bar for " + sim::joined(names, ", ", " and "));
   return reasons;
 }
 
@@ -333,10 +319,10 @@ void assess_fit(const Evidence& evidence, FitResult& result) {
     if (evidence.out_of_evaluations)
       reasons.insert(reasons.begin(), "the evaluations ran out (--max-evaluations)");
     result.verdict_line = "Do not believe it: the search did not converge" +
-                          (reasons.empty() ? std::string() : "; " + joined(reasons)) + ".";
+                          (reasons.empty() ? std::string() : "; " + sim::joined(reasons, "; ")) + ".";
   } else if (!reasons.empty()) {
     result.verdict = Verdict::doubtful;
-    result.verdict_line = "Doubtful: " + joined(reasons) + ".";
+    result.verdict_line = "Doubtful: " + sim::joined(reasons, "; ") + ".";
   } else {
     result.verdict = Verdict::good;
     result.verdict_line = fmt::format(

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/base/text.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/render/ground/sight_lines.h"
 #include "sim/scene/emitters/emitter_kinds.h"
@@ -118,10 +119,6 @@ std::string path_of_point(const sim::Sheet& sheet, const char* key, int point) {
 }
 
 std::string across_name(const std::string& sheet) { return sheet + "_across_km_"; }
-
-bool starts_as(const std::string& text, const std::string& with) {
-  return text.compare(0, with.size(), with) == 0;
-}
 
 void free_path(sim::Scene& scene, const std::string& path) {
   sim::FreeParameter free;
@@ -317,7 +314,9 @@ void add_curve(sim::Scene& scene, const Ridge& ridge) {
 }
 
 void drop_curve(sim::Scene& scene, const std::string& name) {
-  const auto is_of_it = [&](const std::string& path) { return starts_as(path, "sheet." + name + "."); };
+  const auto is_of_it = [&](const std::string& path) {
+    return sim::starts_with(path, "sheet." + name + ".");
+  };
   std::vector<sim::Sheet>& sheets = scene.sheets;
   sheets.erase(std::remove_if(sheets.begin(), sheets.end(),
                               [&](const sim::Sheet& sheet) { return sheet.name == name; }),
@@ -326,7 +325,7 @@ void drop_curve(sim::Scene& scene, const std::string& name) {
   free.erase(std::remove_if(free.begin(), free.end(),
                             [&](const sim::FreeParameter& f) {
                               return is_of_it(f.path) ||
-                                     (f.path.empty() && starts_as(f.name, across_name(name)));
+                                     (f.path.empty() && sim::starts_with(f.name, across_name(name)));
                             }),
              free.end());
   std::vector<sim::TiedParameter>& tied = scene.fit.tied;

@@ -7,6 +7,7 @@
 #include "fit/parameters/free_parameters.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/photo_scene.h"
 
@@ -18,7 +19,7 @@ constexpr double kSameValue = 1e-6;  // relative: what a scene's text may round
 bool concerns_map(const std::string& path) {
   constexpr std::array<const char*, 4> kTables = {"camera.", "air.", "field.", "blur."};
   return std::any_of(kTables.begin(), kTables.end(),
-                     [&](const std::string& table) { return path.compare(0, table.size(), table) == 0; });
+                     [&](const char* table) { return sim::starts_with(path, table); });
 }
 
 /// What the scene, or the photograph, has for it.

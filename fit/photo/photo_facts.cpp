@@ -4,16 +4,14 @@
 
 #include "fit/photo/picture_field_of_view.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 /// To this many places, without zeros at the end: "62.416271", "1600".
 std::string plain(double value, int places) {
-  std::string text = fmt::format("{:.{}f}", value, places);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return sim::without_trailing_zeros(fmt::format("{:.{}f}", value, places));
 }
 
 /// To six significant digits, the places that a camera's fractions hold.

@@ -1,7 +1,6 @@
 #include "fit/photo/plane_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <limits>
 
@@ -9,13 +8,13 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 bool is_fits(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = sim::lowered_extension(file);
   return extension == ".fits" || extension == ".fit" || extension == ".fts";
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -15,6 +14,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/pixel_limit.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
@@ -26,19 +26,14 @@ using Names = std::array<std::string_view, 4>;
 constexpr Names kAzimuthNames{"azimuth", "azim", "az", "azimuth_deg"};
 constexpr Names kElevationNames{"elevation", "elev", "el", "elevation_deg"};
 
-/// Without groups, in small letters.
-std::string last_name(const std::string& path) {
-  std::string name = path.substr(path.rfind('/') + 1);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
+/// Returns the name without its groups, in small letters.
+std::string last_name(const std::string& path) { return sim::lowered(path.substr(path.rfind('/') + 1)); }
 
 bool is_called(const std::string& path, const Names& names) {
   const std::string own = last_name(path);
   return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-    if (own.size() < name.size() || own.compare(own.size() - name.size(), name.size(), name) != 0)
-      return false;
-    return own.size() == name.size() || own[own.size() - name.size() - 1] == '_';
+    return sim::ends_with(own, name) &&
+           (own.size() == name.size() || own[own.size() - name.size() - 1] == '_');
   });
 }
 

@@ -10,6 +10,7 @@
 #include "fit/report/plot/plot_canvas.h"
 #include "fit/uncertainty/sample_summary.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
@@ -185,11 +186,8 @@ Corner lay_out(const CornerData& data) {
   }
   if (n < all)
     c.notes.push_back(fmt::format("{} of {} parameters: those of the strongest correlations.", n, all));
-  if (!data.left_out.empty()) {
-    std::string names;
-    for (const std::string& name : data.left_out) names += (names.empty() ? "" : ", ") + name;
-    c.notes.push_back("Left out, without an error bar: " + names + ".");
-  }
+  if (!data.left_out.empty())
+    c.notes.push_back("Left out, without an error bar: " + sim::joined(data.left_out) + ".");
   c.top = kCornerEdge + 26.0 + kCornerNoteHeight * static_cast<double>(1 + (c.samples > 0) + c.notes.size()) +
           kNameHeight + 6.0;
   const double step = c.cell + kCornerGap;

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "sim/base/text.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -52,8 +54,6 @@ class Tracer : public ceres::IterationCallback {
   bool level_ = false;
 };
 
-bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
-
 /// What the solver's message means, then the message.
 std::string in_words(const ceres::Solver::Summary& summary) {
   std::string words;
@@ -63,11 +63,11 @@ std::string in_words(const ceres::Solver::Summary& summary) {
       break;
     case ceres::CONVERGENCE:
       words = "converged";
-      if (begins_with(summary.message, "Function tolerance"))
+      if (sim::starts_with(summary.message, "Function tolerance"))
         words += ": another step would hardly change chi2";
-      else if (begins_with(summary.message, "Parameter tolerance"))
+      else if (sim::starts_with(summary.message, "Parameter tolerance"))
         words += ": another step would hardly move the parameters";
-      else if (begins_with(summary.message, "Gradient tolerance"))
+      else if (sim::starts_with(summary.message, "Gradient tolerance"))
         words += ": the gradient of chi2 vanishes";
       break;
     case ceres::NO_CONVERGENCE:

@@ -16,6 +16,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
 #include "sim/base/file/output_error.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace fs = std::filesystem;
@@ -77,10 +78,6 @@ int write_at(int descriptor, const std::string& bytes, long long at) {
   return ::fdatasync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
 }
 
-bool has_beginning(const std::string& text, const std::string& beginning) {
-  return text.compare(0, beginning.size(), beginning) == 0;
-}
-
 }  // namespace
 
 std::string journal_file(const std::string& run_directory) {
@@ -122,14 +119,14 @@ void FileJournal::open(const JournalSubject& subject, JournalMode mode) {
   const std::string header = header_line(subject), bytes = all_of(descriptor_, file_);
   const std::size_t line = bytes.find('\n');
   // A header that was torn while it was written is one of ours, and holds nothing.
-  const bool nothing = line == std::string::npos && has_beginning(header, bytes);
+  const bool nothing = line == std::string::npos && sim::starts_with(header, bytes);
   const std::optional<std::string> text =
       line == std::string::npos ? std::nullopt : checked_text(bytes.substr(0, line));
   const Json found = text ? Json::parse(*text, nullptr, false) : Json();
   if (!nothing && !(found.is_object() && found.contains("journal")))
     throw refused(file_, "is in the way of the fit's journal, and is none itself",
                   "choose another name for the run");
-  const bool same = has_beginning(bytes, header);
+  const bool same = sim::starts_with(bytes, header);
   if (same) read_steps(bytes, header.size());
   const bool has_steps = !nothing && bytes.size() > line + 1;
   if (mode == JournalMode::fresh && has_steps)

@@ -2,10 +2,10 @@
 
 #include <array>
 
+#include "sim/base/text.h"
+
 namespace vegard::fit {
 namespace {
-
-bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
 
 struct FollowedWords {
   SurveyWork work;
@@ -32,7 +32,7 @@ constexpr std::array<FollowedWords, 12> kFollowed = {{
 std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity& quantity) {
   if (quantity.item > 1) return std::nullopt;
   for (const FollowedWords& words : kFollowed)
-    if (words.work == work && begins_with(quantity.name, words.beginning)) return words.kind;
+    if (words.work == work && sim::starts_with(quantity.name, words.beginning)) return words.kind;
   return std::nullopt;
 }
 

@@ -16,6 +16,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -64,9 +65,7 @@ WorkAnswer border_answer(const Photo& photo, const sim::Scene& scene, int channe
   WorkAnswer answer;
   answer.work = SurveyWork::border;
   answer.verdict = border.measured > 0 ? "good" : "none";
-  std::string words;
-  for (const std::string& note : border.notes) words += (words.empty() ? "" : "; ") + note;
-  if (!words.empty()) answer.words = words;
+  if (!border.notes.empty()) answer.words = sim::joined(border.notes, "; ");
   for (std::size_t t = 0; t < border.traces.size(); ++t) {
     const BorderTrace& trace = border.traces[t];
     if (trace.measured == 0) continue;

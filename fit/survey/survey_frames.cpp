@@ -14,6 +14,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -25,12 +26,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxListBytes = 1u << 30;
 
 bool has_ending(const std::string& name, const std::vector<std::string>& endings) {
-  std::string lower = name;
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string lower = sim::lowered(name);
   return std::any_of(endings.begin(), endings.end(), [&](const std::string& ending) {
-    return lower.size() > ending.size() &&
-           lower.compare(lower.size() - ending.size(), ending.size(), ending) == 0;
+    return lower.size() > ending.size() && sim::ends_with(lower, ending);
   });
 }
 
@@ -119,10 +117,7 @@ struct ListLine {
   std::string frame, time;
 };
 ListLine list_line(std::string line) {
-  const auto trim = [](std::string& text) {
-    text.erase(text.find_last_not_of(" \t\r") + 1);
-    text.erase(0, std::min(text.find_first_not_of(" \t\r"), text.size()));
-  };
+  const auto trim = [](std::string& text) { text = std::string(sim::trimmed(text)); };
   trim(line);
   if (line.empty() || line[0] == '#') return {};
   const std::size_t blank = line.find_last_of(" \t");

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -130,12 +131,7 @@ std::string change_words(const Member& m, double change, int digits, bool with_n
   return m.is_place ? amount + " " + way : amount + " " + way + noun;
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
-  return text;
-}
+std::string listed(const std::vector<std::string>& words) { return sim::joined(words, ", ", " and "); }
 
 /// "distance and energy of the main sheet", "distance of the main sheet and azimuth of the camera".
 std::string names_of(const std::vector<Member>& members) {

@@ -10,6 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/base/text.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/table_files.h"
@@ -57,9 +58,8 @@ std::string column_if_any(const CsvTable& table, double wavelength_nm) {
 }
 
 [[noreturn]] void fail_without_column(const CsvTable& table, double wavelength_nm) {
-  std::string there;
-  for (const std::string& name : table.columns) there += (there.empty() ? "" : ", ") + name;
-  fail(table, "there is no column of " + short_real_text(wavelength_nm) + " nm beside " + there,
+  fail(table,
+       "there is no column of " + short_real_text(wavelength_nm) + " nm beside " + joined(table.columns),
        "one called '" + line_name(wavelength_nm) + "' or '" + short_real_text(wavelength_nm) + "'",
        "a line without light has a column of zeros");
 }

@@ -6,16 +6,13 @@
 
 #include "apps/options/file_names.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/text.h"
 #include "sim/light/air/msis_air.h"
 
 namespace vegard::apps {
 namespace {
 
-std::string names_of_air() {
-  std::string names;
-  for (const std::string& name : sim::air_names()) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
+std::string names_of_air() { return sim::joined(sim::air_names()); }
 
 }  // namespace
 

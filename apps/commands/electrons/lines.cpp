@@ -16,6 +16,7 @@
 #include "apps/output/plot_file.h"
 #include "fit/report/quenching_plot.h"
 #include "sim/base/error.h"
+#include "sim/base/file/csv_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/solar_lines.h"
@@ -41,13 +42,6 @@ std::string column_text(const sim::EmissionLine& line) {
   if (!sim::is_auroral(line)) return "of nebulae";
   if (line.ratio_source[0] == '\0') return line.table_column;
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
 }
 
 /// Lines of more components have them only in the CSV.
@@ -171,8 +165,8 @@ std::string line_csv() {
     const auto response = sim::temperature_response(line.wavelength_nm);
     text +=
         fmt::format("{:.1f},{},{},{:g},{},{:.6g},{},{},{},{}\n", line.wavelength_nm, line.species,
-                    quoted(line.transition), line.lifetime_s, line.table_column, line.ratio,
-                    quoted(line.ratio_source), quoted(line.blended_with), components,
+                    sim::csv_cell(line.transition), line.lifetime_s, line.table_column, line.ratio,
+                    sim::csv_cell(line.ratio_source), sim::csv_cell(line.blended_with), components,
                     response ? fmt::format("{:g},{:g}", response->peak_log_k, response->width_log_k) : ",");
   }
   return text;

@@ -16,6 +16,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/text.h"
+
 namespace vegard::fit {
 
 enum class ImageFormat { jpeg, png, tiff, pgm, ppm, exr, fits, raw, heif };
@@ -51,10 +53,6 @@ inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int siz
     value = value << 8 | static_cast<unsigned char>(bytes[place]);
   }
   return value;
-}
-
-inline bool starts_with(std::string_view bytes, std::string_view start) {
-  return bytes.substr(0, start.size()) == start;
 }
 
 }  // namespace vegard::fit

@@ -81,23 +81,23 @@ ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
     refuse_image(file, "the file is empty", known_formats, "copy it again from where it came");
   ImageFile image;
   using namespace std::string_view_literals;
-  if (starts_with(bytes, "\xff\xd8"sv)) {
+  if (sim::starts_with(bytes, "\xff\xd8"sv)) {
     image = walk_jpeg(bytes, file);
-  } else if (starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
+  } else if (sim::starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
     image = walk_png(bytes, file);
   } else if (is_camera_raw(bytes)) {
     image = walk_camera_raw(bytes, file);
-  } else if (starts_with(bytes, "II\x2a\0"sv) || starts_with(bytes, "MM\0\x2a"sv) ||
-             starts_with(bytes, "II\x2b\0"sv) || starts_with(bytes, "MM\0\x2b"sv)) {
+  } else if (sim::starts_with(bytes, "II\x2a\0"sv) || sim::starts_with(bytes, "MM\0\x2a"sv) ||
+             sim::starts_with(bytes, "II\x2b\0"sv) || sim::starts_with(bytes, "MM\0\x2b"sv)) {
     image = walk_tiff(bytes, file);
-  } else if (starts_with(bytes, "P2"sv) || starts_with(bytes, "P3"sv) || starts_with(bytes, "P5"sv) ||
-             starts_with(bytes, "P6"sv)) {
+  } else if (sim::starts_with(bytes, "P2"sv) || sim::starts_with(bytes, "P3"sv) ||
+             sim::starts_with(bytes, "P5"sv) || sim::starts_with(bytes, "P6"sv)) {
     image = walk_pnm(bytes, file);
-  } else if (starts_with(bytes, "v/1\x01"sv)) {
+  } else if (sim::starts_with(bytes, "v/1\x01"sv)) {
     image = walk_exr(bytes, file);
   } else if (is_heif(bytes)) {
     image = walk_heif(bytes, file);
-  } else if (starts_with(bytes, "SIMPLE  ="sv)) {
+  } else if (sim::starts_with(bytes, "SIMPLE  ="sv)) {
     image.format = ImageFormat::fits;
   } else {
     refuse_image(file, "this is no image that can be read",

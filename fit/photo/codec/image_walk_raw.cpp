@@ -15,14 +15,14 @@ constexpr int kCompression = 259, kDngVersion = 50706;
 constexpr std::uint64_t kMakersCompressions[] = {32767, 32769, 32770, 34713, 65535};
 
 bool is_tiff(std::string_view bytes) {
-  return starts_with(bytes, "II\x2a\0"sv) || starts_with(bytes, "MM\0\x2a"sv);
+  return sim::starts_with(bytes, "II\x2a\0"sv) || sim::starts_with(bytes, "MM\0\x2a"sv);
 }
 
 /// Of raw files that are no TIFFs: Fujifilm, Canon (CRW, CR3), Olympus, Panasonic, Minolta, Sigma.
 bool has_makers_start(std::string_view bytes) {
   for (const std::string_view start : {"FUJIFILMCCD-RAW"sv, "IIRO"sv, "IIRS"sv, "MMOR"sv, "IIU\0"sv,
                                        "\0MRM"sv, "FOVb"sv, "II\x1a\0\0\0HEAPCCDR"sv})
-    if (starts_with(bytes, start)) return true;
+    if (sim::starts_with(bytes, start)) return true;
   return bytes.substr(4, 8) == "ftypcrx ";
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -27,8 +27,7 @@ std::optional<double> in_range(double seconds) {
 }
 
 bool is_named_for_times(const std::string& name) {
-  std::string plain = name.substr(name.rfind('/') + 1);
-  for (char& c : plain) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string plain = sim::lowered(name.substr(name.rfind('/') + 1));
   return plain == "t" || plain == "datenum" || plain.find("time") != std::string::npos ||
          plain.find("epoch") != std::string::npos;
 }
@@ -71,10 +70,8 @@ std::optional<double> seconds_of_number(double number) {
 }
 
 std::optional<ImagerTime> time_of_text(std::string text, const std::string& source) {
-  constexpr const char* kZone = " UTC";
-  constexpr std::size_t kZoneSize = 4;
-  if (text.size() > kZoneSize && text.compare(text.size() - kZoneSize, kZoneSize, kZone) == 0)
-    text.erase(text.size() - kZoneSize);
+  constexpr std::string_view kZone = " UTC";
+  if (sim::ends_with(text, kZone)) text.erase(text.size() - kZone.size());
   const auto seconds = sim::utc_seconds(text);
   if (!seconds) return std::nullopt;
   ImagerTime time = time_at(*seconds, source);

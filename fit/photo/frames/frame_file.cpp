@@ -14,7 +14,9 @@ namespace {
 constexpr const char* kCopyAgain = "copy it again from where it came";
 constexpr std::size_t kKindBytes = 2;
 
-bool is_frame_kind(std::string_view bytes) { return starts_with(bytes, "P5") || starts_with(bytes, "P6"); }
+bool is_frame_kind(std::string_view bytes) {
+  return sim::starts_with(bytes, "P5") || sim::starts_with(bytes, "P6");
+}
 
 std::string pixels_text(long long width, long long height) {
   return std::to_string(width) + " x " + std::to_string(height) + " pixels";

@@ -1,11 +1,11 @@
 #include "fit/photo/frames/imager_words.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <initializer_list>
 
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -13,25 +13,14 @@ namespace {
 
 constexpr const char* kExposureOptions = "Exposure options";
 
-std::string_view without_blank_ends(std::string_view text) {
-  constexpr const char* kBlanks = " \t\r";
-  const std::size_t begin = text.find_first_not_of(kBlanks);
-  return begin == std::string_view::npos ? std::string_view()
-                                         : text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
-
-bool are_alike(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
 using Word = ImagerWords::value_type;
 
 /// The last word of the first of these keys that there is.
 const Word* word_of_keys(const ImagerWords& words, std::initializer_list<const char*> keys) {
   for (const char* key : keys) {
-    const auto found = std::find_if(words.rbegin(), words.rend(),
-                                    [&](const Word& word) { return are_alike(word.first, key); });
+    const auto found = std::find_if(words.rbegin(), words.rend(), [&](const Word& word) {
+      return sim::lowered(word.first) == sim::lowered(key);
+    });
     if (found != words.rend()) return &*found;
   }
   return nullptr;
@@ -111,7 +100,7 @@ ImagerWords imager_words(std::string_view header) {
     if (line.substr(0, 2) != "#\"") continue;
     const std::size_t end = line.find('"', 2);
     if (end == std::string_view::npos) continue;
-    words.emplace_back(line.substr(2, end - 2), without_blank_ends(line.substr(end + 1)));
+    words.emplace_back(line.substr(2, end - 2), sim::trimmed(line.substr(end + 1)));
   }
   return words;
 }
@@ -128,10 +117,8 @@ std::optional<ImagerTime> imager_time(const ImagerWords& words, const std::strin
   const Word* word = word_of_keys(words, {"Image request start", "image_request_start_timestamp"});
   if (word == nullptr) return std::nullopt;
   std::string text = word->second;
-  constexpr const char* kZone = " UTC";
-  constexpr std::size_t kZoneSize = 4;
-  if (text.size() > kZoneSize && text.compare(text.size() - kZoneSize, kZoneSize, kZone) == 0)
-    text.erase(text.size() - kZoneSize);
+  constexpr std::string_view kZone = " UTC";
+  if (sim::ends_with(text, kZone)) text.erase(text.size() - kZone.size());
   const auto time = sim::civil_time(text);
   if (!time) return std::nullopt;
   ImagerTime found;

@@ -1,30 +1,24 @@
 #include "fit/photo/frames/tar_frames.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <vector>
 
 #include "fit/photo/codec/image_file.h"
 #include "fit/photo/frames/imager_name.h"
 #include "sim/base/file/tar_file.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 /// Without its folders, in small letters.
 std::string small_file_name(const std::string& path) {
-  std::string name = path.substr(path.rfind('/') + 1);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
+  return sim::lowered(path.substr(path.rfind('/') + 1));
 }
 
 /// "._NAME.png" is what macOS writes beside a file.
-bool is_png_name(const std::string& name) {
-  constexpr std::string_view kEnding = ".png";
-  return name.size() > kEnding.size() && name[0] != '.' &&
-         name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
-}
+bool is_png_name(const std::string& name) { return name[0] != '.' && sim::ends_with(name, ".png"); }
 
 struct InTar {
   sim::TarEntry entry;

@@ -9,6 +9,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
+#include "sim/base/text.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/view/sky/bright_stars.h"
 
@@ -21,7 +22,7 @@ class Reader {
       : name_(name), sky_(sky), shift_px_(0.5 - first_pixel) {}
 
   std::vector<StarSighting> read(const std::string& text) {
-    std::size_t begin = text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0;
+    std::size_t begin = sim::starts_with(text, "\xef\xbb\xbf") ? 3 : 0;
     for (; begin < text.size(); ++line_) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       cells_ = cells_of(text.substr(begin, end - begin));
@@ -49,10 +50,7 @@ class Reader {
       else
         cells.back() += c;
     }
-    for (std::string& cell : cells) {
-      const std::size_t first = cell.find_first_not_of(" \t\r");
-      cell = first == std::string::npos ? "" : cell.substr(first, cell.find_last_not_of(" \t\r") - first + 1);
-    }
+    for (std::string& cell : cells) cell = std::string(sim::trimmed(cell));
     return cells;
   }
 

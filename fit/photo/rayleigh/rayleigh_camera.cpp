@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/text.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/table/checked_table.h"
 
@@ -195,7 +195,7 @@ const RayleighFilter& filter_called(const RayleighCamera& camera, const std::str
   details.file = camera.file;
   details.key = "--filter";
   details.problem = name.empty() ? "it has several filters" : "it has no filter '" + name + "'";
-  for (const std::string& one : names) details.expected += (details.expected.empty() ? "" : ", ") + one;
+  details.expected = sim::joined(names);
   if (!name.empty()) details.hint = sim::nearest_hint(name, names);
   throw sim::Error(sim::ErrorKind::usage, details);
 }

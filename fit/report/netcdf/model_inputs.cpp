@@ -13,6 +13,7 @@
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 
@@ -148,9 +149,7 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
 
 NetcdfDataset lompe_dataset(const ModelInputs& inputs) {
   NetcdfDataset dataset("energy flux, energy and conductances by electrons", source_words());
-  std::string names;
-  for (const std::string& name : inputs.names) names += (names.empty() ? "" : "\n") + name;
-  dataset.attribute("maps", names);
+  dataset.attribute("maps", sim::joined(inputs.names, "\n"));
   dataset.attribute("references",
                     "Robinson et al. 1987, J. Geophys. Res. 92, 2565-2569: conductances, by electrons alone");
   const std::vector<std::string> by = {"time", "lat", "lon"};

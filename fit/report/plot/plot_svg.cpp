@@ -10,17 +10,13 @@
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/shown_text.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 /// Two decimals, without the zeros at their end.
-std::string svg_number(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
+std::string svg_number(double value) { return sim::without_trailing_zeros(fmt::format("{:.2f}", value)); }
 
 std::string escaped(std::string_view text) {
   std::string out;

@@ -10,6 +10,7 @@
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 
@@ -92,9 +93,7 @@ std::string found_words(const VerdictCounts& verdicts) {
       words.push_back(fmt::format("{} says {}", survey_work_name(work), list));
     }
   }
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i == 0 ? "" : "; ") + words[i];
-  return text;
+  return sim::joined(words, "; ");
 }
 
 std::string verdict_cell(const std::string& verdict) {

@@ -1,13 +1,13 @@
 #include "sim/base/array/idl_save.h"
 
 #include <algorithm>
-#include <cctype>
 #include <deque>
 #include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
 #include "sim/base/file/random_bytes.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -115,11 +115,6 @@ class Xdr {
   std::size_t at_ = 0;
 };
 
-std::string small_letters(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 class IdlSave : public ArrayFile {
  public:
   IdlSave(const std::string& name, std::string_view bytes) : ArrayFile(name, "IDL") {
@@ -209,7 +204,7 @@ class IdlSave : public ArrayFile {
       tag.type = xdr.number();
       tag.flags = xdr.number();
     }
-    for (Tag& tag : made.tags) tag.name = small_letters(xdr.text());
+    for (Tag& tag : made.tags) tag.name = lowered(xdr.text());
     for (Tag& tag : made.tags)
       if ((tag.flags & kArrayFlag) != 0) tag.shape = shape_of(xdr);
     for (Tag& tag : made.tags)
@@ -226,7 +221,7 @@ class IdlSave : public ArrayFile {
     kept_.push_back(std::move(content));
     Xdr xdr(kept_.back(), name_);
     Tag variable;
-    variable.name = small_letters(xdr.text());
+    variable.name = lowered(xdr.text());
     variable.type = xdr.number();
     variable.flags = xdr.number();
     if ((variable.flags & kSystemFlag) != 0) return;

@@ -7,6 +7,7 @@
 
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -22,20 +23,9 @@ namespace {
   throw Error(ErrorKind::unreadable_input, details);
 }
 
-std::string_view trimmed(std::string_view cell) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const std::size_t first = cell.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return cell.substr(first, cell.find_last_not_of(kBlanks) - first + 1);
-}
-
 std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  std::vector<std::string_view> cells = split(line, ',');
+  for (std::string_view& cell : cells) cell = trimmed(cell);
   return cells;
 }
 
@@ -107,11 +97,9 @@ bool CsvTable::has(std::string_view column_name) const {
 
 const std::vector<double>& CsvTable::column(std::string_view column_name) const {
   const auto found = std::find(columns.begin(), columns.end(), column_name);
-  if (found == columns.end()) {
-    std::string there;
-    for (const std::string& name_there : columns) there += (there.empty() ? "" : ", ") + name_there;
-    fail(name, 0, "there is no column '" + std::string(column_name) + "'", "that column; it has " + there);
-  }
+  if (found == columns.end())
+    fail(name, 0, "there is no column '" + std::string(column_name) + "'",
+         "that column; it has " + joined(columns));
   return numbers[static_cast<std::size_t>(found - columns.begin())];
 }
 

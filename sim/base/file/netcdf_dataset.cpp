@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/base/file/whole_file.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 
@@ -33,8 +34,7 @@ int flag_number(const std::vector<std::string>& words, const std::string& word) 
 std::string udunits_of(const std::string& unit) {
   // Of a velocity what is before the second.
   const std::string per_second = "/s";
-  if (unit != "m/s" && unit.size() > per_second.size() &&
-      unit.compare(unit.size() - per_second.size(), per_second.size(), per_second) == 0)
+  if (unit != "m/s" && unit.size() > per_second.size() && ends_with(unit, per_second))
     return udunits_of(unit.substr(0, unit.size() - per_second.size())) + " s-1";
   if (unit.empty() || unit == "white" || unit == "dex" || unit == "px") return "1";
   if (unit == "deg" || unit == "\u00b0") return "degree";

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/text.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -81,12 +83,7 @@ std::string short_number(double value, int significant_digits) {
   if (power >= 7 || power <= -5)
     return with_true_minus(fmt::format("{:.{}g}", value / std::pow(10.0, power), significant_digits)) +
            power_text(power);
-  std::string text = at_place(value, significant_digits - 1 - power);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text;
+  return without_trailing_zeros(at_place(value, significant_digits - 1 - power));
 }
 
 }  // namespace vegard::sim

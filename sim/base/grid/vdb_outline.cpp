@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/base/file/input_file.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -72,10 +73,6 @@ class ForwardFile {
   std::vector<char> block_;
   std::int64_t size_ = 0, place_ = 0, begin_ = 0, filled_ = 0;
 };
-
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
 
 using LeafBits = std::array<unsigned char, 64>;
 

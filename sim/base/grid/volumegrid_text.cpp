@@ -1,7 +1,6 @@
 #include "sim/base/grid/volumegrid_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/base/grid/volumegrid_words.h"
 #include "sim/base/large_vector.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -284,9 +284,7 @@ class VolumegridReader {
 }  // namespace
 
 bool is_volumegrid_name(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowered_extension(path);
   return extension == ".pbrt" || extension == ".volumegrid" || extension == ".txt";
 }
 

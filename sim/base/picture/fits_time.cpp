@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::sim {
@@ -9,24 +10,18 @@ namespace {
 
 constexpr std::size_t kFitsCard = 80, kKey = 8;
 
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  return begin == std::string_view::npos ? std::string_view()
-                                         : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
 /// The texts of the first header by their keywords, as far as the bytes reach.
 std::map<std::string_view, std::string_view> texts_of(std::string_view bytes) {
   std::map<std::string_view, std::string_view> texts;
   for (; bytes.size() >= kFitsCard; bytes.remove_prefix(kFitsCard)) {
-    const std::string_view key = without_blanks(bytes.substr(0, kKey)),
+    const std::string_view key = trimmed(bytes.substr(0, kKey), " "),
                            value = bytes.substr(kKey, kFitsCard - kKey);
     if (key == "END") break;
     const std::size_t begin = value.find('\'');
     if (value.substr(0, 2) != "= " || begin == std::string_view::npos) continue;
     const std::size_t end = value.find('\'', begin + 1);
     if (end != std::string_view::npos)
-      texts.emplace(key, without_blanks(value.substr(begin + 1, end - begin - 1)));
+      texts.emplace(key, trimmed(value.substr(begin + 1, end - begin - 1), " "));
   }
   return texts;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/base/text.h"
+
 namespace vegard::sim {
 namespace {
 
@@ -112,9 +114,8 @@ std::optional<std::string> TiffDirectory::text(int tag) const {
   text.resize(std::min(text.size(), text.find('\0')));
   for (char& c : text)
     if (c < 0x20 || c > 0x7e) c = '?';
-  const std::size_t begin = text.find_first_not_of(' ');
-  if (begin == std::string::npos) return std::nullopt;
-  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+  text = std::string(trimmed(text, " "));
+  return text.empty() ? std::nullopt : std::optional(text);
 }
 
 const TiffDirectory::Entry* TiffDirectory::find(int tag) const {

@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/parallel.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/text.h"
 #include "sim/view/camera/rays.h"
 
 namespace vegard::sim {
@@ -23,20 +24,13 @@ namespace {
   throw Error(ErrorKind::unreadable_input, details);
 }
 
-bool is_exr(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr";
-}
-
 bool is_depth(const std::string& channel) {
-  return channel == "Z" || (channel.size() > 2 && channel.compare(channel.size() - 2, 2, ".Z") == 0);
+  return channel == "Z" || (channel.size() > 2 && ends_with(channel, ".Z"));
 }
 
 /// The one channel that counts.
 Image depth_channel(const std::string& path) {
-  const Image all = is_exr(path) ? read_exr(path).image : read_picture(path).image;
+  const Image all = lowered_extension(path) == ".exr" ? read_exr(path).image : read_picture(path).image;
   const auto& names = all.channel_names;
   const auto found = std::find_if(names.begin(), names.end(), is_depth);
   const int channel = found != names.end() ? static_cast<int>(found - names.begin()) : 0;

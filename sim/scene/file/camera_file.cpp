@@ -1,15 +1,11 @@
 #include "sim/scene/file/camera_file.h"
 
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim {
-namespace {
-
-bool begins_with_table(const std::string& path, const char* table) { return path.rfind(table, 0) == 0; }
-
-}  // namespace
 
 void take_camera(Scene& scene, const std::string& camera_file) {
   const Scene given = read_scene(camera_file);
@@ -23,8 +19,8 @@ void take_camera(Scene& scene, const std::string& camera_file) {
   }
   bool has_camera = false;
   for (const auto& [path, line] : given.lines) {
-    has_camera = has_camera || begins_with_table(path, "camera.");
-    if (begins_with_table(path, "camera.") || begins_with_table(path, "site.")) continue;
+    has_camera = has_camera || starts_with(path, "camera.");
+    if (starts_with(path, "camera.") || starts_with(path, "site.")) continue;
     ErrorDetails details;
     details.file = camera_file;
     details.line = line;
@@ -36,7 +32,7 @@ void take_camera(Scene& scene, const std::string& camera_file) {
   // A lens is one thing: what the file does not say is at its default, not the scene's.
   if (has_camera) scene.camera = given.camera;
   for (const auto& [path, line] : given.lines) {
-    if (begins_with_table(path, "site."))
+    if (starts_with(path, "site."))
       set_from_text(scene, path, value_text(given, resolve(given, path).front()));
     scene.lines[path] = 0;  // it was given, but in no line of the scene's own file
   }

@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -26,22 +27,6 @@ constexpr double kMinBrightness = 1e-6;  // of point_brightness
   throw Error(ErrorKind::unreadable_input, details);
 }
 
-std::vector<std::string_view> cells_of_row(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t from = 0;;) {
-    const std::size_t comma = line.find(',', from);
-    cells.push_back(line.substr(from, comma == std::string_view::npos ? comma : comma - from));
-    if (comma == std::string_view::npos) return cells;
-    from = comma + 1;
-  }
-}
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 /// The table with no other columns: what stands in those need be no number. Lines stay where they are; one
 /// with too few cells is left as it is, for whoever reads numbers to complain of.
 std::string with_own_columns(std::string_view text) {
@@ -53,16 +38,16 @@ std::string with_own_columns(std::string_view text) {
     const std::size_t end = text.find('\n');
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    const std::string_view content = without_blanks(line);
+    const std::string_view content = trimmed(line);
     if (content.empty() || content.front() == '#') {
       kept += '\n';
       continue;
     }
-    const std::vector<std::string_view> cells = cells_of_row(line);
+    const std::vector<std::string_view> cells = split(line, ',');
     if (!has_names) {
       has_names = true;
       for (std::size_t c = 0; c < cells.size(); ++c)
-        if (std::find(kCurtainColumns.begin(), kCurtainColumns.end(), without_blanks(cells[c])) !=
+        if (std::find(kCurtainColumns.begin(), kCurtainColumns.end(), trimmed(cells[c])) !=
             kCurtainColumns.end())
           own.push_back(c);
       if (own.empty()) return std::string(line);

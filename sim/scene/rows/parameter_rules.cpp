@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
@@ -75,11 +76,7 @@ std::optional<Complaint> layer_complaint(double scale_height_km) {
                    "0, or at least " + short_real_text(kThinnestLayer_km), ""};
 }
 
-bool is_table_file(const std::string& value) {
-  constexpr std::string_view kExtension = ".csv";
-  return value.size() > kExtension.size() &&
-         value.compare(value.size() - kExtension.size(), kExtension.size(), kExtension) == 0;
-}
+bool is_table_file(const std::string& value) { return value.size() > 4 && ends_with(value, ".csv"); }
 
 std::optional<Complaint> time_complaint(const std::string& time_utc) {
   if (time_utc.empty() || is_iso_time(time_utc)) return std::nullopt;

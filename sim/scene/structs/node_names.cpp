@@ -2,20 +2,14 @@
 
 #include <limits>
 
+#include "sim/base/text.h"
+
 namespace vegard::sim {
 
 std::vector<std::string> node_names(const std::string& of) {
   std::vector<std::string> names;
-  std::size_t begin = 0;
-  if (of.find_first_not_of(' ') == std::string::npos) return names;
-  while (begin <= of.size()) {
-    const std::size_t end = std::min(of.find(',', begin), of.size());
-    const std::string part = of.substr(begin, end - begin);
-    const std::size_t first = part.find_first_not_of(' ');
-    names.push_back(first == std::string::npos ? ""
-                                               : part.substr(first, part.find_last_not_of(' ') - first + 1));
-    begin = end + 1;
-  }
+  if (trimmed(of, " ").empty()) return names;
+  for (const std::string_view part : split(of, ',')) names.emplace_back(trimmed(part, " "));
   return names;
 }
 

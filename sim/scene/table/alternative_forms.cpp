@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/text.h"
 #include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/free_entry_keys.h"
 
@@ -101,11 +102,7 @@ std::vector<AlternativeForm> declare_forms() {
 
 }  // namespace
 
-std::string AlternativeForm::replaces_text() const {
-  std::string text;
-  for (const std::string& key : replaces) text += (text.empty() ? "" : ", ") + key;
-  return text;
-}
+std::string AlternativeForm::replaces_text() const { return joined(replaces); }
 
 std::string AlternativeForm::words() const {
   if (keys.size() == 1) return keys.front().key + " stands for " + replaces_text();

@@ -4,6 +4,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace {
@@ -107,10 +108,7 @@ class TomlScan {
 
   void end_key(std::size_t end) {
     if (in_value_) return;
-    std::string_view key = text_.substr(key_begin_, end - key_begin_);
-    const std::size_t first = key.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return;
-    key = key.substr(first, key.find_last_not_of(" \t\r\n") + 1 - first);
+    const std::string_view key = trimmed(text_.substr(key_begin_, end - key_begin_));
     if (key.size() > kMaxTomlKeyBytes && key[0] != '#')
       problem_ = "a key is longer than " + std::to_string(kMaxTomlKeyBytes) + " bytes";
   }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/nearest_name.h"
@@ -130,12 +131,7 @@ class CheckedTable {
   }
 
  private:
-  static std::string short_text(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-    return text;
-  }
+  static std::string short_text(double value) { return without_trailing_zeros(std::to_string(value)); }
 
   const toml::table& table_;
   std::string file_, path_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/alternative_forms.h"
@@ -49,9 +50,8 @@ ParameterKind kind_of(const ValueRef& value) {
 /// The key without its unit, in words.
 std::string noun_of_key(std::string key) {
   for (const char* unit : {"_mw_m2", "_mcd_m2", "_km_s", "_rayleigh", "_km", "_kev", "_deg", "_rad"}) {
-    const std::string ending = unit;
-    if (key.size() <= ending.size() || key.compare(key.size() - ending.size(), ending.size(), ending) != 0)
-      continue;
+    const std::string_view ending = unit;
+    if (key.size() <= ending.size() || !ends_with(key, ending)) continue;
     key.erase(key.size() - ending.size());
     break;
   }

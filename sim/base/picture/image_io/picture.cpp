@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -10,13 +9,12 @@
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/whole_picture.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 
 ImageFormat image_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowered_extension(path);
   if (extension == ".exr") return ImageFormat::exr;
   if (extension == ".png") return ImageFormat::png;
   if (extension == ".tif" || extension == ".tiff") return ImageFormat::tiff;
