@@ -36,7 +36,7 @@ LineEstimator::LineEstimator(std::vector<Vector3> rgb_per_rayleigh) : rgb_(std::
     refuse_lines("three channels cannot give the light of " + std::to_string(rgb_.size()) + " lines",
                  "one to three lines", "name those that make up most of the light");
   const Eigen::MatrixXd scaled = columns(rgb_).colwise().normalized();
-  const auto singular = scaled.jacobiSvd().singularValues();
+  const Eigen::VectorXd singular = singular_values(scaled);
   if (!(singular(singular.size() - 1) > kEstimateMinShare))
     refuse_lines("the sensor cannot tell the colours of the lines apart",
                  "lines of different colours that it sees", "leave one of them out");
