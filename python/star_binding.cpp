@@ -17,7 +17,7 @@
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::python {
 namespace {

@@ -42,7 +42,7 @@
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

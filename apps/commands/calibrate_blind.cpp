@@ -12,8 +12,8 @@
 #include "fit/photo/mask/circle.h"
 #include "fit/photo/pointing/blind/local_stars.h"
 #include "fit/photo/pointing/blind/sky_place.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

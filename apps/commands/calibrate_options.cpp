@@ -8,7 +8,7 @@
 #include "apps/options/site_words.h"
 #include "fit/photo/photo_defaults.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

@@ -11,7 +11,7 @@
 #include "fit/measure/direction_profile.h"
 #include "fit/report/direction_plot.h"
 #include "sim/base/number/constants.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::apps {
 namespace {

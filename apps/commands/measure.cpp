@@ -44,7 +44,7 @@
 #include "sim/scene/rows/value_words.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

@@ -40,9 +40,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/rays.h"
 #include "sim/view/colour/sensor_response.h"
-#include "sim/view/colour/spectral_resolution.h"
 
 namespace vegard::apps {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
-#include "sim/view/sky/night_luminances.h"
+#include "sim/view/colour/radiometry.h"
 
 namespace vegard::apps {
 namespace {

@@ -10,7 +10,6 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
-#include "sim/view/sensor/vignetting.h"
 
 namespace vegard::apps {
 

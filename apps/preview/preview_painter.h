@@ -13,7 +13,7 @@
 #include "sim/render/render_memory.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/film/composite.h"
-#include "sim/view/sensor/display_table.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::apps {
 

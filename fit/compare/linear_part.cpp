@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/view/sky/sky.h"
+#include "sim/view/sky/night_sky.h"
 
 namespace vegard::fit {
 namespace {

@@ -12,7 +12,7 @@
 #include "sim/scene/structs/site_axes.h"
 #include "sim/scene/table/photo_scene.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dense_solvers.h"
 #include "sim/render/film.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/night_sky.h"
 

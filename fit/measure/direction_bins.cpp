@@ -8,7 +8,7 @@
 #include "fit/measure/bin_grid.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {

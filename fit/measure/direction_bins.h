@@ -10,7 +10,7 @@
 
 namespace vegard::fit {
 
-/// Steps of tangent altitude (sim/view/camera/rays.h) instead of elevation: `step_km` each, from
+/// Steps of tangent altitude (sim/view/camera/camera.h) instead of elevation: `step_km` each, from
 /// the lowest to the highest, which is at most the observer's height.
 struct TangentSteps {
   double lowest_km = 0.0;

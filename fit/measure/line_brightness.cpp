@@ -8,7 +8,6 @@
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/line_estimate.h"
 #include "sim/view/sky/night_sky.h"
-#include "sim/view/sky/sky.h"
 
 namespace vegard::fit {
 namespace {

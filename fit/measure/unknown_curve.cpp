@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fit/measure/smoothing.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 namespace {

@@ -16,7 +16,7 @@
 #include "fit/measure/bin_grid.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 

@@ -11,7 +11,7 @@
 #include "fit/photo/region.h"
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/view/camera/scaled_camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 

@@ -12,7 +12,7 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/image.h"
 #include "sim/view/sensor/sensor.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 namespace {

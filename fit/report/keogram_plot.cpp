@@ -8,7 +8,7 @@
 #include "fit/report/plot/time_ticks.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/utc_time.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 namespace {

@@ -13,7 +13,6 @@
 #include "sim/render/render.h"
 #include "sim/view/film/composite.h"
 #include "sim/view/sky/night_sky.h"
-#include "sim/view/sky/sky.h"
 
 namespace vegard::fit {
 namespace {

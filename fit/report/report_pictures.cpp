@@ -10,7 +10,7 @@
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/base/file/html_text.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 namespace {

@@ -28,7 +28,6 @@
 #include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/scaled_camera.h"
 
 namespace vegard::fit {
 namespace {

@@ -7,7 +7,7 @@
 #include "fit/compare/observation.h"
 #include "fit/measure/profile.h"
 #include "fit/measure/smoothing.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {

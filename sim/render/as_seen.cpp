@@ -6,7 +6,7 @@
 
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::sim {
 namespace {

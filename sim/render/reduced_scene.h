@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "sim/scene/structs/scene.h"
-#include "sim/view/camera/scaled_camera.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 

@@ -19,14 +19,11 @@
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/cube_cameras.h"
 #include "sim/view/camera/cube_map.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/sensor.h"
-#include "sim/view/sensor/vignetting.h"
 #include "sim/view/sky/night_sky.h"
-#include "sim/view/sky/sky.h"
 #include "sim/view/sky/stars.h"
 
 namespace vegard::sim {

@@ -6,7 +6,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {

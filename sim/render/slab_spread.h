@@ -16,7 +16,7 @@
 #include "sim/render/beams/altitude_slabs.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/film/film_ladder.h"
+#include "sim/view/film/level_ladder.h"
 
 namespace vegard::sim {
 

@@ -20,7 +20,6 @@
 #include "sim/emit/footprint/texel_store.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/rays.h"
 #include "tests/support/glow.h"
 
 namespace {

@@ -24,9 +24,9 @@
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
-#include "sim/view/camera/scaled_camera.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

@@ -25,7 +25,7 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/picture_metadata.h"
 #include "sim/scene/file/camera_file.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/view/sky/star_flux.h"
+#include "sim/view/sky/star_photometry.h"
 
 namespace vegard::fit {
 namespace {

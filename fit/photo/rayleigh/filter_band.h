@@ -20,8 +20,8 @@ struct FilterBand {
 /// Of a measured curve; 1 or 0 of a rectangle.
 double transmission_at(const FilterBand& band, double wavelength_nm);
 
-/// Photons cm^-2 s^-1 of a star above the air (sim/view/sky/star_flux.h) as if they were all of the line's
-/// wavelength: the integral of its spectrum times the transmission, over the transmission at the line.
+/// Photons cm^-2 s^-1 of a star above the air (sim/view/sky/star_photometry.h) as if they were all of the
+/// line's wavelength: the integral of its spectrum times the transmission, over the transmission at the line.
 double star_photons_in_band(const FilterBand& band, double magnitude, double colour_index);
 
 /// The mean wavelength of the band, where a star's error and the air's extinction are taken.

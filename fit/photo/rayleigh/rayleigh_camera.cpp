@@ -17,7 +17,7 @@ using sim::CheckedTable;
 using sim::complain;
 
 constexpr double kMaxCounts = 1e9, kMinNm = 300.0, kMaxNm = 1200.0;
-/// Of what the light of stars is known for (sim/view/sky/star_flux.h).
+/// Of what the light of stars is known for (sim/view/sky/star_photometry.h).
 constexpr double kMinStarNm = 400.0, kMaxStarNm = 900.0;
 constexpr const char* kFactorKey = "rayleigh_per_count_s";
 constexpr const char* kFactorErrorKey = "rayleigh_per_count_s_error";

@@ -13,7 +13,7 @@
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/air.h"
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/star_flux.h"
+#include "sim/view/sky/star_photometry.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fit/report/table/report_bins.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {

@@ -9,9 +9,9 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/utc_time.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/moon.h"
 #include "sim/view/sky/planets.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
 namespace {

@@ -17,7 +17,6 @@
 #include "sim/render/beams/reference-inl.h"
 #include "sim/render/beams/samples-inl.h"
 #include "sim/view/film/splat-inl.h"
-#include "sim/view/film/splat_tangents-inl.h"
 #include "sim/view/film/tangent_film.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,6 @@
 #include "sim/light/height_profile.h"
 #include "sim/light/sample.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/film_edges.h"
 
 namespace vegard::sim {
 

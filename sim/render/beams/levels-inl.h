@@ -82,7 +82,7 @@ class AtomDrift {
         z = select(in_front, z, one);
         x = (tx * depth + time * Pack(wind_km_s_[0])) / z;
         y = (ty * depth + time * Pack(wind_km_s_[1])) / z;
-        // The light of a volume in its cell is proportional to r / Z^3 (sim/view/camera/project-inl.h).
+        // The light of a volume in its cell is proportional to r / Z^3 (sim/view/camera/lens-inl.h).
         const Pack nearer = depth / z;
         if (!scene_.unit_weight) light = light * nearer * nearer * (square_root(one + x * x + y * y) / slant);
         light = select(in_front, light, Pack(0.0f));

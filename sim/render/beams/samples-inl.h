@@ -18,7 +18,7 @@
 #include "sim/base/number/lanes-inl.h"
 #include "sim/emit/aurora/fall-inl.h"
 #include "sim/render/beams/kernel_types.h"
-#include "sim/view/camera/project-inl.h"
+#include "sim/view/camera/lens-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace vegard::sim {

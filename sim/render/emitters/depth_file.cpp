@@ -9,7 +9,7 @@
 #include "sim/base/parallel.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/text.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 namespace {

@@ -9,7 +9,7 @@
 #include "sim/light/height_profile.h"
 #include "sim/light/own_light.h"
 #include "sim/light/tables/emission_tables.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"
 
 namespace vegard::sim {

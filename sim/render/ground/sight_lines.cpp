@@ -12,7 +12,7 @@
 #include "sim/emit/footprint/foot.h"
 #include "sim/light/height_profile.h"
 #include "sim/scene/structs/site_axes.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/base/parallel.h"
-#include "sim/view/film/depth_upsampling.h"
+#include "sim/view/film/depth_image.h"
 
 namespace vegard::sim {
 

@@ -13,7 +13,7 @@ namespace vegard::sim {
 using EndsOfRays = std::function<std::vector<float>(const FilmGeometry& film)>;
 
 /// Computes the light of a film from that of a film with cells `shrink` times as wide and high
-/// (sim/view/film/depth_upsampling.h). Cells that no coarse ray represents, at the edges of objects in the
+/// (sim/view/film/depth_image.h). Cells that no coarse ray represents, at the edges of objects in the
 /// scene and of the lens's image circle, are marched directly.
 VolumeLight march_coarsely(const FilmGeometry& film, int shrink, const EndsOfRays& ends,
                            const MarchCells& march, int threads);

@@ -8,7 +8,6 @@
 #include "sim/emit/nebula/literal_march.h"
 #include "sim/emit/nebula/nebula_frame.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/rays.h"
 
 namespace vegard::sim {
 

@@ -11,7 +11,7 @@
 
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/render/emitters/depth_file.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 

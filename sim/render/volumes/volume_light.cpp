@@ -3,7 +3,7 @@
 #include "sim/render/emitters/volume_files.h"
 #include "sim/render/volumes/coarse_march.h"
 #include "sim/render/volumes/volumes.h"
-#include "sim/view/film/soft_light.h"
+#include "sim/view/film/blur.h"
 
 namespace vegard::sim {
 namespace {

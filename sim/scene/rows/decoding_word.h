@@ -12,7 +12,7 @@ namespace vegard::sim {
 inline constexpr std::string_view kCurveWord = "curve:";
 
 /// A parsed value: "auto" (sRGB for integers, linear for floats), "srgb", "srgb:1.3" and "srgb:1.3:0.8" (sRGB
-/// with one exponent, or with exponents at black and at white: sim/view/sensor/transfer_curve.h), "linear",
+/// with one exponent, or with exponents at black and at white: sim/view/sensor/tone_curve.h), "linear",
 /// "gamma:2.2", "curve:FILE.csv" (columns linear and encoded, as in sensor.tone_file), "sensor", "unknown"
 /// and "unknown:2" (sRGB with one or two exponents that are fitted together with the scene).
 struct DecodingWord {

@@ -101,7 +101,7 @@ struct Camera {
   double k1 = 0.0, k2 = 0.0, k3 = 0.0;
   double p1 = 0.0, p2 = 0.0;  ///< decentring terms, as in OpenCV
   /// Width and height of a pixel of the picture (width x height), in the pixels that focal_px and the
-  /// principal point are given in. No key of a scene file; sim/view/camera/scaled_camera.h sets them.
+  /// principal point are given in. No key of a scene file; sim/view/camera/camera.h sets them.
   double pixel_width_px = 1.0, pixel_height_px = 1.0;
   CubeLayout cube_layout = CubeLayout::cross;  ///< of the model "cube"
 };

@@ -2,10 +2,14 @@
 // down, forward) and pixels.
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
+#include "sim/view/camera/cube_map.h"
 #include "sim/view/camera/lens.h"
 
 namespace vegard::sim {
@@ -152,5 +156,72 @@ double pixels_per_degree_growth(const Camera& camera);
 /// Returns the angle off the axis, in radians, of the film's farthest corner, a cell beyond its edge; at most
 /// that of the edge of the lens's picture.
 double widest_angle_rad(const Lens<double>& lens, const FilmGeometry& film);
+
+// The pinhole cameras of a cube's faces.
+
+/// Returns the pinhole camera with the view of one face of this camera, of face_px() x face_px() pixels.
+Camera camera_of_face(const Camera& camera, const CubeFace& face);
+
+// Changes the number of pixels of a camera without changing its view.
+
+struct PictureSize {
+  int width = 0, height = 0;
+};
+
+/// Returns the largest size within `most` that has the camera's aspect ratio, to the nearest pixel (of a
+/// panorama exactly), and is not larger than the camera's own.
+PictureSize size_within(const Camera& camera, const PictureSize& most);
+
+/// Returns the camera with another number of pixels: the image at (x, y) moves to (x w' / w, y h' / h). If
+/// the two ratios differ, pixels are not square. The lens's numbers stay in the previous pixels;
+/// pixel_width_px and pixel_height_px have the conversion.
+Camera scaled_camera(const Camera& camera, const PictureSize& size);
+
+/// Returns the same camera with the lens's numbers in pixels of its own picture, as in scene files.
+Camera in_own_pixels(const Camera& camera);
+
+// Rays from the observer: through the centres of a film's cells, to the ground of a body, past the Earth's
+// limb.
+
+/// Computes the unit vector of the direction of a film's cell; returns false outside of the lens's picture.
+template <class T>
+bool enu_of_cell(const CameraView<T>& view, const FilmGeometry& film, int row, int column, T enu[3]) {
+  return enu_of_pixel(view, film.x0_px + (column + 0.5) * film.cell_width_px,
+                      film.y0_px + (row + 0.5) * film.cell_height_px, enu);
+}
+
+/// Returns the distance in km at which a ray from the observer meets the ground; infinity if it does not.
+/// `up` is the third component of the direction.
+inline double ground_km(double observer_altitude_km, double up, double sphere_km = kEarthRadiusKm) {
+  const double radius = sphere_km + observer_altitude_km;
+  const double along = radius * up;  // of the observer's place, from the Earth's centre
+  const double square = along * along - (radius * radius - sphere_km * sphere_km);
+  if (along >= 0.0 || square < 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, -along - std::sqrt(square));
+}
+
+/// From this altitude on, an observer is above the air that scatters light, and below the aurora: the edge of
+/// the Earth below the horizontal is seen as a limb.
+inline constexpr double kLimbObserverKm = 60.0;
+
+/// Returns the lowest altitude of a line of sight in km, negative (below the surface) if the line hits the
+/// Earth. NaN for elevations of 0 and above, where the observer is the lowest point.
+double tangent_altitude_km(double observer_km, double elevation_deg);
+
+/// The inverse of tangent_altitude_km(): at most 0. NaN unless -R <= tangent altitude <= observer.
+double elevation_of_tangent_deg(double observer_km, double tangent_km);
+
+/// Returns the distance from the observer to the lowest point; NaN for elevations of 0 and above.
+double tangent_distance_km(double observer_km, double elevation_deg);
+
+// The edges of a film as planes through the camera, to skip points that are surely off the film.
+
+struct FilmEdges {
+  int count = 0;         ///< number of planes; 0: the film is too wide for planes
+  double outward[4][3];  ///< normals, of any length: a positive product with a point is off the film
+};
+
+/// Returns the edges of the film, enlarged by one cell on every side.
+FilmEdges film_edges(const Lens<double>& lens, const FilmGeometry& film);
 
 }  // namespace vegard::sim

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <memory>
+#include <new>
 #include <vector>
+
+#include "sim/light/sample.h"
 
 namespace vegard::sim {
 
@@ -12,7 +17,12 @@ namespace vegard::sim {
 class TangentFilm {
  public:
   static constexpr int kTileColumns = 8;
-  TangentFilm(int columns, int rows, int lines);
+  TangentFilm(int columns, int rows, int lines)
+      : columns_(columns),
+        rows_(rows),
+        lines_(lines),
+        tiles_((columns + kTileColumns - 1) / kTileColumns),
+        lit_(tiles_.size(), nullptr) {}
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -31,9 +41,18 @@ class TangentFilm {
 
  private:
   struct Free {
-    void operator()(float* p) const;
+    void operator()(float* p) const { std::free(p); }
   };
-  void light(int index);
+  void light(int index) {
+    const std::size_t floats = static_cast<std::size_t>(rows_) * kTileColumns * lines_ * kTangentWidth;
+    if (!tiles_[index]) {
+      void* memory = std::aligned_alloc(64, floats * sizeof(float));
+      if (memory == nullptr) throw std::bad_alloc();
+      tiles_[index].reset(static_cast<float*>(memory));
+    }
+    std::fill_n(tiles_[index].get(), floats, 0.0f);
+    lit_[index] = tiles_[index].get();
+  }
   int columns_, rows_, lines_;
   std::vector<std::unique_ptr<float[], Free>> tiles_;  // all that were ever allocated
   std::vector<float*> lit_;                            // tiles in use, else null

@@ -7,7 +7,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/colour/sensor_scale.h"
+#include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim {
 namespace {

@@ -8,12 +8,11 @@
 #include "sim/base/number/poisson.h"
 #include "sim/base/number/random.h"
 #include "sim/base/parallel.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/colour/sensor_scale.h"
-#include "sim/view/sensor/mosaic.h"
+#include "sim/view/colour/radiometry.h"
 #include "sim/view/sensor/tone_curve.h"
-#include "sim/view/sensor/vignetting.h"
 
 namespace vegard::sim {
 namespace {
@@ -69,6 +68,54 @@ std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked, int wi
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
           result[static_cast<std::size_t>(y) * width + x] |= marked[static_cast<std::size_t>(v) * width + u];
   return result;
+}
+
+const char* letters_of(MosaicPattern pattern) {
+  switch (pattern) {
+    case MosaicPattern::rggb:
+      return "rggb";
+    case MosaicPattern::bggr:
+      return "bggr";
+    case MosaicPattern::grbg:
+      return "grbg";
+    case MosaicPattern::gbrg:
+      return "gbrg";
+    case MosaicPattern::none:
+      break;
+  }
+  assert(false);
+  return "gggg";
+}
+
+/// Sums of what enters a channel at a pixel.
+struct Taken {
+  double sum = 0.0;
+  int count = 0;
+};
+
+Taken taken(const Image& mosaic, MosaicPattern pattern, int x, int y, int channel) {
+  if (filter_of_pixel(pattern, x, y) == channel) return {mosaic.at(x, y, 0), 1};
+  Taken t;
+  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, mosaic.height - 1); ++v)
+    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, mosaic.width - 1); ++u) {
+      if (filter_of_pixel(pattern, u, v) != channel) continue;
+      t.sum += mosaic.at(u, v, 0);
+      ++t.count;
+    }
+  return t;
+}
+
+/// count_power: 1 for a mean, 2 for its variance.
+Image demosaiced(const Image& mosaic, MosaicPattern pattern, int count_power) {
+  assert(mosaic.channels() == 1 && mosaic.width > 1 && mosaic.height > 1);
+  Image rgb(mosaic.width, mosaic.height, {"R", "G", "B"});
+  for (int y = 0; y < mosaic.height; ++y)
+    for (int x = 0; x < mosaic.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const Taken t = taken(mosaic, pattern, x, y, c);
+        rgb.at(x, y, c) = static_cast<float>(t.sum / (count_power == 1 ? t.count : t.count * t.count));
+      }
+  return rgb;
 }
 
 }  // namespace
@@ -201,6 +248,51 @@ Image light_variance(const Scene& scene, const Image& light, double file_step) {
       }
     }
   return variance;
+}
+
+int filter_of_pixel(MosaicPattern pattern, int x, int y) {
+  const char filter = letters_of(pattern)[2 * (y & 1) + (x & 1)];
+  return filter == 'r' ? 0 : filter == 'g' ? 1 : 2;
+}
+
+Image demosaic(const Image& mosaic, MosaicPattern pattern) { return demosaiced(mosaic, pattern, 1); }
+
+Image demosaic_variance(const Image& mosaic_variance, MosaicPattern pattern) {
+  return demosaiced(mosaic_variance, pattern, 2);
+}
+
+Vignetting::Vignetting(const Scene& scene)
+    : camera_(scene.camera),
+      lens_(camera_view(scene.camera).lens),
+      cos_power_(scene.sensor.vignetting_cos_power),
+      polynomial_(scene.sensor.vignetting),
+      none_(cos_power_ == 0.0 && polynomial_ == std::array<double, 3>{0.0, 0.0, 0.0}) {}
+
+double Vignetting::at(double x_px, double y_px) const {
+  if (none_) return 1.0;
+  const double x = x_px - 0.5 * camera_.width, y = y_px - 0.5 * camera_.height;
+  const double square = 4.0 * (x * x + y * y) /
+                        (static_cast<double>(camera_.width) * camera_.width +
+                         static_cast<double>(camera_.height) * camera_.height);
+  double light = 1.0 + square * (polynomial_[0] + square * (polynomial_[1] + square * polynomial_[2]));
+  if (cos_power_ > 0.0) {
+    double in_camera[3] = {0.0, 0.0, 0.0};
+    unproject(lens_, x_px, y_px, in_camera);
+    light *= std::pow(std::max(in_camera[2], 0.0), cos_power_);
+  }
+  return std::max(light, 0.0);
+}
+
+void darken(const Vignetting& vignetting, Image& image) {
+  if (vignetting.none()) return;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double light = vignetting.at(x + 0.5, y + 0.5);
+      for (int c = 0; c < image.channels(); ++c) {
+        float& value = image.at(x, y, c);
+        value = static_cast<float>(value * light);
+      }
+    }
 }
 
 }  // namespace vegard::sim

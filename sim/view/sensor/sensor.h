@@ -18,6 +18,7 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
 
@@ -44,5 +45,43 @@ void recover_light(const Scene& scene, double file_step, Image& rgb, std::vector
 /// Demosaicing correlates neighbouring pixels and the matrix correlates channels: the variance of a sum is
 /// not the sum of these. Interpolation errors of demosaicing and JPEG compression are not included.
 Image light_variance(const Scene& scene, const Image& light, double file_step);
+
+// The colour filter array of a sensor (Bayer 1976, US patent 3 971 065) and bilinear demosaicing: a channel
+// is the pixel itself where it has the channel's filter, else the mean of its neighbours with that filter.
+// Each channel only uses pixels with its own filter, so that the noise of different channels stays
+// independent.
+
+/// Returns the channel (0 red, 1 green, 2 blue) of the filter at a pixel. Not for the pattern `none`.
+int filter_of_pixel(MosaicPattern pattern, int x, int y);
+
+/// Returns R, G, B of a mosaic with one channel and at least two by two pixels.
+Image demosaic(const Image& mosaic, MosaicPattern pattern);
+
+/// Returns the variances of the result of demosaic() for independent pixels with these variances.
+Image demosaic_variance(const Image& mosaic_variance, MosaicPattern pattern);
+
+// Vignetting: the decrease of a lens's light from the middle of the picture to its edges.
+//
+// cos^n of the angle off the axis (n = 4: natural vignetting, the illumination of a plane behind a simple
+// lens) times an even polynomial in the distance from the middle, 1 + a r^2 + b r^4 + c r^6 with r = 1 in the
+// corners (form of Goldman 2010, IEEE TPAMI 32, 2276, doi:10.1109/TPAMI.2010.55).
+
+/// Light at a point of the picture, in pixels, over the light in its middle. At least 0.
+class Vignetting {
+ public:
+  explicit Vignetting(const Scene& scene);
+  bool none() const { return none_; }
+  double at(double x_px, double y_px) const;
+
+ private:
+  Camera camera_;
+  Lens<double> lens_;
+  double cos_power_;
+  std::array<double, 3> polynomial_;
+  bool none_;
+};
+
+/// Multiplies every channel by the vignetting at the pixels' centres.
+void darken(const Vignetting& vignetting, Image& image);
 
 }  // namespace vegard::sim

@@ -1,4 +1,4 @@
-// The position, phase and magnitude of the Moon.
+// The position, phase, magnitude and disc of the Moon.
 //
 // The largest terms of the ELP-2000/82 theory as in Meeus, Astronomical Algorithms, chapter 47: all above
 // 0.0036 degrees in longitude and 0.002 in latitude, with an error of about 0.01 degrees. Ecliptic and mean
@@ -6,7 +6,10 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
+#include "sim/base/image.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::sim {
@@ -35,5 +38,18 @@ std::array<double, 3> direction_of_moon(const Observer& observer, double julian_
 
 /// Returns the lit fraction of the disc, (1 - cos(elongation from the Sun)) / 2.
 double lit_share_of_moon(double julian_date);
+
+// The Moon's disc with its phase.
+//
+// A sphere with the Lommel-Seeliger law (mu0 / (mu0 + mu): a full Moon is uniformly bright up to its limb),
+// without maria and earthshine. Its total brightness is that of magnitude_of_moon() at its distance, its
+// colour is B - V = 0.92 (Allen's Astrophysical Quantities).
+
+/// Adds the disc to linear RGB of the scene's camera: the mean over the instants.
+void add_moon_disc(const Scene& scene, const std::vector<double>& instants_s, int threads, Image& light);
+
+/// Returns the relative light at the point (u, v) of the disc, in radii from the middle, u towards the Sun:
+/// 1/2 everywhere on a full Moon, 0 off the disc and on the night side.
+double moon_spot(double u, double v, double phase_angle_deg);
 
 }  // namespace vegard::sim

@@ -1,8 +1,8 @@
 #include "sim/view/sky/moonlight.h"
 
-#include "sim/view/colour/illuminants.h"
+#include "sim/view/colour/colour.h"
+#include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/air.h"
-#include "sim/view/sky/continuum_colour.h"
 #include "sim/view/sky/moon.h"
 #include "sim/view/sky/sky_of_scene.h"
 

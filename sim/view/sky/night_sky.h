@@ -1,5 +1,6 @@
-// The modelled lights of the night sky: airglow, twilight, light pollution, scattered moonlight. They are
-// added in linear light behind the aurora, at the scene's gain times sky.lights_gain.
+// The light behind the aurora: the polynomial of [sky]; and the modelled lights of the night sky (airglow,
+// twilight, light pollution, scattered moonlight), added in linear light at the scene's gain times
+// sky.lights_gain.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
+#include "sim/view/colour/line_colours.h"
 #include "sim/view/sky/air.h"
 #include "sim/view/sky/moonlight.h"
 #include "sim/view/sky/sky_numbers.h"
@@ -108,5 +110,54 @@ class NightSkyOnFilm {
 
 /// Returns the lights of the night sky in the scene's camera, at the pixels' centres.
 Image night_sky_light(const Scene& scene, int threads = 0);
+
+/// Returns the factors of the sky's level, gradient and curvature at a vertical position (0 top, 1 bottom):
+/// 1, p and p^2 - 1/12 with p = place - 1/2, so that the level is the mean over the picture.
+std::array<double, 3> sky_basis(double place);
+
+/// Adds the sky to a linear RGB image, at the pixels' centres.
+void add_sky(const Sky& sky, Image& rgb);
+
+// The sky's brightness while the sun is 5 to 15 degrees below the horizon.
+
+/// A photometric band: its wavelength; the flux density of magnitude 0 (Bessell, Castelli and Plez 1998,
+/// A&A 333, 231, table A2); the twilight at the zenith as mag arcsec^-2 = a0 + a1 x + a2 x^2, with x the
+/// sun's zenith distance minus 95 deg, from 0 to 10 (Patat, Ugolnikov and Postylyakov 2006,
+/// doi:10.1051/0004-6361:20064992, table 1, at 2640 m); and the zenith of the dark night there (Patat 2003,
+/// doi:10.1051/0004-6361:20030030).
+struct TwilightBand {
+  double wavelength_nm;
+  double zero_w_m2_nm;
+  double a0, a1, a2;
+  double night_mag;
+};
+
+inline constexpr std::array<TwilightBand, 5> kTwilightBands = {{
+    {366.0, 4.175e-11, 11.78, 1.376, -0.039, 22.3},  // U
+    {438.0, 6.320e-11, 11.84, 1.411, -0.041, 22.6},  // B
+    {545.0, 3.631e-11, 11.84, 1.518, -0.057, 21.6},  // V
+    {641.0, 2.177e-11, 11.40, 1.567, -0.064, 20.9},  // R
+    {798.0, 1.126e-11, 10.93, 1.470, -0.062, 19.7},  // I
+}};
+
+/// Returns the brightness of the zenith in mag arcsec^-2, including the dark night's.
+double twilight_mag_arcsec2(const TwilightBand& band, double sun_elevation_deg);
+
+/// Converts mag arcsec^-2 to W m^-2 sr^-1 nm^-1.
+double radiance_of_mag_arcsec2(const TwilightBand& band, double mag_arcsec2);
+
+/// Returns the spectrum of the zenith without that of the dark night, log-linear between the bands.
+Spectrum twilight_spectrum(double sun_elevation_deg);
+
+/// Returns the brightness over that of the zenith: contrast^(q^2) if q, the cosine of the angle to the
+/// horizon below the sun, is positive, else 1. The formula is ours, chosen for its simplicity. T is double or
+/// a dual number.
+template <class T>
+T twilight_gradient(const SightLine<T>& line, const Twilight& twilight) {
+  const double azimuth = twilight.sun_azimuth_deg * kRadiansPerDegree;
+  const T q = line.east * std::sin(azimuth) + line.north * std::cos(azimuth);
+  if (value_of(q) <= 0.0) return T(1.0);
+  return exponential(q * q * std::log(twilight.contrast));
+}
 
 }  // namespace vegard::sim

@@ -4,7 +4,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/vec3.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::sim {
 namespace {

@@ -6,8 +6,8 @@
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::sim {
 namespace {

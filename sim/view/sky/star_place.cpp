@@ -5,7 +5,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/vec3.h"
-#include "sim/view/sky/instant.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::sim {
 namespace {
@@ -107,6 +107,9 @@ double refraction_at(double true_elevation_deg, double height_m) {
   return refraction_deg(true_elevation_deg, pressure_hpa, temperature_c);
 }
 
+constexpr double kJulianDateOf1970 = 2440587.5;
+constexpr double kInstantSecondsPerDay = 86400.0;
+
 }  // namespace
 
 Equatorial mean_place(const CataloguePlace& star, double julian_date) {
@@ -146,6 +149,25 @@ double refraction_deg(double true_elevation_deg, double pressure_hpa, double tem
   const double angle_deg = true_elevation_deg + 10.3 / (true_elevation_deg + 5.11);
   const double minutes = 1.02 / std::tan(angle_deg * kRadiansPerDegree);
   return std::max(0.0, minutes * pressure_hpa / 1010.0 * 283.0 / (273.0 + temperature_c)) / 60.0;
+}
+
+std::optional<double> julian_date(const std::string& utc) {
+  const std::optional<double> seconds = utc_seconds(utc);
+  if (!seconds) return std::nullopt;
+  return kJulianDateOf1970 + *seconds / kInstantSecondsPerDay;
+}
+
+std::string text_of_julian_date(double julian_date) {
+  return utc_text(std::round((julian_date - kJulianDateOf1970) * kInstantSecondsPerDay));
+}
+
+double mean_sidereal_time_deg(double julian_date) {
+  const double days = julian_date - kJ2000, t = days / kDaysPerCentury;
+  // The whole turns of the days are taken out first: they would cost digits.
+  const double turned = 280.46061837 + 360.0 * std::fmod(days, 1.0) + 0.98564736629 * days +
+                        t * t * (0.000387933 - t / 38710000.0);
+  const double rest = std::fmod(turned, 360.0);
+  return rest < 0.0 ? rest + 360.0 : rest;
 }
 
 }  // namespace vegard::sim

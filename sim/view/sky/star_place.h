@@ -1,4 +1,4 @@
-// The direction of a catalogued star in the sky of an observer at an instant.
+// The direction of a catalogued star in the sky of an observer at an instant; Julian dates and sidereal time.
 //
 // Corrections to the catalogue's place at J2000: proper motion; annual aberration (the Earth's orbit taken as
 // a circle, 0.4 seconds of arc); precession by Lieske's angles of 1976 (Astronomy and Astrophysics 58, 1;
@@ -9,6 +9,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 
 namespace vegard::sim {
 
@@ -50,5 +52,20 @@ std::array<double, 3> seen_through_air(const std::array<double, 3>& enu, const O
 /// 70; Meeus, formula 16.4), good to 0.07 minutes of arc above 15 degrees, for air of this pressure and
 /// temperature. 0 below -1 degree.
 double refraction_deg(double true_elevation_deg, double pressure_hpa = 1010.0, double temperature_c = 10.0);
+
+inline constexpr double kJ2000 = 2451545.0;  ///< Julian date of 2000 January 1, 12 h
+inline constexpr double kDaysPerCentury = 36525.0;
+
+/// Returns the Julian date, to 40 microseconds, of a UTC time in ISO 8601, "2014-02-21T19:30:40.5Z"; nothing
+/// for any other text (sim/base/utc_time.h).
+std::optional<double> julian_date(const std::string& utc);
+
+/// Returns the UTC time of a Julian date as text, to the nearest second: "2014-02-21T19:30:40Z".
+std::string text_of_julian_date(double julian_date);
+
+/// Greenwich mean sidereal time in degrees, 0 to 360: Aoki et al. 1982 (Astronomy and Astrophysics 105, 359),
+/// as in Meeus, Astronomical Algorithms, formula 12.4. UTC is used as UT1, from which it differs by at most
+/// 0.9 s (13 seconds of arc).
+double mean_sidereal_time_deg(double julian_date);
 
 }  // namespace vegard::sim

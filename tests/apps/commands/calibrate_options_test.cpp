@@ -7,7 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps::calibrate_options_test {
 namespace {

@@ -10,7 +10,7 @@
 #include "fit/measure/direction_profile.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fisheye_map.h"
 

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "sim/base/error.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit::profile_test {
 namespace {

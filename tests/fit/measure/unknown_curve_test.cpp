@@ -8,7 +8,7 @@
 
 #include "fit/measure/noise_model.h"
 #include "fit/measure/smoothing.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit::unknown_curve_test {
 namespace {

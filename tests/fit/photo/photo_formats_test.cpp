@@ -12,7 +12,7 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "tests/support/dng_bytes.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"

@@ -8,7 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/sha256.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "tests/support/image_bytes.h"
 
 namespace vegard::fit::photo_test {

@@ -8,7 +8,7 @@
 
 #include "fit/survey/survey_columns.h"
 #include "sim/base/error.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit::profile_work_test {
 namespace {

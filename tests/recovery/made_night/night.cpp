@@ -10,7 +10,6 @@
 #include "sim/base/number/random.h"
 #include "sim/base/utc_time.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
 #include "sim/view/sky/star_place.h"
 
@@ -128,7 +127,8 @@ std::string Night::scene_text(int camera) {
       "sheet.\n"
       "seed = 1\n[site]\nlatitude_deg = {1}\nlongitude_deg = {2}\n[field]\ninclination_deg = "
       "77.5\ndeclination_deg = 8.0\n[camera]\nwidth = 240\nheight = 160\nhfov_deg = {3}\nazimuth_deg = "
-      "{4}\nelevation_deg = 29.0\n[emission]\ntables = \"glow\"\n[[sheet]]\nname = \"main\"\nlength_km = 1600.0\nbearing_deg = "
+      "{4}\nelevation_deg = 29.0\n[emission]\ntables = \"glow\"\n[[sheet]]\nname = \"main\"\nlength_km = "
+      "1600.0\nbearing_deg = "
       "92.0\nthickness_km = 4.5\nwavelength_km = 85.0\nphase_rad = 2.0\nphase_shift_rad = 0.5\nlayers = "
       "3\nwidth_km = 1.5\nbeams = 2500\nenergy_kev = 3.0\nenergy_flux_mw_m2 = 4.0\n[sensor]\n"
       "gain_per_kilorayleigh = 0.045\n[fit]\nbands = 16\nband_sky = true\nfree = [\n"

@@ -12,7 +12,7 @@
 #include "sim/base/number/random.h"
 #include "sim/render/render.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "sim/view/sky/moon.h"
 
 namespace vegard::made_night {

@@ -10,7 +10,7 @@
 #include "sim/render/render.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "tests/recovery/scorecard/line_of_sight_picture.h"
 
 namespace vegard::scorecard {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/view/colour/radiometry.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::as_seen_test {

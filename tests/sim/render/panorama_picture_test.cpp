@@ -10,7 +10,6 @@
 #include "sim/render/render.h"
 #include "sim/render/render_memory.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/cube_cameras.h"
 #include "sim/view/camera/cube_map.h"
 #include "tests/support/all_points.h"
 #include "tests/support/small_scene.h"

@@ -10,12 +10,10 @@
 
 #include "sim/render/render.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/colour/sensor_scale.h"
+#include "sim/view/colour/radiometry.h"
 #include "sim/view/sensor/expected_counts.h"
-#include "sim/view/sensor/mosaic.h"
 #include "sim/view/sensor/sensor.h"
 #include "sim/view/sensor/tone_curve.h"
-#include "sim/view/sensor/vignetting.h"
 #include "tests/support/kind_named.h"
 #include "tests/support/small_scene.h"
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::render_test {

@@ -10,8 +10,8 @@
 #include "fit/photo/pointing/pointing.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/planets.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
 namespace {

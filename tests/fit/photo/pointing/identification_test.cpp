@@ -4,7 +4,7 @@
 
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/lens_form.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/star_field.h"
 
 namespace vegard::tests::identification_test {

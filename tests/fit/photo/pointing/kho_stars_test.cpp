@@ -10,7 +10,7 @@
 #include "fit/photo/pointing/star_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::tests::kho_stars_test {

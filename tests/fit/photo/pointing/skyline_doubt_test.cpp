@@ -8,7 +8,7 @@
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "sim/base/number/random.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::fit::skyline_doubt_test {
 namespace {

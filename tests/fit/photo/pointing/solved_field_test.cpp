@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fit/photo/pointing/calibration.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/fits_bytes.h"
 #include "tests/support/star_field.h"

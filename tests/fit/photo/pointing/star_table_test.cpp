@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::tests::star_table_test {

@@ -9,8 +9,8 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/utc_time.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/moon.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::frame_features_test {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/base/picture/image_io.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 

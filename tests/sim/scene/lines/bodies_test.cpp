@@ -11,7 +11,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"
 #include "tests/support/bad_scene.h"
 #include "tests/support/expect_error.h"

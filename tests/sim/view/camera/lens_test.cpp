@@ -7,8 +7,6 @@
 
 #include "sim/base/number/random.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/film_edges.h"
-#include "sim/view/camera/lens_series.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::lens_test {

@@ -6,7 +6,6 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/random.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/camera/cube_cameras.h"
 #include "sim/view/camera/cube_map.h"
 
 namespace vegard::sim::panorama_lens_test {

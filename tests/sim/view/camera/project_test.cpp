@@ -1,7 +1,6 @@
 // Altitudes and projection over double and over packs, for the instruction set that this file is compiled
 // for.
 #include "sim/view/camera/lens-inl.h"
-#include "sim/view/camera/project-inl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,7 @@
-#include "sim/view/camera/scaled_camera.h"
+#include "sim/view/camera/camera.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/view/camera/camera.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::scaled_camera_test {

@@ -1,5 +1,5 @@
 // Tangent altitudes against the distance of a straight line from the Earth's centre.
-#include "sim/view/camera/rays.h"
+#include "sim/view/camera/camera.h"
 
 #include <gtest/gtest.h>
 

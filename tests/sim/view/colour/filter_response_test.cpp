@@ -8,7 +8,6 @@
 #include "sim/render/render.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
-#include "sim/view/sky/continuum_colour.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::filter_response_test {

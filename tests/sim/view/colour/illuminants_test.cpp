@@ -1,10 +1,8 @@
-#include "sim/view/colour/illuminants.h"
+#include "sim/view/colour/colour.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-
-#include "sim/view/colour/colour.h"
 
 namespace vegard::sim::illuminants_test {
 namespace {

@@ -10,7 +10,6 @@
 #include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour.h"
-#include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/line_colours.h"
 
 namespace vegard::sim::sensor_response_test {

@@ -1,4 +1,4 @@
-#include "sim/view/colour/spectral_resolution.h"
+#include "sim/view/colour/sensor_response.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::sim::composite_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/view/film/depth_upsampling.h"
+#include "sim/view/film/depth_image.h"
 
 #include <gtest/gtest.h>
 

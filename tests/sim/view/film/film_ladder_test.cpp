@@ -1,4 +1,4 @@
-#include "sim/view/film/film_ladder.h"
+#include "sim/view/film/level_ladder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/view/film/soft_light.h"
+#include "sim/view/film/blur.h"
 
 #include <gtest/gtest.h>
 

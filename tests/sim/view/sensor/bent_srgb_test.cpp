@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::sim::bent_srgb_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/scene/structs/scene.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::sim::tone_curve_test {

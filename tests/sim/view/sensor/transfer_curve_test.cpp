@@ -1,4 +1,4 @@
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/view/sensor/vignetting.h"
+#include "sim/view/sensor/sensor.h"
 
 #include <gtest/gtest.h>
 

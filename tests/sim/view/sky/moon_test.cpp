@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::sim::moon_test {
 namespace {

@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "sim/view/colour/radiometry.h"
-#include "sim/view/sky/instant.h"
 #include "sim/view/sky/moon.h"
-#include "sim/view/sky/night_luminances.h"
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/sky_of_scene.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::sim::moonlight_test {
 namespace {

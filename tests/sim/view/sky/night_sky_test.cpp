@@ -8,8 +8,6 @@
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
-#include "sim/view/sky/continuum_colour.h"
-#include "sim/view/sky/twilight.h"
 #include "tests/support/small_scene.h"
 
 namespace vegard::sim::night_sky_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::tests::planets_test {
 namespace {

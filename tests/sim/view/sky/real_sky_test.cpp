@@ -10,11 +10,9 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/instant.h"
-#include "sim/view/sky/milky_way.h"
 #include "sim/view/sky/moon.h"
-#include "sim/view/sky/moon_disc.h"
 #include "sim/view/sky/sky_of_scene.h"
+#include "sim/view/sky/star_place.h"
 #include "sim/view/sky/stars.h"
 
 namespace vegard::sim::real_sky_test {

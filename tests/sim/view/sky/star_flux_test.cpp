@@ -1,5 +1,5 @@
 // The light of catalogued stars: what is published of it.
-#include "sim/view/sky/star_flux.h"
+#include "sim/view/sky/star_photometry.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
-#include "sim/view/sky/instant.h"
 
 namespace vegard::tests::star_place_test {
 namespace {

@@ -11,7 +11,6 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
-#include "sim/view/colour/illuminants.h"
 #include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim::stars_test {

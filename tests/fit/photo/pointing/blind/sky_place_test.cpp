@@ -7,7 +7,7 @@
 #include "fit/photo/pointing/blind/equatorial_sky.h"
 #include "fit/photo/pointing/pointing.h"
 #include "fit/photo/pointing/star_table.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/blind_field.h"
 
 namespace vegard::tests::sky_place_test {

@@ -8,7 +8,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/view/camera/camera.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::sip_wcs_test {

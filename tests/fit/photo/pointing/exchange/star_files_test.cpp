@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/base/picture/fits_io.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::star_files_test {
