@@ -53,9 +53,10 @@ DirectionMap direction_map(const Camera& camera) {
 DirectionMap direction_map(const Image& azimuth, const Image& elevation, const std::string& azimuth_name,
                            const std::string& elevation_name) {
   if (azimuth.width != elevation.width || azimuth.height != elevation.height)
-    refuse_file(ErrorKind::unreadable_input, elevation_name,
-                "the map of elevations has " + size_text(elevation.width, elevation.height) + " pixels",
-                size_text(azimuth.width, azimuth.height) + ", as the map of azimuths, " + azimuth_name);
+    throw Error(ErrorKind::unreadable_input,
+                "the map of elevations has " + size_text(elevation.width, elevation.height) + " pixels")
+        .file(elevation_name)
+        .expected(size_text(azimuth.width, azimuth.height) + ", as the map of azimuths, " + azimuth_name);
   DirectionMap map = empty_map(azimuth.width, azimuth.height);
   double largest = 0.0;
   bool any = false;
@@ -69,12 +70,14 @@ DirectionMap direction_map(const Image& azimuth, const Image& elevation, const s
       map.elevation_deg[map.index(x, y)] = static_cast<float>(el);
     }
   if (!any)
-    refuse_file(ErrorKind::unreadable_input, elevation_name, "no pixel of the maps looks anywhere",
-                "azimuths and elevations in degrees");
+    throw Error(ErrorKind::unreadable_input, "no pixel of the maps looks anywhere")
+        .file(elevation_name)
+        .expected("azimuths and elevations in degrees");
   // Less than a quarter turn in all is a narrow field near north, if it is not in radians.
   if (largest > kMinInRadians && largest <= kLargestRadian)
-    refuse_file(ErrorKind::unreadable_input, azimuth_name,
-                "no angle in the maps is above 2 pi: they seem to be in radians", "degrees");
+    throw Error(ErrorKind::unreadable_input, "no angle in the maps is above 2 pi: they seem to be in radians")
+        .file(azimuth_name)
+        .expected("degrees");
   return map;
 }
 

@@ -55,9 +55,11 @@ ColourTable::ColourTable(const Scene& scene) {
   for (const bool first : {true, false})
     if ((first ? grey_.front() : grey_.back()) != (first ? 0.0 : 1.0))
       throw Error(ErrorKind::unreadable_input,
-                  {std::string("the table ") + (first ? "begins above black" : "ends below white"), place,
-                   first ? csv.lines.front() : csv.lines.back(), "sensor.colour_table",
-                   "rows from grey 0 to grey 1", ""});
+                  first ? "the table begins above black" : "the table ends below white")
+          .file(place)
+          .line(first ? csv.lines.front() : csv.lines.back())
+          .key("sensor.colour_table")
+          .expected("rows from grey 0 to grey 1");
 }
 
 std::array<double, 3> ColourTable::at(double grey) const {

@@ -12,16 +12,6 @@ namespace {
 
 constexpr double kEstimateMinShare = 1e-3;
 
-[[noreturn]] void refuse_lines(const std::string& problem, const std::string& expected,
-                               const std::string& hint) {
-  ErrorDetails details;
-  details.key = "emission.lines";
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw Error(ErrorKind::scene, details);
-}
-
 Eigen::MatrixXd columns(const std::vector<Vector3>& rgb) {
   Eigen::MatrixXd m(3, rgb.size());
   for (std::size_t l = 0; l < rgb.size(); ++l)
@@ -33,13 +23,18 @@ Eigen::MatrixXd columns(const std::vector<Vector3>& rgb) {
 
 LineEstimator::LineEstimator(std::vector<Vector3> rgb_per_rayleigh) : rgb_(std::move(rgb_per_rayleigh)) {
   if (rgb_.empty() || rgb_.size() > 3)
-    refuse_lines("three channels cannot give the light of " + std::to_string(rgb_.size()) + " lines",
-                 "one to three lines", "name those that make up most of the light");
+    throw Error(ErrorKind::scene,
+                "three channels cannot give the light of " + std::to_string(rgb_.size()) + " lines")
+        .key("emission.lines")
+        .expected("one to three lines")
+        .hint("name those that make up most of the light");
   const Eigen::MatrixXd scaled = columns(rgb_).colwise().normalized();
   const Eigen::VectorXd singular = singular_values(scaled);
   if (!(singular(singular.size() - 1) > kEstimateMinShare))
-    refuse_lines("the sensor cannot tell the colours of the lines apart",
-                 "lines of different colours that it sees", "leave one of them out");
+    throw Error(ErrorKind::scene, "the sensor cannot tell the colours of the lines apart")
+        .key("emission.lines")
+        .expected("lines of different colours that it sees")
+        .hint("leave one of them out");
 }
 
 LineEstimate LineEstimator::estimate(const Vector3& rgb, const Matrix3& covariance) const {

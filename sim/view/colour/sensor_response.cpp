@@ -47,14 +47,11 @@ ChannelTable channels_of(const Scene& scene) {
       for (std::size_t i = 0; i < table.rows(); ++i) channels.response[c][i] *= channels.wavelength_nm[i];
   }
   const double green = channels.at(kGreenNm)[1];
-  if (!(green > 0.0)) {
-    ErrorDetails details;
-    details.file = table.name;
-    details.key = "sensor.response";
-    details.problem = "the green channel has no response at 557.7 nm";
-    details.expected = "one above 0: it sets the scale of the gain";
-    throw Error(ErrorKind::unreadable_input, details);
-  }
+  if (!(green > 0.0))
+    throw Error(ErrorKind::unreadable_input, "the green channel has no response at 557.7 nm")
+        .file(table.name)
+        .key("sensor.response")
+        .expected("one above 0: it sets the scale of the gain");
   const double scale = colour_matching(kGreenNm)[1] / green;
   for (std::vector<double>& channel : channels.response)
     for (double& value : channel) value *= scale;
@@ -214,15 +211,14 @@ SensorResponse::SensorResponse(const Scene& scene)
   // Not the other way round: what is no number is refused too.
   if (!(relative_determinant(rgb_from_raw_) > kMinDeterminant)) {
     const bool is_given = scene.sensor.matrix_rule == MatrixRule::given;
-    ErrorDetails details;
-    details.file = scene.file;
-    details.key = is_given ? "sensor.matrix" : "sensor.response";
-    details.line = line_of(scene, details.key);
-    details.problem = is_given ? "the matrix has no inverse: two colours would become one"
-                               : "the three channels do not tell three colours apart";
-    details.expected = is_given ? "rows that are no multiples or sums of each other"
-                                : "red, green and blue channels that differ, none of them dark";
-    throw Error(ErrorKind::scene, details);
+    const char* const key = is_given ? "sensor.matrix" : "sensor.response";
+    throw Error(ErrorKind::scene, is_given ? "the matrix has no inverse: two colours would become one"
+                                           : "the three channels do not tell three colours apart")
+        .file(scene.file)
+        .line(line_of(scene, key))
+        .key(key)
+        .expected(is_given ? "rows that are no multiples or sums of each other"
+                           : "red, green and blue channels that differ, none of them dark");
   }
   rgb_from_channels_ = rgb_from_raw_;
 }

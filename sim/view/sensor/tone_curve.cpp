@@ -96,13 +96,11 @@ void ToneCurve::be_table(const std::string& text, const std::string& file) {
   kind_ = Kind::file, name_ = file.substr(file.rfind('/') + 1);
   const CsvTable table = read_csv_table(text, file);
   const auto refuse = [&](const std::string& problem) {
-    ErrorDetails details;
-    details.file = file;
-    details.line = table.lines.front();
-    details.key = "linear";
-    details.problem = problem;
-    details.expected = "rows from linear 0 to linear 1";
-    throw Error(ErrorKind::unreadable_input, details);
+    throw Error(ErrorKind::unreadable_input, problem)
+        .file(file)
+        .line(table.lines.front())
+        .key("linear")
+        .expected("rows from linear 0 to linear 1");
   };
   if (table.column("linear").size() < 2) refuse("one row is no curve");
   table.require_increasing("linear");

@@ -26,9 +26,10 @@ Observer observer_of(const Scene& scene) {
 double julian_date_at(const Scene& scene, double instant_s) {
   const std::optional<double> start = julian_date(scene.site.time_utc);
   if (!start)
-    refuse_scene_key(scene.file, "site.time_utc",
-                     "the real sky of '" + scene.site.time_utc + "' is not known",
-                     "date and time of day of the years 1900 to 2200, such as \"2019-09-01T05:00:00Z\"", "");
+    throw Error(ErrorKind::scene, "the real sky of '" + scene.site.time_utc + "' is not known")
+        .file(scene.file)
+        .key("site.time_utc")
+        .expected("date and time of day of the years 1900 to 2200, such as \"2019-09-01T05:00:00Z\"");
   return *start + instant_s / kSecondsOfDay;
 }
 
@@ -43,10 +44,12 @@ Twilight twilight_at(const Scene& scene) {
   twilight.sun_elevation_deg = at.elevation_deg;
   twilight.shown = at.elevation_deg >= kLowestSun_deg;
   if (at.elevation_deg > kHighestSun_deg)
-    refuse_scene_key(
-        scene.file, "twilight.sun",
-        "the sun is at an elevation of " + std::to_string(std::lround(at.elevation_deg)) + " degrees then",
-        "at most -5, up to where the twilight sky was measured", "set site.time_utc to a darker time");
+    throw Error(ErrorKind::scene, "the sun is at an elevation of " +
+                                      std::to_string(std::lround(at.elevation_deg)) + " degrees then")
+        .file(scene.file)
+        .key("twilight.sun")
+        .expected("at most -5, up to where the twilight sky was measured")
+        .hint("set site.time_utc to a darker time");
   return twilight;
 }
 
