@@ -9,7 +9,6 @@
 #include "sim/light/form_profile.h"
 #include "sim/light/own_light.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/light/spline_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/table_files.h"
@@ -101,6 +100,10 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
   }
 }
 
+bool may_shape(const ParameterId& number, int sheet) {
+  return number.sheet() == sheet || number.role() == ParameterRole::oxygen_factor;
+}
+
 }  // namespace
 
 bool has_given_brightness(const Sheet& sheet) { return sheet.brightness_kilorayleigh > 0.0; }
@@ -120,14 +123,6 @@ HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Sce
   }
   return profile;
 }
-
-namespace {
-
-bool may_shape(const ParameterId& number, int sheet) {
-  return number.sheet() == sheet || number.role() == ParameterRole::oxygen_factor;
-}
-
-}  // namespace
 
 std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, const Scene& scene, int index,
                                  const ParameterId& number) {
@@ -208,12 +203,11 @@ void check_profiles(const Scene& scene) {
     of_unit_flux(scene.emission.lines, scene, sheet);
     if (!has_given_brightness(sheet)) continue;
     if (column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km).rayleigh > 0.0) continue;
-    ErrorDetails details;
-    details.problem = "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached";
-    details.file = table_place(scene, sheet.profile_file);
-    details.expected = "a column of 557.7 nm that is not all zeros";
-    details.hint = "brightness_kilorayleigh (and ibc) is that of this line";
-    throw Error(ErrorKind::unreadable_input, details);
+    throw Error(ErrorKind::unreadable_input,
+                "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached")
+        .file(table_place(scene, sheet.profile_file))
+        .expected("a column of 557.7 nm that is not all zeros")
+        .hint("brightness_kilorayleigh (and ibc) is that of this line");
   }
 }
 

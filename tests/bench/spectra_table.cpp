@@ -12,8 +12,8 @@
 #include "fit/report/plot/plot.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_table.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/light/tables/mono_table.h"
-#include "sim/light/tables/tables_air.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow.h"
 

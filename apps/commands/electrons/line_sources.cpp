@@ -18,7 +18,7 @@
 #include "fit/report/plot/plot.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/light/chemistry/auroral_run.h"
+#include "sim/light/chemistry/line_sources.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {

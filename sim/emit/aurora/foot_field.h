@@ -9,7 +9,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/emit/aurora/dipole.h"
-#include "sim/light/field/patch_field.h"
+#include "sim/light/field/field_patch.h"
 #include "sim/light/sample.h"
 #include "sim/scene/structs/scene.h"
 

@@ -9,7 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/light/field/patch_field.h"
+#include "sim/light/field/field_patch.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {

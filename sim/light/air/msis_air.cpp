@@ -48,14 +48,13 @@ MsisDrivers msis_drivers(const AirConditions& conditions) {
 MsisModel sound_msis_model(const AirConditions& conditions) {
   MsisModel model(msis_drivers(conditions));
   if (model.sound()) return model;
-  ErrorDetails details;
-  details.key = "--ap";
-  details.problem = "NRLMSISE-00 has no air for " + condition_words(conditions);
-  details.expected = "conditions nearer to those that it was fitted to";
-  details.hint =
-      "at high latitudes its lower thermosphere fails in the greatest storms; it holds up to an Ap of 100 "
-      "and a mean flux of 250";
-  throw Error(ErrorKind::usage, details);
+  throw Error(ErrorKind::usage, "NRLMSISE-00 has no air for " + condition_words(conditions))
+      .key("--ap")
+      .expected("conditions nearer to those that it was fitted to")
+      .hint(
+          "at high latitudes its lower thermosphere fails in the greatest storms; it holds up to an Ap of "
+          "100 "
+          "and a mean flux of 250");
 }
 
 std::string condition_words(const AirConditions& conditions) {

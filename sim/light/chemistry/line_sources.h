@@ -57,4 +57,18 @@ ReactingAir reacting_air(const FieldAir& column, std::size_t place);
 /// Rayleighs seen from straight below, 1e-6 times the integral over the altitude.
 double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s);
 
+// From electrons at the top to light: transport, chemistry, and the thermal electrons that both make and
+// meet.
+
+struct AuroralRun {
+  FieldAir column;  ///< with the thermal electrons of the first run, which the second one met
+  ElectronRates rates;
+  AuroralLight light;
+};
+
+/// `flux` as electron_transport() takes it. The column's thermal electrons, if it has any, are replaced: a
+/// first run without them gives their density, a second one loses energy to them. Deterministic.
+AuroralRun auroral_run(const Degradation& degradation, FieldAir column, const std::vector<double>& flux,
+                       PitchAngles angles, const Reactions& reactions);
+
 }  // namespace vegard::sim

@@ -15,16 +15,6 @@ namespace {
 
 constexpr double kRoomK = 300.0, kHotElectronsK = 1200.0;
 
-[[noreturn]] void refuse_row(const CsvTable& table, std::size_t row, const std::string& problem,
-                             const std::string& expected) {
-  ErrorDetails details;
-  details.file = table.name;
-  details.line = table.lines[row];
-  details.problem = problem;
-  details.expected = expected;
-  throw Error(ErrorKind::unreadable_input, details);
-}
-
 bool is_one_of(int number, std::initializer_list<Reaction> reactions) {
   return std::any_of(reactions.begin(), reactions.end(),
                      [&](Reaction reaction) { return static_cast<int>(reaction) == number; });
@@ -56,27 +46,28 @@ void Reactions::read(const std::string& csv, const std::string& name, bool may_a
   table.require_within("of", 0.0, 2.0);
   for (std::size_t r = 0; r < table.rows(); ++r) {
     if (!(numbers[r] >= 0.0 && numbers[r] < kReactionNumbers) || numbers[r] != std::floor(numbers[r]))
-      refuse_row(table, r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
+      table.refuse(r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
     const int number = static_cast<int>(numbers[r]), by = static_cast<int>(of[r]);
     const auto known = rows_.find(number);
     if (!may_add && known == rows_.end())
-      refuse_row(table, r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
-    if (values[r] < 0.0) refuse_row(table, r, "the value is negative", "0 or more");
+      table.refuse(r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
+    if (values[r] < 0.0) table.refuse(r, "the value is negative", "0 or more");
     if (needs_more_than_nothing(number) && values[r] == 0.0)
-      refuse_row(table, r, "the value is 0, and nothing else would end what it ends", "a value above 0");
-    if (is_share(number) && values[r] > 1.0) refuse_row(table, r, "a share is above 1", "0 to 1");
+      table.refuse(r, "the value is 0, and nothing else would end what it ends", "a value above 0");
+    if (is_share(number) && values[r] > 1.0) table.refuse(r, "a share is above 1", "0 to 1");
     if (by != of[r] || (!may_add && by != known->second.of))
-      refuse_row(table, r, "the column `of` is not that of the reaction",
-                 "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction "
-                 "has it");
+      table.refuse(
+          r, "the column `of` is not that of the reaction",
+          "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction "
+          "has it");
     rows_[number] = {values[r], exponents[r], activations[r], by};
   }
   constexpr double kRounding = 1e-9;
   if (std::abs(value(Reaction::np_to_nop) + value(Reaction::np_to_o2p) + value(Reaction::np_to_op) - 1.0) >
       kRounding)
-    refuse_file(ErrorKind::unreadable_input, name,
-                "the shares of N+ + O2, numbers 82 to 84, do not add up to 1",
-                "all three in the table, with a sum of 1");
+    throw Error(ErrorKind::unreadable_input, "the shares of N+ + O2, numbers 82 to 84, do not add up to 1")
+        .file(name)
+        .expected("all three in the table, with a sum of 1");
 }
 
 const Reactions& Reactions::standard() {

@@ -1,5 +1,5 @@
 // The field of a patch at a place. This source is included into the ordinary namespace (for double and dual
-// numbers; see sim/light/field/patch_field.h) and into that of every instruction set (for packs of floats).
+// numbers; see sim/light/field/field_patch.h) and into that of every instruction set (for packs of floats).
 // Therefore it has no include guard.
 
 /// Transforms a coordinate on a face so that it is nearly proportional to the angle: the Padé approximant of

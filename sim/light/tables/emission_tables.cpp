@@ -1,6 +1,8 @@
 #include "sim/light/tables/emission_tables.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -52,6 +54,22 @@ std::vector<std::string> columns_of_lines(const EmissionTable& table) {
   return columns;
 }
 
+const EmissionTables& tables_of(const std::shared_ptr<const TableFolder>& folder) {
+  static std::mutex mutex;
+  // With the folder, so that no other comes to have its address.
+  static std::map<std::shared_ptr<const TableFolder>, std::unique_ptr<const EmissionTables>> read;
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::unique_ptr<const EmissionTables>& tables = read[folder];
+  if (!tables) tables = std::make_unique<const EmissionTables>(folder);
+  return *tables;
+}
+
+const std::string kOxygenPath = "emission.oxygen_factor";
+
+Error oxygen_error(const Scene& scene, int line, const std::string& problem) {
+  return Error(ErrorKind::scene, problem).file(scene.file).line(line).key(kOxygenPath);
+}
+
 }  // namespace
 
 template <class Table>
@@ -95,20 +113,6 @@ const MonoEnergeticTable& EmissionTables::mono() const {
   return *mono_;
 }
 
-namespace {
-
-const EmissionTables& tables_of(const std::shared_ptr<const TableFolder>& folder) {
-  static std::mutex mutex;
-  // With the folder, so that no other comes to have its address.
-  static std::map<std::shared_ptr<const TableFolder>, std::unique_ptr<const EmissionTables>> read;
-  const std::lock_guard<std::mutex> lock(mutex);
-  std::unique_ptr<const EmissionTables>& tables = read[folder];
-  if (!tables) tables = std::make_unique<const EmissionTables>(folder);
-  return *tables;
-}
-
-}  // namespace
-
 const EmissionTables& emission_tables(const std::string& built_in) {
   return tables_of(built_in_tables(built_in));
 }
@@ -123,24 +127,6 @@ EmissionSource emission_source(const Scene& scene) {
   return {emission_tables(scene), scene.emission.oxygen_factor};
 }
 
-namespace {
-
-const std::string kOxygenPath = "emission.oxygen_factor";
-
-[[noreturn]] void refuse_oxygen(const Scene& scene, int line, const std::string& problem,
-                                const std::string& expected, const std::string& hint = {}) {
-  ErrorDetails details;
-  details.file = scene.file;
-  details.line = line;
-  details.key = kOxygenPath;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw Error(ErrorKind::scene, details);
-}
-
-}  // namespace
-
 void check_emission_tables(const Scene& scene) {
   bool is_free = false;
   for (const FreeParameter& free : scene.fit.free) is_free = is_free || free.path == kOxygenPath;
@@ -153,14 +139,14 @@ void check_emission_tables(const Scene& scene) {
   const int line = line_of(scene, kOxygenPath);
   if (factors.size() == 1) {
     if (factor == 1.0 && !is_free) return;
-    refuse_oxygen(scene, line, "the emission tables are for one amount of atomic oxygen",
-                  is_free ? "no " + kOxygenPath + " in fit.free" : "1",
-                  "tables of several factors have a column oxygen_factor");
+    throw oxygen_error(scene, line, "the emission tables are for one amount of atomic oxygen")
+        .expected(is_free ? "no " + kOxygenPath + " in fit.free" : "1")
+        .hint("tables of several factors have a column oxygen_factor");
   }
   const auto check = [&](double value, int of_line) {
     if (value < factors.front() || value > factors.back())
-      refuse_oxygen(scene, of_line, short_real_text(value) + " is outside of the emission tables",
-                    "from " + short_real_text(factors.front()) + " to " + short_real_text(factors.back()));
+      throw oxygen_error(scene, of_line, short_real_text(value) + " is outside of the emission tables")
+          .expected("from " + short_real_text(factors.front()) + " to " + short_real_text(factors.back()));
   };
   check(factor, line);
   for (const FreeParameter& free : scene.fit.free)
@@ -176,6 +162,27 @@ void limit_free_oxygen(Scene& scene) {
     if (!free.min) free.min = std::max(factors.front(), kMinOxygenFactor);
     if (!free.max) free.max = std::min(factors.back(), kMaxOxygenFactor);
   }
+}
+
+std::vector<StoppingAir> tables_air(const CsvTable& table, const std::vector<double>& altitudes_km) {
+  const auto &altitude = table.column("altitude_km"), &temperature = table.column("T_K");
+  const auto &o = table.column("nO"), &o2 = table.column("nO2"), &n2 = table.column("nN2");
+  constexpr double kAny = std::numeric_limits<double>::max();
+  table.require_within("T_K", 1.0, kAny);
+  for (const char* gas : {"nO", "nO2", "nN2"}) table.require_within(gas, 0.0, kAny);
+  std::vector<StoppingAir> air;
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    if (r >= altitudes_km.size() || altitude[r] != altitudes_km[r])
+      table.refuse(r, short_real_text(altitude[r]) + " km is no altitude of the emission tables here",
+                   r < altitudes_km.size() ? short_real_text(altitudes_km[r]) + " km" : "no more rows",
+                   "the air has the altitudes of the emission tables, in their order");
+    if (!(o[r] + o2[r] + n2[r] > 0.0)) table.refuse(r, "there is no air", "a density above 0");
+    air.push_back(stopping_air(altitude[r], temperature[r], n2[r], o2[r], o[r]));
+  }
+  if (air.size() < altitudes_km.size())
+    table.refuse(table.rows() - 1, "ends at " + short_real_text(altitude.back()) + " km",
+                 "rows up to " + short_real_text(altitudes_km.back()) + " km, as the emission tables have");
+  return air;
 }
 
 }  // namespace vegard::sim

@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/file/csv_table.h"
 #include "sim/light/tables/emission_table.h"
 #include "sim/light/tables/flux_law.h"
+#include "sim/light/tables/ionisation.h"
 #include "sim/light/tables/mono_table.h"
-#include "sim/light/tables/tables_air.h"
 #include "sim/scene/lines/emission_line.h"
 #include "sim/scene/structs/scene.h"
 
@@ -83,5 +84,15 @@ void check_emission_tables(const Scene& scene);
 /// Sets the missing limits of an entry of fit.free for emission.oxygen_factor to those of the tables. The
 /// scene must have passed check_emission_tables().
 void limit_free_oxygen(Scene& scene);
+
+// The air for which emission tables were computed, with its properties that stop electrons.
+//
+// Source: the tables' own atmosphere.csv; that of data/glow is NRLMSISE-00 through GLOW (data/README.md). It
+// is not the U.S. Standard Atmosphere of sim/light/atmosphere.h, which is for the excited atoms' collisions.
+
+/// Returns the air at the altitudes of the emission tables, from the bottom up, from the columns altitude_km,
+/// T_K, nO, nO2 and nN2 (cm^-3) of a table. Throws Error(unreadable_input) unless the table has the same
+/// altitudes, temperatures are above 0, densities are not negative, and no row is without air.
+std::vector<StoppingAir> tables_air(const CsvTable& atmosphere, const std::vector<double>& altitudes_km);
 
 }  // namespace vegard::sim

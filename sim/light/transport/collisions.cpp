@@ -6,6 +6,8 @@
 #include <cstddef>
 
 #include "sim/base/file/csv_table.h"
+#include "sim/base/number/constants.h"
+#include "sim/light/transport/electron_grid.h"
 
 namespace vegard::sim {
 namespace {
@@ -98,9 +100,6 @@ double rutherford(double charge, double energy_ev) {
   return relativistic * relativistic / (energy_ev * energy_ev * a * (1.0 + a));
 }
 
-/// Mean of 1 - cos for a screening.
-double transfer_of(double a) { return 2.0 * a * ((1.0 + a) * std::log1p(1.0 / a) - 1.0); }
-
 GasCollisions read_gas(const CsvTable& table, const CsvTable& shells, Gas gas) {
   const auto g = static_cast<std::size_t>(gas);
   GasCollisions result;
@@ -135,6 +134,14 @@ double shells_cm2(const GasCollisions& gas, double energy_ev) {
   double sum = 0.0;
   for (const IonisedShell& shell : gas.shells) sum += ShellSpectrum(shell, energy_ev).cm2();
   return sum;
+}
+
+constexpr double kBohrCm = 0.529177211e-8;
+constexpr double kFineStructure = 7.2973525693e-3;
+
+double beta2_of(double energy_ev) {
+  const double gamma = 1.0 + energy_ev / kElectronRestEv;
+  return (gamma - 1.0) * (gamma + 1.0) / (gamma * gamma);
 }
 
 }  // namespace
@@ -199,7 +206,7 @@ double elastic_transfer_ratio(double energy_ev) {
   const double value = inside < transfer.energy_ev.back() ? transfer.at(inside) : transfer.cm2.back();
   double ratio = value / n2.elastic_cm2(inside);
   if (energy_ev > inside)
-    ratio *= transfer_of(screening(kCharge[0], energy_ev)) / transfer_of(screening(kCharge[0], inside));
+    ratio *= mean_turn(screening(kCharge[0], energy_ev)) / mean_turn(screening(kCharge[0], inside));
   return std::min(1.0, ratio);
 }
 
@@ -223,6 +230,34 @@ double stopping_ev_cm2(Gas gas, double energy_ev) {
     }
   }
   return sum;
+}
+
+ShellSpectrum::ShellSpectrum(const IonisedShell& shell, double energy_ev) : binding_ev_(shell.binding_ev) {
+  if (energy_ev <= shell.binding_ev || energy_ev <= shell.loss_ev) return;
+  max_ev_ = 0.5 * (energy_ev - shell.binding_ev);
+  t_ = energy_ev / binding_ev_;
+  const double rest = energy_ev / kElectronRestEv, b = binding_ev_ / kElectronRestEv;
+  const double beta2 = beta2_of(energy_ev);
+  const double speeds = beta2 + beta2_of(shell.kinetic_ev) + beta2_of(binding_ev_);
+  prefactor_cm2_ =
+      4.0 * kPi * kBohrCm * kBohrCm * std::pow(kFineStructure, 4) * shell.electrons / (speeds * 2.0 * b);
+  const double recoil = (1.0 + 0.5 * rest) * (1.0 + 0.5 * rest);
+  exchange_ = (1.0 + 2.0 * rest) / (recoil * (t_ + 1.0));
+  constant_ = b * b / recoil;
+  dipole_ = std::log(beta2 / (1.0 - beta2)) - beta2 - std::log(2.0 * b);
+  at_zero_ = integral(0.0);
+}
+
+double ShellSpectrum::integral(double w) const {
+  const double near = w + 1.0, far = t_ - w;
+  return 1.0 / far - 1.0 / near - exchange_ * std::log(near / far) + constant_ * w +
+         0.5 * dipole_ * (1.0 / (far * far) - 1.0 / (near * near));
+}
+
+double ShellSpectrum::cm2_below(double secondary_ev) const {
+  if (max_ev_ <= 0.0 || secondary_ev <= 0.0) return 0.0;
+  const double w = std::min(secondary_ev, max_ev_) / binding_ev_;
+  return prefactor_cm2_ * (integral(w) - at_zero_);
 }
 
 }  // namespace vegard::sim

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "sim/light/transport/collisions.h"
-#include "sim/light/transport/energy_grid.h"
+#include "sim/light/transport/electron_grid.h"
 
 namespace vegard::sim {
 

@@ -28,9 +28,9 @@
 #include <vector>
 
 #include "sim/light/transport/degradation.h"
+#include "sim/light/transport/electron_grid.h"
 #include "sim/light/transport/field_air.h"
 #include "sim/light/transport/incident_electrons.h"
-#include "sim/light/transport/streams.h"
 
 namespace vegard::sim {
 

@@ -113,20 +113,15 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
   table.n_cm3 = optional_column("nN4S", 0.0, kLargest);
   table.electron_temperature_k = optional_column("Te_K", 1.0, 1e5);
   if (table.altitude_km.front() > kMaxBottomKm || table.altitude_km.back() < kMinTopKm)
-    refuse_file(ErrorKind::unreadable_input, name,
+    throw Error(ErrorKind::unreadable_input,
                 "the air reaches from " + std::to_string(static_cast<int>(table.altitude_km.front())) +
-                    " to " + std::to_string(static_cast<int>(table.altitude_km.back())) + " km",
-                "a table that begins at 100 km or below and ends at 300 km or above",
-                "electrons of some keV stop near 100 km and begin to above 300 km");
-  for (std::size_t r = 0; r < csv.rows(); ++r) {
-    if (table.density_cm3[0][r] + table.density_cm3[1][r] + table.density_cm3[2][r] > 0.0) continue;
-    ErrorDetails details;
-    details.file = name;
-    details.line = csv.lines[r];
-    details.problem = "there is no air";
-    details.expected = "a density above 0 of N2, O2 or O";
-    throw Error(ErrorKind::unreadable_input, details);
-  }
+                    " to " + std::to_string(static_cast<int>(table.altitude_km.back())) + " km")
+        .file(name)
+        .expected("a table that begins at 100 km or below and ends at 300 km or above")
+        .hint("electrons of some keV stop near 100 km and begin to above 300 km");
+  for (std::size_t r = 0; r < csv.rows(); ++r)
+    if (!(table.density_cm3[0][r] + table.density_cm3[1][r] + table.density_cm3[2][r] > 0.0))
+      csv.refuse(r, "there is no air", "a density above 0 of N2, O2 or O");
   return table;
 }
 

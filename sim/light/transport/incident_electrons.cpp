@@ -89,13 +89,11 @@ std::vector<double> incident_flux(const IncidentSpectrum& spectrum, const Energy
   }
   double energy = 0.0;
   for (std::size_t i = 0; i < grid.size(); ++i) energy += flux[i] * grid.energy_ev[i];
-  if (!(energy > 0.0)) {
-    ErrorDetails details;
-    details.problem = "the spectrum is narrower than the steps of energy, and none of its electrons is met";
-    details.expected = "one that is a percent wide at least";
-    details.hint = "electrons of one energy are the spectrum \"mono\"";
-    throw Error(ErrorKind::unreadable_input, details);
-  }
+  if (!(energy > 0.0))
+    throw Error(ErrorKind::unreadable_input,
+                "the spectrum is narrower than the steps of energy, and none of its electrons is met")
+        .expected("one that is a percent wide at least")
+        .hint("electrons of one energy are the spectrum \"mono\"");
   const double factor = energy_flux_mw_m2 * kEvPerErg / energy;
   for (double& f : flux) f *= factor;
   return flux;

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/transport/energy_grid.h"
-#include "sim/light/transport/streams.h"
+#include "sim/light/transport/electron_grid.h"
 
 namespace vegard::sim {
 

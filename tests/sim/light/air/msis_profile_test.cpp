@@ -1,4 +1,4 @@
-#include "sim/light/air/msis_profile.h"
+#include "sim/light/air/msis_model.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sim/light/atmosphere.h"
-#include "sim/light/chemistry/auroral_run.h"
 #include "sim/light/excited_atom.h"
 #include "sim/scene/lines/emission_lines.h"
 

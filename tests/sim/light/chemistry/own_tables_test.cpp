@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/chemistry/auroral_run.h"
+#include "sim/light/chemistry/line_sources.h"
 #include "sim/light/chemistry/table_maker.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/emission_folder.h"

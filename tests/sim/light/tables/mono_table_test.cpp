@@ -7,7 +7,7 @@
 
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_table.h"
-#include "sim/light/tables/tables_air.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "tests/support/glow.h"
 

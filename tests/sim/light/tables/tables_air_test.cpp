@@ -1,4 +1,4 @@
-#include "sim/light/tables/tables_air.h"
+#include "sim/light/tables/emission_tables.h"
 
 #include <gtest/gtest.h>
 

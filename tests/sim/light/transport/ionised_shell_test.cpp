@@ -1,4 +1,4 @@
-#include "sim/light/transport/ionised_shell.h"
+#include "sim/light/transport/collisions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/light/transport/streams.h"
+#include "sim/light/transport/electron_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/light/field/patch_field.h"
+#include "sim/light/field/field_patch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "sim/light/transport/streams.h"
+#include "sim/light/transport/electron_grid.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -7,6 +8,15 @@
 
 namespace vegard::sim {
 namespace {
+
+constexpr double kLowestEv = 0.3;
+constexpr double kCoarseEv = 20.0, kFineEv = 1000.0;  // where the spacing begins and ends to change
+constexpr double kCoarseStep = 0.05, kFineStep = 0.015;
+
+double relative_step(double energy_ev) {
+  const double way = std::log(energy_ev / kCoarseEv) / std::log(kFineEv / kCoarseEv);
+  return kCoarseStep + (kFineStep - kCoarseStep) * std::clamp(way, 0.0, 1.0);
+}
 
 template <int N>
 Streams gauss_streams() {
@@ -18,10 +28,6 @@ Streams gauss_streams() {
       result.weight.push_back(rule.weight[i]);
     }
   return result;
-}
-
-double mean_turn(double screening) {
-  return 2.0 * screening * ((1.0 + screening) * std::log1p(1.0 / screening) - 1.0);
 }
 
 /// The screening with this mean of 1 - cos, by halving in its logarithm.
@@ -44,6 +50,43 @@ void legendre(double x, int highest, std::vector<double>& values) {
 }
 
 }  // namespace
+
+double EnergyGrid::width_ev(std::size_t i) const {
+  const std::size_t last = size() - 1;
+  return 0.5 * (energy_ev[std::min(i + 1, last)] - energy_ev[i == 0 ? 0 : i - 1]);
+}
+
+EnergyGrid energy_grid(double highest_ev, double refinement) {
+  EnergyGrid grid;
+  grid.energy_ev.push_back(kLowestEv);
+  while (grid.energy_ev.back() < highest_ev)
+    grid.energy_ev.push_back(grid.energy_ev.back() *
+                             (1.0 + relative_step(grid.energy_ev.back()) / refinement));
+  return grid;
+}
+
+EnergyShare share_of_energy(const EnergyGrid& grid, double energy_ev) {
+  EnergyShare share;
+  if (energy_ev < grid.energy_ev.front()) {
+    share.thermal = true;
+    return share;
+  }
+  const auto after = std::upper_bound(grid.energy_ev.begin(), grid.energy_ev.end(), energy_ev);
+  if (after == grid.energy_ev.end()) {
+    share.lower = grid.size() - 2;
+    share.at_upper = 1.0;
+    return share;
+  }
+  share.lower = static_cast<std::size_t>(after - grid.energy_ev.begin()) - 1;
+  const double low = grid.energy_ev[share.lower], high = grid.energy_ev[share.lower + 1];
+  share.at_upper = (energy_ev - low) / (high - low);
+  share.at_lower = 1.0 - share.at_upper;
+  return share;
+}
+
+double mean_turn(double screening) {
+  return 2.0 * screening * ((1.0 + screening) * std::log1p(1.0 / screening) - 1.0);
+}
 
 Streams pitch_streams(int half) {
   assert(half == 4 || half == 8);
