@@ -548,13 +548,17 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
 Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSettings& settings) {
   sim::require_earth(scene, "the distance of a border");
   if (photo.linear.width != scene.camera.width || photo.linear.height != scene.camera.height)
-    sim::refuse_key(sim::ErrorKind::scene, "camera.width",
-                    "the camera is " + sim::size_text(scene.camera.width, scene.camera.height) +
-                        " and the photograph " + sim::size_text(photo.linear.width, photo.linear.height),
-                    "the same size", "give the camera of this photograph, with --camera");
+    throw sim::Error(sim::ErrorKind::scene,
+                     "the camera is " + sim::size_text(scene.camera.width, scene.camera.height) +
+                         " and the photograph " + sim::size_text(photo.linear.width, photo.linear.height))
+        .key("camera.width")
+        .expected("the same size")
+        .hint("give the camera of this photograph, with --camera");
   if (1e-3 * scene.site.altitude_m >= kBorderAltitudesKm.front())
-    sim::refuse_key(sim::ErrorKind::scene, "site.altitude_m", "the observer is as high as the aurora",
-                    "a site below 95 km", "vegard profile measures pictures from orbit");
+    throw sim::Error(sim::ErrorKind::scene, "the observer is as high as the aurora")
+        .key("site.altitude_m")
+        .expected("a site below 95 km")
+        .hint("vegard profile measures pictures from orbit");
   Border border;
   border.cells = sky_cells(photo, scene.camera, settings);
   bridge_border_holes(border.cells);

@@ -107,9 +107,7 @@ std::string farthest_line(const ColumnInversion& inversion) {
 
 void assess_columns(ColumnInversion& inversion) {
   const ColumnSolution& best = inversion.solutions.front();
-  const bool contradicts =
-      inversion.degrees_of_freedom > 0 ? inversion.p_value < kMinChance : !(best.chi2 <= kMaxColumnChi2);
-  if (contradicts) {
+  if (contradicts_tables(best.chi2, inversion.degrees_of_freedom)) {
     inversion.verdict = ColumnVerdict::contradiction;
     inversion.reason =
         "no electrons of these tables make these lines within their errors: " + farthest_line(inversion);
@@ -173,23 +171,11 @@ std::vector<std::string> degeneracies_of(const ColumnSolution& best) {
 }  // namespace
 
 const char* column_verdict_name(ColumnVerdict verdict) {
-  switch (verdict) {
-    case ColumnVerdict::well_constrained:
-      return "well constrained";
-    case ColumnVerdict::loosely_constrained:
-      return "loosely constrained";
-    case ColumnVerdict::one_sided:
-      return "constrained on one side";
-    case ColumnVerdict::two_solutions:
-      return "two solutions";
-    case ColumnVerdict::contradiction:
-      return "lines contradict each other";
-    case ColumnVerdict::no_light:
-      return "no light";
-    case ColumnVerdict::not_measured:
-      return "not measured";
-  }
-  return "";
+  static constexpr std::array names = {
+      "well constrained", "loosely constrained",         "constrained on one side",
+      "two solutions",    "lines contradict each other", "no light",
+      "not measured"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 double chi2_tail(double chi2, int degrees_of_freedom) {
@@ -207,13 +193,21 @@ double chi2_tail(double chi2, int degrees_of_freedom) {
   return tail;
 }
 
+bool contradicts_tables(double chi2, int degrees_of_freedom) {
+  return degrees_of_freedom > 0 ? chi2_tail(chi2, degrees_of_freedom) < kMinChance
+                                : !(chi2 <= kMaxColumnChi2);
+}
+
+int degrees_of_freedom(const ColumnChi2& chi2) {
+  return static_cast<int>(chi2.model().lines()) -
+         static_cast<int>(std::count(chi2.free().begin(), chi2.free().end(), true));
+}
+
 ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data) {
   ColumnInversion inversion;
   inversion.lines_nm = chi2.model().lines_nm();
   inversion.data = data;
-  int unknowns = 0;
-  for (const bool is_free : chi2.free()) unknowns += is_free ? 1 : 0;
-  inversion.degrees_of_freedom = static_cast<int>(inversion.lines_nm.size()) - unknowns;
+  inversion.degrees_of_freedom = degrees_of_freedom(chi2);
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   for (const ColumnValley& valley : valleys) {
     if (!inversion.solutions.empty() &&

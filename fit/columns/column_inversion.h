@@ -59,8 +59,14 @@ struct ColumnInversion {
 /// reaches to where chi2, minimised over the other unknowns, rises by 1 (68 %) or by 4 (95 %).
 ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data);
 
-/// Probability of a larger chi2 by chance, for at least one degree of freedom.
+/// Returns the number of lines minus that of free unknowns.
+int degrees_of_freedom(const ColumnChi2& chi2);
+
+/// Returns the probability of a larger chi2 by chance, for at least one degree of freedom.
 double chi2_tail(double chi2, int degrees_of_freedom);
+
+/// True if a chi2 is too large for these tables, by kMaxColumnChi2 or kMinChance.
+bool contradicts_tables(double chi2, int degrees_of_freedom);
 
 /// A second minimum is reported as a solution if its chi2 exceeds that of the best by at most
 /// kEquivalentChi2, and the barrier between them is at least kMinBarrier.

@@ -30,46 +30,30 @@ bool has_errors(const ColumnData& data, std::size_t lines) {
   return true;
 }
 
-/// Whether there is light, and every line has an error that it can be weighed by.
+/// Whether a line stands out of its error.
 bool light_in_pixel(const ColumnData& data, std::size_t lines) {
-  bool seen = false;
-  for (std::size_t l = 0; l < lines; ++l) {
-    seen = seen || data.rayleigh[l] > kSeenSigmas * data.sigma[l];
-  }
-  return seen;
+  for (std::size_t l = 0; l < lines; ++l)
+    if (data.rayleigh[l] > kSeenSigmas * data.sigma[l]) return true;
+  return false;
 }
 
-class PixelAssessment {
- public:
-  explicit PixelAssessment(const ColumnChi2& chi2) : chi2_(chi2) {
-    degrees_of_freedom_ = static_cast<int>(chi2.model().lines());
-    for (const bool is_free : chi2.free()) degrees_of_freedom_ -= is_free ? 1 : 0;
+ColumnVerdict verdict_of_pixel(const ColumnChi2& chi2, const ColumnValley& best, const ColumnPoint& sigma_ln,
+                               bool has_second) {
+  if (contradicts_tables(best.chi2, degrees_of_freedom(chi2))) return ColumnVerdict::contradiction;
+  if (has_second) return ColumnVerdict::two_solutions;
+  ColumnVerdict verdict = ColumnVerdict::well_constrained;
+  for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
+    if (!chi2.free()[k]) continue;
+    const double reach = kEdgeSigmas * sigma_ln[k];
+    if (best.at_edge[k] || !std::isfinite(reach) || best.at[k] - reach < chi2.model().least(k) ||
+        best.at[k] + reach > chi2.model().most(k))
+      return ColumnVerdict::one_sided;
+    if (2.0 * reach > std::log(kWideFactor)) verdict = ColumnVerdict::loosely_constrained;
   }
+  return verdict;
+}
 
-  ColumnVerdict of(const ColumnValley& best, const ColumnPoint& sigma_ln, bool has_second) const {
-    const bool contradicts = degrees_of_freedom_ > 0 ? chi2_tail(best.chi2, degrees_of_freedom_) < kMinChance
-                                                     : !(best.chi2 <= kMaxColumnChi2);
-    if (contradicts) return ColumnVerdict::contradiction;
-    if (has_second) return ColumnVerdict::two_solutions;
-    ColumnVerdict verdict = ColumnVerdict::well_constrained;
-    for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
-      if (!chi2_.free()[k]) continue;
-      const double reach = kEdgeSigmas * sigma_ln[k];
-      if (best.at_edge[k] || !std::isfinite(reach) || best.at[k] - reach < chi2_.model().least(k) ||
-          best.at[k] + reach > chi2_.model().most(k))
-        return ColumnVerdict::one_sided;
-      if (2.0 * reach > std::log(kWideFactor)) verdict = ColumnVerdict::loosely_constrained;
-    }
-    return verdict;
-  }
-
- private:
-  const ColumnChi2& chi2_;
-  int degrees_of_freedom_ = 0;
-};
-
-void invert_pixel(const ColumnChi2& chi2, const PixelAssessment& assessment, const ColumnData& data,
-                  std::size_t i, ColumnMaps& maps) {
+void invert_pixel(const ColumnChi2& chi2, const ColumnData& data, std::size_t i, ColumnMaps& maps) {
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   const ColumnValley& best = valleys.front();
   const Eigen::Matrix3d covariance = column_covariance(best, chi2.free());
@@ -90,7 +74,7 @@ void invert_pixel(const ColumnChi2& chi2, const PixelAssessment& assessment, con
   maps.ln_oxygen_error[i] = static_cast<float>(sigma_ln[kLnOxygen]);
   if (second != nullptr) maps.other_energy_kev[i] = static_cast<float>(std::exp(second->at[kLnEnergy]));
   maps.chi2[i] = static_cast<float>(best.chi2);
-  maps.quality[i] = static_cast<std::uint8_t>(assessment.of(best, sigma_ln, second != nullptr));
+  maps.quality[i] = static_cast<std::uint8_t>(verdict_of_pixel(chi2, best, sigma_ln, second != nullptr));
 }
 
 }  // namespace
@@ -107,13 +91,12 @@ ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines
         &maps.relative_flux_error, &maps.ln_oxygen_error, &maps.other_energy_kev, &maps.chi2})
     values->assign(pixels, nan);
   maps.quality.assign(pixels, static_cast<std::uint8_t>(ColumnVerdict::not_measured));
-  const PixelAssessment assessment(chi2);
   sim::parallel_for(height, threads, [&](std::size_t row, int) {
     ColumnData data;
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       if (!take_pixel(lines, i, data) || !has_errors(data, lines.size())) continue;
       if (light_in_pixel(data, lines.size()))
-        invert_pixel(chi2, assessment, data, i, maps);
+        invert_pixel(chi2, data, i, maps);
       else
         maps.quality[i] = static_cast<std::uint8_t>(ColumnVerdict::no_light);
     }

@@ -34,9 +34,8 @@ std::string auroral_line_list() {
   return list;
 }
 
-[[noreturn]] void refuse_brightness(const std::string& option, const std::string& problem,
-                                    const std::string& expected, const std::string& hint = {}) {
-  sim::refuse_key(sim::ErrorKind::usage, option, problem, expected, hint);
+sim::Error brightness_fault(const std::string& option, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::usage, problem).key(option);
 }
 
 }  // namespace
@@ -49,11 +48,11 @@ LineWord line_word(const std::string& text, const std::string& option, const std
   std::size_t at = 0;
   const std::optional<double> wavelength_nm = leading_number(text, at);
   if (!wavelength_nm || at >= text.size() || text[at] != '=' || at + 1 == text.size())
-    refuse_brightness(option, "'" + text + "' is not understood", expected);
+    throw brightness_fault(option, "'" + text + "' is not understood").expected(expected);
   const sim::EmissionLine* line = sim::find_emission_line(*wavelength_nm);
   if (line == nullptr || !sim::is_auroral(*line))
-    refuse_brightness(option, fmt::format("no line of the aurora is known at {:g} nm", *wavelength_nm),
-                      "one of " + auroral_line_list() + " nm");
+    throw brightness_fault(option, fmt::format("no line of the aurora is known at {:g} nm", *wavelength_nm))
+        .expected("one of " + auroral_line_list() + " nm");
   return {line->wavelength_nm, text.substr(at + 1)};
 }
 
@@ -62,10 +61,12 @@ BrightnessError brightness_error(const std::string& text, const std::string& opt
   const std::optional<double> number = leading_number(text, at);
   const bool is_percent = at < text.size() && text[at] == '%';
   if (!number || at + (is_percent ? 1 : 0) != text.size())
-    refuse_brightness(option, "'" + text + "' is no error", "rayleighs such as 50, or per cent such as 5%");
+    throw brightness_fault(option, "'" + text + "' is no error")
+        .expected("rayleighs such as 50, or per cent such as 5%");
   if (*number <= 0.0)
-    refuse_brightness(option, "an error of " + text + " is none", "above 0",
-                      "what is not known better than this cannot be weighed against other lines");
+    throw brightness_fault(option, "an error of " + text + " is none")
+        .expected("above 0")
+        .hint("what is not known better than this cannot be weighed against other lines");
   return is_percent ? BrightnessError{0.0, 0.01 * *number} : BrightnessError{*number, 0.0};
 }
 
@@ -73,11 +74,12 @@ LineMeasurement line_measurement(const std::string& text) {
   const LineWord word = line_word(text, "--line", kLineForm);
   std::size_t at = 0;
   const std::optional<double> rayleigh = leading_number(word.rest, at);
-  if (!rayleigh) refuse_brightness("--line", "'" + text + "' is not understood", kLineForm);
+  if (!rayleigh) throw brightness_fault("--line", "'" + text + "' is not understood").expected(kLineForm);
   if (*rayleigh < 0.0)
-    refuse_brightness(
-        "--line", fmt::format("the brightness of {:.1f} nm is {:g}", word.wavelength_nm, *rayleigh),
-        "0 or more rayleighs", "for what cannot be seen give 0 with the error of the measurement");
+    throw brightness_fault("--line",
+                           fmt::format("the brightness of {:.1f} nm is {:g}", word.wavelength_nm, *rayleigh))
+        .expected("0 or more rayleighs")
+        .hint("for what cannot be seen give 0 with the error of the measurement");
   LineMeasurement line{word.wavelength_nm, *rayleigh, std::nullopt};
   if (at == word.rest.size()) return line;
   for (const std::string sign : {"±", "+-", "+/-"}) {
@@ -86,22 +88,23 @@ LineMeasurement line_measurement(const std::string& text) {
     while (begin < word.rest.size() && word.rest[begin] == ' ') ++begin;
     line.error = brightness_error(word.rest.substr(begin), "--line");
     if (line.error->of(line.rayleigh) <= 0.0)
-      refuse_brightness(
-          "--line", fmt::format("per cent of a brightness of 0 are no error ({:.1f} nm)", line.wavelength_nm),
-          "an error in rayleighs");
+      throw brightness_fault(
+          "--line", fmt::format("per cent of a brightness of 0 are no error ({:.1f} nm)", line.wavelength_nm))
+          .expected("an error in rayleighs");
     return line;
   }
-  refuse_brightness("--line", "'" + text + "' is not understood", kLineForm);
+  throw brightness_fault("--line", "'" + text + "' is not understood").expected(kLineForm);
 }
 
 void require_different_lines(const std::vector<double>& lines_nm, const std::string& option) {
   for (std::size_t i = 0; i < lines_nm.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (lines_nm[i] == lines_nm[j])
-        refuse_brightness(option, fmt::format("{:.1f} nm is given twice", lines_nm[i]), "each line once");
+        throw brightness_fault(option, fmt::format("{:.1f} nm is given twice", lines_nm[i]))
+            .expected("each line once");
   if (lines_nm.size() > kMaxColumnLines)
-    refuse_brightness(option, fmt::format("{} lines are given", lines_nm.size()),
-                      fmt::format("{} at most", kMaxColumnLines));
+    throw brightness_fault(option, fmt::format("{} lines are given", lines_nm.size()))
+        .expected(fmt::format("{} at most", kMaxColumnLines));
 }
 
 }  // namespace vegard::fit
