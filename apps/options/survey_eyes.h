@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/survey/survey.h"
-#include "fit/survey/survey_eye.h"
+#include "fit/survey/survey_frame.h"
 #include "fit/survey/survey_plan.h"
 
 namespace vegard::apps {

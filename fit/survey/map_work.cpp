@@ -1,4 +1,4 @@
-#include "fit/survey/map_work.h"
+#include "fit/survey/survey_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,9 @@
 
 #include "fit/answer/trust.h"
 #include "fit/map/curtains.h"
+#include "fit/map/map_fit.h"
 #include "fit/map/map_verdicts.h"
+#include "fit/photo/photo.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/line_of.h"
 
@@ -16,10 +18,6 @@ namespace vegard::fit {
 namespace {
 
 constexpr double kMegawattPerMw_km2 = 1e-3;  // 1 mW m^-2 on 1 km^2 is a kilowatt
-
-std::optional<double> finite(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 /// Standard deviation of what the replicates say; none where there are too few.
 std::optional<double> spread(const MapResult& map,
@@ -30,7 +28,7 @@ std::optional<double> spread(const MapResult& map,
   double mean = 0.0, sum = 0.0;
   for (const double v : values) mean += v / static_cast<double>(values.size());
   for (const double v : values) sum += (v - mean) * (v - mean);
-  return finite(std::sqrt(sum / static_cast<double>(values.size() - 1)));
+  return finite_or_none(std::sqrt(sum / static_cast<double>(values.size() - 1)));
 }
 
 struct Totals {
@@ -66,7 +64,7 @@ void add_curtain(const Curtain& curtain, int item, const sim::Scene& scene, cons
                  WorkAnswer& answer) {
   const auto put = [&](const char* name, const char* unit, double value, double sigma,
                        const std::optional<std::string>& trust) {
-    answer.quantities.push_back({item, name, unit, finite(value), finite(sigma), trust, {}});
+    answer.quantities.push_back({item, name, unit, finite_or_none(value), finite_or_none(sigma), trust, {}});
   };
   const double unknown = std::nan("");
   put("length", "km", curtain.length_km, unknown, {});
@@ -102,7 +100,7 @@ std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene
                        : "doubtful";
   const auto put = [&](const char* name, const char* unit, double value, std::optional<double> sigma,
                        const std::optional<std::string>& trust = std::nullopt) {
-    answer.quantities.push_back({0, name, unit, finite(value), sigma, trust, {}});
+    answer.quantities.push_back({0, name, unit, finite_or_none(value), sigma, trust, {}});
   };
   const Totals totals = totals_of(map, map.cells);
   put("power", "MW", totals.power_mw,

@@ -1,4 +1,4 @@
-#include "fit/survey/profile_work.h"
+#include "fit/survey/survey_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "fit/compare/observation.h"
 #include "fit/measure/profile.h"
 #include "fit/measure/smoothing.h"
+#include "fit/photo/photo.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

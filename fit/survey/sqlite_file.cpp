@@ -119,8 +119,10 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, error));
   if (!writes_ || is_there)
     if (const std::string problem = sim::why_no_input(file); !problem.empty())
-      sim::refuse_file(writes_ ? sim::ErrorKind::unwritable_output : sim::ErrorKind::unreadable_input, file,
-                       problem, "a database");
+      throw sim::Error(writes_ ? sim::ErrorKind::unwritable_output : sim::ErrorKind::unreadable_input,
+                       problem)
+          .file(file)
+          .expected("a database");
   // Also for reading: what a killed writer has left can be put right by a writer alone. Where the file must
   // not be written to, the library opens it for reading.
   const int flags = SQLITE_OPEN_READWRITE | (writes_ ? SQLITE_OPEN_CREATE : 0) | SQLITE_OPEN_NOMUTEX;
@@ -174,32 +176,29 @@ void SqliteFile::roll_back() noexcept {
 }
 
 void SqliteFile::fail(int code, const std::string& words) const {
-  const auto refuse = [&](sim::ErrorKind kind, const std::string& problem, const std::string& hint = {}) {
-    throw sim::Error(kind, {problem, name_, 0, {}, {}, hint});
-  };
   switch (code & 0xff) {
     case SQLITE_NOMEM:
       throw std::bad_alloc();
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      refuse(sim::ErrorKind::existing_output, "another process keeps this database",
-             "try again when it has ended");
-      break;
+      throw sim::Error(sim::ErrorKind::existing_output, "another process keeps this database")
+          .file(name_)
+          .hint("try again when it has ended");
     case SQLITE_FULL:
-      refuse(sim::ErrorKind::unwritable_output, "cannot be written: the disk is full",
-             "what was finished before is in it, and the same command goes on from there");
-      break;
+      throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: the disk is full")
+          .file(name_)
+          .hint("what was finished before is in it, and the same command goes on from there");
     case SQLITE_IOERR:
     case SQLITE_READONLY:
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
-      if (writes_) refuse(sim::ErrorKind::unwritable_output, "cannot be written: " + words);
-      refuse(sim::ErrorKind::unreadable_input, "cannot be read: " + words);
-      break;
+      if (writes_)
+        throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: " + words).file(name_);
+      throw sim::Error(sim::ErrorKind::unreadable_input, "cannot be read: " + words).file(name_);
     default:
-      refuse(sim::ErrorKind::unreadable_input, "is a damaged database, or none: " + words);
+      throw sim::Error(sim::ErrorKind::unreadable_input, "is a damaged database, or none: " + words)
+          .file(name_);
   }
-  throw std::logic_error(words);  // not reached
 }
 
 std::string sqlite_version() { return sqlite3_libversion(); }

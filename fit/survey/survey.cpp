@@ -1,24 +1,14 @@
 #include "fit/survey/survey.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace vegard::fit {
 
 const char* survey_work_name(SurveyWork work) {
-  switch (work) {
-    case SurveyWork::filter:
-      return "filter";
-    case SurveyWork::border:
-      return "border";
-    case SurveyWork::profile:
-      return "profile";
-    case SurveyWork::fit:
-      return "fit";
-    case SurveyWork::map:
-      return "map";
-  }
-  return "";
+  static constexpr std::array names = {"filter", "border", "profile", "fit", "map"};
+  return names[static_cast<std::size_t>(work)];
 }
 
 std::optional<SurveyWork> survey_work_of(const std::string& name) {
@@ -55,6 +45,15 @@ bool is_plain_name(const std::string& name) {
   return !name.empty() && name.size() <= kMaxLetters && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
+}
+
+const char* frame_status_name(FrameStatus status) {
+  static constexpr std::array names = {"done", "skipped", "missing", "unreadable", "filtered"};
+  return names[static_cast<std::size_t>(status)];
+}
+
+std::optional<double> finite_or_none(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace vegard::fit

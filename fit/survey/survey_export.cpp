@@ -1,11 +1,14 @@
 #include "fit/survey/survey_export.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <tuple>
 
-#include "fit/survey/survey_columns.h"
+#include "fit/survey/survey_frame.h"
 #include "fit/survey/survey_results.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
@@ -155,16 +158,18 @@ void flags_table(const SqliteFile& database, const Take& take) {
   }
 }
 
+bool is_in_column(SurveyWork work, const SurveyQuantity& quantity) {
+  constexpr int kMiddleStrip = (kSurveyStrips + 1) / 2;
+  return work == SurveyWork::profile ? quantity.item == kMiddleStrip : quantity.item <= 1;
+}
+
 }  // namespace
 
 std::optional<SurveyTableKind> survey_table_kind(const std::string& word) {
-  if (word == "wide") return SurveyTableKind::wide;
-  if (word == "frames") return SurveyTableKind::frames;
-  if (word == "results") return SurveyTableKind::results;
-  if (word == "quantities") return SurveyTableKind::quantities;
-  if (word == "velocities") return SurveyTableKind::velocities;
-  if (word == "flags") return SurveyTableKind::flags;
-  return std::nullopt;
+  constexpr std::array kWords = {"wide", "frames", "results", "quantities", "velocities", "flags"};
+  const auto found = std::find(kWords.begin(), kWords.end(), word);
+  if (found == kWords.end()) return std::nullopt;
+  return static_cast<SurveyTableKind>(found - kWords.begin());
 }
 
 void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const std::string& output,
@@ -172,9 +177,10 @@ void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const st
   const SurveyReader reader(database);
   const bool is_of_motion = kind == SurveyTableKind::velocities || kind == SurveyTableKind::flags;
   if (is_of_motion && !has_motion(database))
-    throw sim::Error(
-        sim::ErrorKind::usage,
-        {"has no velocities yet", database.name(), 0, "--table", {}, "vegard survey smooth makes them"});
+    throw sim::Error(sim::ErrorKind::usage, "has no velocities yet")
+        .file(database.name())
+        .key("--table")
+        .hint("vegard survey smooth makes them");
   sim::WholeFile whole(output, overwrite);
   std::ofstream stream(whole.temporary(), std::ios::binary);
   const auto require_written = [&] {
@@ -207,6 +213,39 @@ void write_survey_csv(const SqliteFile& database, SurveyTableKind kind, const st
   stream.close();
   require_written();
   whole.commit();
+}
+
+bool SurveyColumn::operator<(const SurveyColumn& o) const {
+  return std::tie(work, name, unit) < std::tie(o.work, o.name, o.unit);
+}
+
+SurveyColumns survey_columns(const SurveyReader& reader) {
+  SurveyColumns all;
+  reader.frames(0, std::numeric_limits<int>::max(), [&](const FrameAnswer& answer) {
+    ++all.frames;
+    for (const WorkAnswer& w : answer.works) {
+      all.verdicts[w.work].insert(w.verdict);
+      for (const SurveyQuantity& q : w.quantities) {
+        if (!is_in_column(w.work, q)) continue;
+        all.columns.insert({w.work, q.name, q.unit});
+        if (q.trust) all.with_trust.insert({w.work, q.name, q.unit});
+      }
+    }
+  });
+  return all;
+}
+
+const WorkAnswer* work_in(const FrameAnswer& answer, SurveyWork work) {
+  for (const WorkAnswer& one : answer.works)
+    if (one.work == work) return &one;
+  return nullptr;
+}
+
+const SurveyQuantity* quantity_in(const WorkAnswer* work, const SurveyColumn& column) {
+  if (work == nullptr) return nullptr;
+  for (const SurveyQuantity& q : work->quantities)
+    if (is_in_column(work->work, q) && q.name == column.name && q.unit == column.unit) return &q;
+  return nullptr;
 }
 
 }  // namespace vegard::fit

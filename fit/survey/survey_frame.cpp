@@ -7,24 +7,26 @@
 #include "fit/answer/verdict.h"
 #include "fit/border/border.h"
 #include "fit/border/border_distance.h"
+#include "fit/map/map_fit.h"
+#include "fit/parameters/free_parameters.h"
 #include "fit/photo/averaging.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_page.h"
 #include "fit/sequence.h"
-#include "fit/survey/map_work.h"
-#include "fit/survey/profile_work.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/text.h"
 #include "sim/base/utc_time.h"
+#include "sim/scene/file/named_files.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/decoding_word.h"
+#include "sim/scene/structs/line_of.h"
+#include "sim/scene/table/emission_folder.h"
+#include "sim/scene/table/table_files.h"
 
 namespace vegard::fit {
 namespace {
-
-std::optional<double> finite_or_none(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 /// Without names of files, which depend on where the program runs.
 std::string words_of(const sim::Error& error) {
@@ -262,6 +264,75 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   }
   if (options.stop != nullptr && options.stop->load()) return std::nullopt;
   return answer;
+}
+
+const SurveyEye& LatestEye::of(int camera, int calibration) {
+  const std::pair key{camera, calibration};
+  if (!eye_ || key_ != key) {
+    eye_ = make_(camera, calibration);
+    key_ = key;
+  }
+  return *eye_;
+}
+
+void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
+  const sim::Scene& scene = eye.scene;
+  const auto wants = [&](SurveyWork one) { return std::count(work.begin(), work.end(), one) > 0; };
+  const auto fault = [&](const std::string& key, const std::string& problem) {
+    return sim::Error(sim::ErrorKind::scene, problem)
+        .file(scene.file)
+        .line(sim::line_of(scene, key))
+        .key(key);
+  };
+  if (wants(SurveyWork::filter) && !(sim::is_latitude_given(scene) && sim::is_longitude_given(scene)))
+    throw fault("site.latitude_deg, site.longitude_deg",
+                "the filter asks where the Sun and the Moon are, and the site is not given")
+        .expected("[site] with latitude_deg and longitude_deg")
+        .hint("or a survey whose work is not \"filter\"");
+  if (wants(SurveyWork::profile) && eye.decoding.kind == Decoding::Kind::unknown)
+    throw fault("fit.decoding", "light cannot be measured through an unknown transfer curve")
+        .expected("a decoding that is known")
+        .hint("vegard fit --decoding unknown finds the curve of one frame");
+  for (const SurveyWork one : work) {
+    if (one != SurveyWork::fit && one != SurveyWork::map) continue;
+    if (!scene.fit.photos.empty())
+      throw fault("fit.photo", "a survey takes one photograph after another")
+          .expected("a scene without [[fit.photo]]")
+          .hint("vegard fit and vegard map take them all at once");
+    if (one == SurveyWork::fit && free_numbers(scene).empty())
+      throw fault("fit.free", "nothing is free")
+          .expected("a scene with fit.free")
+          .hint("or a survey whose work is not \"fit\"");
+    if (eye.decoding.kind == Decoding::Kind::unknown)
+      throw fault("fit.decoding", "a survey's camera has one transfer curve")
+          .expected("one that is known")
+          .hint("fit one frame by itself with --decoding unknown, and give all the curve that it finds");
+  }
+  if (!eye.mask.empty())
+    if (const std::string problem = sim::why_no_input(eye.mask); !problem.empty())
+      throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(eye.mask).expected("a mask");
+}
+
+std::string eye_sha256(const SurveyEye& eye, const std::string& decoding) {
+  sim::Sha256 sum;
+  const auto add = [&](const std::string& what, const std::string& bytes) {
+    sum.add(what + " " + std::to_string(bytes.size()) + "\n" + bytes + "\n");
+  };
+  add("scene", sim::write_scene(eye.scene));
+  for (const auto& [path, text] : eye.scene.tables) add(path, text);
+  if (eye.scene.emission.folder)
+    for (const auto& [file, text] : eye.scene.emission.folder->files)
+      add(sim::emission_file_path(file), text);
+  for (const sim::NamedFile& named : sim::named_files(eye.scene))
+    for (const std::string& name : sim::files_of_name(named.name))
+      add(named.path, sim::sha256_of_file(sim::table_place(eye.scene, name)));
+  add("mask", eye.mask.empty() ? "" : sim::sha256_of_file(eye.mask));
+  // A curve's file counts, not where it stands.
+  const std::string file = decoding.empty() ? "" : sim::decoding_word(decoding).file;
+  add("decoding", file.empty() ? decoding : sim::sha256_of_file(file));
+  add("channel", std::to_string(eye.channel));
+  if (eye.filter != nullptr) add("filter", eye.filter->sha256());
+  return sum.digest();
 }
 
 }  // namespace vegard::fit

@@ -1,4 +1,4 @@
-#include "fit/survey/survey_frames.h"
+#include "fit/survey/survey_plan.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -44,14 +44,11 @@ std::optional<double> time_in_name(const std::string& name) {
 double time_of_name(const std::string& frame, const std::string& file, int line) {
   const std::string name = fs::path(frame_reference(frame).file).filename().string();
   if (const auto seconds = time_in_name(name)) return *seconds;
-  sim::ErrorDetails details;
-  details.problem = "the name of '" + name + "' has no time";
-  details.file = file;
-  details.line = line;
-  details.expected = "a date and a time, as in 20190301_221000.png, taken for UTC";
-  details.hint =
-      "a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out";
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::Error(sim::ErrorKind::unreadable_input, "the name of '" + name + "' has no time")
+      .file(file)
+      .line(line)
+      .expected("a date and a time, as in 20190301_221000.png, taken for UTC")
+      .hint("a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out");
 }
 
 /// Whether it may hold many frames, which its name does not tell: such files alone are opened.
@@ -72,14 +69,12 @@ struct Mention {
 double time_of_frame(const FrameHead& frame, bool is_only, const std::string& name, const Mention& mention) {
   if (frame.time) return frame.time->seconds;
   if (is_only) return time_of_name(name, mention.file, mention.line);
-  throw sim::Error(sim::ErrorKind::unreadable_input,
-                   {"frame " + std::to_string(frame.number) + " of '" + fs::path(name).filename().string() +
-                        "' has no time",
-                    mention.file,
-                    mention.line,
-                    {},
-                    "the words of an imager, #\"Image request start\"",
-                    "a list (.txt) with lines FILE#NUMBER TIME says when each was taken"});
+  throw sim::Error(sim::ErrorKind::unreadable_input, "frame " + std::to_string(frame.number) + " of '" +
+                                                         fs::path(name).filename().string() + "' has no time")
+      .file(mention.file)
+      .line(mention.line)
+      .expected("the words of an imager, #\"Image request start\"")
+      .hint("a list (.txt) with lines FILE#NUMBER TIME says when each was taken");
 }
 
 /// A file of frames as its frames, path#0, path#1, …, as far as it can be read; where it is damaged one more
@@ -170,7 +165,8 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
     if (has_ending(file, camera.endings) && !entry->is_directory(of_entry))
       found.push_back(fs::path(entry->path()).lexically_relative(place).generic_string());
   }
-  if (error) sim::refuse_file(sim::ErrorKind::unreadable_input, place, "cannot be read: " + error.message());
+  if (error)
+    throw sim::Error(sim::ErrorKind::unreadable_input, "cannot be read: " + error.message()).file(place);
   std::sort(found.begin(), found.end());
   std::string names;
   for (const std::string& file : found) {
@@ -200,11 +196,11 @@ void mark_skipped(const Survey& survey, const SurveyCamera& camera, ListedFrames
     if (!skip.camera.empty() && skip.camera != camera.name) continue;
     std::set<std::string> names;
     if (!skip.list.empty()) {
-      FrameSource source{skip.list, {}};
+      PlanInput source{skip.list, {}};
       names = names_in_list(survey, skip.list, source.sha256);
       all.sources.push_back(source);
     }
-    for (ListedFrame& frame : all.frames)
+    for (PlannedFrame& frame : all.frames)
       if (frame.skip.empty() && skip.period.has(frame.time_s) &&
           (skip.list.empty() || names.count(frame.file) != 0 ||
            names.count(frame_reference(frame.file).file) != 0))
@@ -226,34 +222,33 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
     } else {
       const std::string problem = sim::why_no_input(frame_reference(place).file);
       if (!problem.empty())
-        throw sim::Error(
-            sim::ErrorKind::unreadable_input,
-            {problem, place, 0, {}, "a folder, a list (.txt) or a frame", "named by " + survey.file});
+        throw sim::Error(sim::ErrorKind::unreadable_input, problem)
+            .file(place)
+            .expected("a folder, a list (.txt) or a frame")
+            .hint("named by " + survey.file);
       if (!take_frames_of_file(survey, name, {place, 0}, all))
         all.frames.push_back({plain_path(name), time_of_name(name, place, 0), {}});
     }
   }
-  const auto by_time = [](const ListedFrame& a, const ListedFrame& b) {
+  const auto by_time = [](const PlannedFrame& a, const PlannedFrame& b) {
     // Frames of one file go by their number, not as text.
     const FrameReference one = frame_reference(a.file), other = frame_reference(b.file);
     return std::tie(a.time_s, one.file, one.number, a.file) <
            std::tie(b.time_s, other.file, other.number, b.file);
   };
   std::sort(all.frames.begin(), all.frames.end(), by_time);
-  const auto same = [](const ListedFrame& a, const ListedFrame& b) {
+  const auto same = [](const PlannedFrame& a, const PlannedFrame& b) {
     return a.file == b.file && a.time_s == b.time_s;
   };
   all.frames.erase(std::unique(all.frames.begin(), all.frames.end(), same), all.frames.end());
-  if (all.frames.empty()) {
-    sim::ErrorDetails details;
-    details.problem = "camera '" + camera.name + "' has no frame in its folders and lists";
-    details.file = survey.file;
-    details.line = camera.line;
-    details.key = "camera.frames";
-    details.expected = "files with the endings of pictures";
-    details.hint = "'endings' names others";
-    throw sim::Error(sim::ErrorKind::scene, details);
-  }
+  if (all.frames.empty())
+    throw sim::Error(sim::ErrorKind::scene,
+                     "camera '" + camera.name + "' has no frame in its folders and lists")
+        .file(survey.file)
+        .line(camera.line)
+        .key("camera.frames")
+        .expected("files with the endings of pictures")
+        .hint("'endings' names others");
   mark_skipped(survey, camera, all);
   return all;
 }

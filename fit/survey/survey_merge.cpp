@@ -41,11 +41,6 @@ struct BlockSource {
   AnsweredBlock block;
 };
 
-[[noreturn]] void refuse_merge(sim::ErrorKind kind, const std::string& file, const std::string& problem,
-                               const std::string& hint = {}) {
-  throw sim::Error(kind, {problem, file, 0, {}, {}, hint});
-}
-
 /// Frames of a block, by which two databases are compared.
 std::string digest_of(const SurveyReader& reader, const AnsweredBlock& block, int frames) {
   sim::Sha256 sum;
@@ -110,8 +105,9 @@ Inventory take_stock(std::vector<std::string> names) {
   for (std::string& name : names)
     if (is_begun(SqliteFile(name, SqliteFile::Opening::read))) stock.names.push_back(std::move(name));
   if (stock.names.empty())
-    refuse_merge(sim::ErrorKind::usage, names.back(), "no frame has been measured yet",
-                 "run the survey first");
+    throw sim::Error(sim::ErrorKind::usage, "no frame has been measured yet")
+        .file(names.back())
+        .hint("run the survey first");
   struct Found {
     std::pair<std::string, std::string> plan;
     std::vector<SurveyVersions> origins;
@@ -121,14 +117,16 @@ Inventory take_stock(std::vector<std::string> names) {
   for (const std::string& name : stock.names) {
     const OpenSurvey survey(name);
     if (survey.reader.plans().size() != 1)
-      refuse_merge(sim::ErrorKind::usage, name, "is merged of several plans already",
-                   "merge what it was made of together with the rest");
+      throw sim::Error(sim::ErrorKind::usage, "is merged of several plans already")
+          .file(name)
+          .hint("merge what it was made of together with the rest");
     const AnsweredPlan& plan = survey.reader.plans().front();
     Found found;
     found.plan = {plan.name, plan.sha256};
     const auto [known, is_new] = stock.plans.emplace(found.plan, plan);
     if (!is_new && !is_same_plan(known->second, plan))
-      refuse_merge(sim::ErrorKind::unreadable_input, name, "has another plan than others of the same hash");
+      throw sim::Error(sim::ErrorKind::unreadable_input, "has another plan than others of the same hash")
+          .file(name);
     for (const SurveyReader::Origin& origin : survey.reader.origins()) {
       found.origins.push_back(origin.versions);
       stock.versions.push_back(origin.versions);
@@ -137,7 +135,8 @@ Inventory take_stock(std::vector<std::string> names) {
     for (const AnsweredBlock& block : found.blocks)
       if (block.block >= plan.blocks || block.first_frame + block.frames > plan.frames ||
           block.done > block.frames)
-        refuse_merge(sim::ErrorKind::unreadable_input, name, "has a block that its plan does not have");
+        throw sim::Error(sim::ErrorKind::unreadable_input, "has a block that its plan does not have")
+            .file(name);
     all.push_back(std::move(found));
   }
   sort_once(stock.versions);
@@ -158,16 +157,15 @@ Inventory take_stock(std::vector<std::string> names) {
 
 void refuse_mixture(const Inventory& stock) {
   if (stock.plans.size() > 1)
-    refuse_merge(sim::ErrorKind::usage, "",
-                 "the databases are of " + std::to_string(stock.plans.size()) + " plans, '" +
-                     stock.plans.begin()->first.first + "' and '" +
-                     std::next(stock.plans.begin())->first.first + "' among them",
-                 "--mixed merges them all the same");
+    throw sim::Error(sim::ErrorKind::usage, "the databases are of " + std::to_string(stock.plans.size()) +
+                                                " plans, '" + stock.plans.begin()->first.first + "' and '" +
+                                                std::next(stock.plans.begin())->first.first + "' among them")
+        .hint("--mixed merges them all the same");
   if (stock.versions.size() > 1)
-    refuse_merge(sim::ErrorKind::usage, "",
-                 "the databases are of several versions: " + stock.versions[0].words() + "; and " +
-                     stock.versions[1].words(),
-                 "--mixed merges them all the same");
+    throw sim::Error(sim::ErrorKind::usage,
+                     "the databases are of several versions: " + stock.versions[0].words() + "; and " +
+                         stock.versions[1].words())
+        .hint("--mixed merges them all the same");
 }
 
 /// The source that a block is taken from. Throws if others of the same versions tell something else.
@@ -184,9 +182,10 @@ const BlockSource& chosen_source(std::vector<BlockSource>& sources, const Invent
                             sources[i].block.frames == first.block.frames;
     if (!same_place || digest_of(a.reader, first.block, sources[i].block.done) !=
                            digest_of(b.reader, sources[i].block, sources[i].block.done))
-      refuse_merge(sim::ErrorKind::unreadable_input, other,
-                   "has other answers than '" + name + "' for frames of block " +
-                       std::to_string(first.block.block) + ", of the same plan and version");
+      throw sim::Error(sim::ErrorKind::unreadable_input,
+                       "has other answers than '" + name + "' for frames of block " +
+                           std::to_string(first.block.block) + ", of the same plan and version")
+          .file(other);
   }
   return first;
 }
@@ -201,7 +200,7 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
     writer.add_plan(static_cast<int>(firsts.size()), plan, first_frame, first_block);
     constexpr int kMax = std::numeric_limits<int>::max();
     if (plan.frames > kMax - first_frame || plan.blocks > kMax - first_block)
-      refuse_merge(sim::ErrorKind::usage, "", "there are more frames than can be numbered");
+      throw sim::Error(sim::ErrorKind::usage, "there are more frames than can be numbered");
     first_frame += plan.frames;
     first_block += plan.blocks;
   }
@@ -221,7 +220,8 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
     int next = source.block.first_frame;
     at_hand.of(name).frames(next, next + source.block.done, [&](const FrameAnswer& answer) {
       if (answer.frame != next || answer.block != source.block.block)
-        refuse_merge(sim::ErrorKind::unreadable_input, name, "lacks a frame in the middle of a block");
+        throw sim::Error(sim::ErrorKind::unreadable_input, "lacks a frame in the middle of a block")
+            .file(name);
       FrameAnswer moved = answer;
       moved.frame += frame_offset;
       moved.block += block_offset;
@@ -237,7 +237,7 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
 
 SurveyMerge merge_surveys(const std::vector<std::string>& databases, const std::string& output, bool mixed,
                           bool overwrite) {
-  if (databases.empty()) refuse_merge(sim::ErrorKind::usage, "", "there is no database to merge");
+  if (databases.empty()) throw sim::Error(sim::ErrorKind::usage, "there is no database to merge");
   sim::WholeFile whole(output, overwrite);
   Inventory stock = take_stock(databases);
   if (!mixed) refuse_mixture(stock);

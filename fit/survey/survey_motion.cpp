@@ -1,12 +1,12 @@
 #include "fit/survey/survey_motion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
 
-#include "fit/survey/followed_quantity.h"
 #include "fit/survey/survey_results.h"
 #include "fit/survey/track_smoother.h"
 #include "sim/base/error.h"
@@ -39,10 +39,6 @@ struct OpenTrack {
   std::vector<int> frames;
   std::vector<TrackPoint> points;
 };
-
-std::optional<double> finite_number(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 class MotionWriter {
  public:
@@ -98,7 +94,7 @@ class MotionWriter {
     track_.bind(8, smoothed.used).bind(9, smoothed.outliers).bind(10, smoothed.breaks);
     track_.bind(11, smoothed.process_noise > 0.0 ? std::optional(smoothed.process_noise) : std::nullopt);
     track_.bind(12, "(" + (number.unit.empty() ? "1" : number.unit) + ")^2 s^-3");
-    track_.bind(13, finite_number(smoothed.innovation_chi2)).run();
+    track_.bind(13, finite_or_none(smoothed.innovation_chi2)).run();
     for (std::size_t i = 0; i < track.frames.size(); ++i) {
       const SmoothedPoint& point = smoothed.points[i];
       const auto begin_row = [&](SqliteStatement& row) {
@@ -112,7 +108,7 @@ class MotionWriter {
       }
       if (point.flag != TrackFlag::none) {
         begin_row(flag_);
-        flag_.bind(5, track_flag_name(point.flag)).bind(6, finite_number(point.chi2));
+        flag_.bind(5, track_flag_name(point.flag)).bind(6, finite_or_none(point.chi2));
         flag_.bind(7, jump_limit(options_.false_alarms)).run();
       }
     }
@@ -128,7 +124,7 @@ class MotionWriter {
 };
 
 void require_in_range(bool is_in, const char* key, const char* expected) {
-  if (!is_in) throw sim::Error(sim::ErrorKind::usage, {"is out of range", {}, 0, key, expected, {}});
+  if (!is_in) throw sim::Error(sim::ErrorKind::usage, "is out of range").key(key).expected(expected);
 }
 
 std::string in_sql_quotes(const std::string& text) {
@@ -136,6 +132,28 @@ std::string in_sql_quotes(const std::string& text) {
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
   return quoted + "'";
 }
+
+bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
+struct FollowedWords {
+  SurveyWork work;
+  const char* beginning;
+  FollowedKind kind;
+};
+constexpr std::array<FollowedWords, 12> kFollowed = {{
+    {SurveyWork::border, "highest elevation", FollowedKind::border},
+    {SurveyWork::border, "nearest azimuth", FollowedKind::border_azimuth},
+    {SurveyWork::border, "distance if 105 km high", FollowedKind::distance},
+    {SurveyWork::fit, "mean electron energy of the ", FollowedKind::energy},
+    {SurveyWork::fit, "energy flux Q of the ", FollowedKind::flux},
+    {SurveyWork::fit, "distance of the ", FollowedKind::distance},
+    {SurveyWork::fit, "lower border of ", FollowedKind::altitude},
+    {SurveyWork::fit, "azimuth of the nearest point of the ", FollowedKind::sheet_azimuth},
+    {SurveyWork::map, "characteristic energy E0", FollowedKind::characteristic},
+    {SurveyWork::map, "energy flux", FollowedKind::flux},
+    {SurveyWork::map, "distance of the nearest point", FollowedKind::distance},
+    {SurveyWork::map, "lower border", FollowedKind::altitude},
+}};
 
 }  // namespace
 
@@ -172,6 +190,21 @@ SurveyMotion smooth_survey(const std::string& database, const std::string& outpu
   }
   whole.commit();
   return motion;
+}
+
+std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity& quantity) {
+  if (quantity.item > 1) return std::nullopt;
+  for (const FollowedWords& words : kFollowed)
+    if (words.work == work && begins_with(quantity.name, words.beginning)) return words.kind;
+  return std::nullopt;
+}
+
+std::string owner_of_quantity(const std::string& name) {
+  const std::string of = " of the ";
+  const std::size_t begin = name.rfind(of);
+  if (begin == std::string::npos) return {};
+  const std::size_t from = begin + of.size(), end = name.rfind(' ');
+  return end == std::string::npos || end <= from ? name.substr(from) : name.substr(from, end - from);
 }
 
 }  // namespace vegard::fit

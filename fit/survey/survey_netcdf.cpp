@@ -1,4 +1,4 @@
-#include "fit/survey/survey_netcdf.h"
+#include "fit/survey/survey_export.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fit/answer/trust.h"
-#include "fit/survey/survey_columns.h"
 #include "fit/survey/survey_results.h"
 #include "sim/base/file/netcdf_dataset.h"
 #include "sim/base/file/netcdf_file.h"

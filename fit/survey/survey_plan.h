@@ -23,6 +23,9 @@ struct PlannedBlock {
   int first_frame = 0;   ///< its number among all frames of the plan
   double seconds = 0.0;  ///< estimated computing time
   std::vector<PlannedFrame> frames;
+
+  /// Returns the number of the first frame after the block.
+  int end_frame() const { return first_frame + static_cast<int>(frames.size()); }
 };
 
 /// An input on which the answers depend, with its hash at the time the plan was made.
@@ -57,6 +60,25 @@ struct SurveyPlan {
 /// its frames depends.
 std::string setup_words(const SurveyCamera& camera, int calibration);
 
+/// The frames of a camera with their times: by their names, by a list, or, for a file that may hold many
+/// (PGM, PPM, gzipped or not), by its own metadata. Only such files are opened.
+struct ListedFrames {
+  std::vector<PlannedFrame> frames;  ///< by time, then by name; each once
+  std::vector<PlanInput> sources;    ///< lists by their bytes, folders by the names of their frames
+};
+
+/// Lists the frames of a camera. A folder stands for all files in it and in its subfolders that have one of
+/// the camera's endings, except hidden ones; links to folders are not followed. A list (.txt) has a line
+/// "FRAME" or "FRAME TIME" for each frame, TIME in ISO 8601 (UTC or with a zone), names relative to the list;
+/// empty lines and lines that begin with # are ignored. A file with many frames stands for each of them,
+/// "night.pgm.gz#7", unless a list gives a time with it; a damaged one stands for the frames before the
+/// damage, and one more for the rest. Times that are not given in a list are those in the metadata of such
+/// files, else those in the file names (fit/photo/frames/imager_name.h, sim/base/utc_time.h), assumed to be
+/// UTC. A frame to be skipped has the reason of the first of the survey's skips that applies. Throws
+/// sim::Error(unreadable_input) for a folder, list or file that does not exist, an invalid line, a frame
+/// without a time; and (scene) for a camera without frames.
+ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera);
+
 /// Lists all frames and divides them into blocks: by camera, in the order of time, with a new block when the
 /// calibration changes, after gaps, and after block_frames frames. `setups`: an input for each camera and
 /// calibration. The plan's `folder` is left empty. Throws as survey_frames() does.
@@ -71,5 +93,18 @@ struct BlockRange {
   int begin = 0, end = 0;
 };
 BlockRange blocks_of_shard(const SurveyPlan& plan, int shard, int shards);
+
+// Reads and writes plans of surveys as JSON files, whose format docs/file_formats.md describes.
+
+/// Returns a plan as JSON, with one line per block. The same plan gives the same bytes; all numbers are
+/// restored exactly.
+std::string plan_json(const SurveyPlan& plan);
+
+/// Parses a plan. Throws sim::Error(unreadable_input) with the name `file` if the text is not a plan, or one
+/// of another version of the format.
+SurveyPlan plan_of_json(const std::string& json, const std::string& file);
+
+/// Reads a plan from a file. Throws as plan_of_json().
+SurveyPlan read_plan(const std::string& file);
 
 }  // namespace vegard::fit

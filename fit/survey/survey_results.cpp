@@ -72,7 +72,9 @@ std::string creation_of(const TableOfSurvey& table) {
 }
 
 [[noreturn]] void refuse_database(const SqliteFile& file, const std::string& problem) {
-  sim::refuse_file(sim::ErrorKind::unreadable_input, file.name(), problem, "a database of vegard survey");
+  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
+      .file(file.name())
+      .expected("a database of vegard survey");
 }
 
 /// A whole number that is one of ours.
@@ -323,21 +325,22 @@ ShardResults::ShardResults(const std::string& file, const SurveyPlan& plan)
     writer.add_origin(1, 1, versions);
   });
   const SurveyReader reader(file_);
-  const auto refuse = [&](const std::string& problem, const std::string& hint) {
-    throw sim::Error(sim::ErrorKind::existing_output, {problem, file, 0, {}, {}, hint});
-  };
   if (reader.plans().size() != 1 || reader.plans()[0].sha256 != of.sha256)
-    refuse("is of another plan", "choose another folder, or remove this one to begin again");
+    throw sim::Error(sim::ErrorKind::existing_output, "is of another plan")
+        .file(file)
+        .hint("choose another folder, or remove this one to begin again");
   if (reader.origins().size() != 1 || !(reader.origins()[0].versions == versions))
-    refuse("is of " + reader.origins()[0].versions.words() + "; this is " + versions.words(),
-           "choose another folder, or go on with the same version");
+    throw sim::Error(sim::ErrorKind::existing_output,
+                     "is of " + reader.origins()[0].versions.words() + "; this is " + versions.words())
+        .file(file)
+        .hint("choose another folder, or go on with the same version");
   writer_.emplace(file_);
 }
 
 int ShardResults::done(int block) const {
   const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(block));
   SqliteStatement count(file_, "SELECT count(*) FROM frame WHERE frame >= ? AND frame < ?");
-  count.bind(0, planned.first_frame).bind(1, planned.first_frame + static_cast<int>(planned.frames.size()));
+  count.bind(0, planned.first_frame).bind(1, planned.end_frame());
   count.step();
   return small_number(file_, count, 0);
 }
@@ -348,7 +351,7 @@ std::optional<WorkAnswer> ShardResults::last_fit(int block) const {
                       std::string(kResultColumns) +
                           "WHERE work = 'fit' AND verdict <> 'refused' AND frame >= ? AND frame < ? ORDER BY "
                           "frame DESC LIMIT 1");
-  row.bind(0, planned.first_frame).bind(1, planned.first_frame + static_cast<int>(planned.frames.size()));
+  row.bind(0, planned.first_frame).bind(1, planned.end_frame());
   if (!row.step()) return std::nullopt;
   return work_of_row(file_, row);
 }
@@ -358,7 +361,7 @@ std::vector<ShardResults::Lost> ShardResults::lost(int block) const {
   SqliteStatement rows(file_,
                        "SELECT frame, status, sha256 FROM frame WHERE frame >= ? AND frame < ? AND status IN "
                        "('missing', 'unreadable') ORDER BY frame");
-  rows.bind(0, planned.first_frame).bind(1, planned.first_frame + static_cast<int>(planned.frames.size()));
+  rows.bind(0, planned.first_frame).bind(1, planned.end_frame());
   std::vector<Lost> found;
   while (rows.step())
     found.push_back(
@@ -368,7 +371,7 @@ std::vector<ShardResults::Lost> ShardResults::lost(int block) const {
 
 int ShardResults::forget(int block, int from_frame) {
   const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(block));
-  const int end = planned.first_frame + static_cast<int>(planned.frames.size()), before = done(block);
+  const int end = planned.end_frame(), before = done(block);
   file_.transaction([&] {
     for (const char* table : {"frame", "result", "quantity"}) {
       SqliteStatement remove(file_, std::string("DELETE FROM ") + table + " WHERE frame >= ? AND frame < ?");
@@ -389,8 +392,8 @@ void ShardResults::add(const std::vector<FrameAnswer>& answers) {
       const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(answer.block));
       const int before = answer.frame - planned.first_frame, there = done(answer.block);
       if (there < before)
-        sim::refuse_file(sim::ErrorKind::unreadable_input, file_.name(),
-                         "has lost frames while it was written to");
+        throw sim::Error(sim::ErrorKind::unreadable_input, "has lost frames while it was written to")
+            .file(file_.name());
       if (there > before) {
         ++others;
         continue;

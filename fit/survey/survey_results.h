@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/survey/sqlite_file.h"
-#include "fit/survey/survey_answer.h"
+#include "fit/survey/survey.h"
 #include "fit/survey/survey_plan.h"
 
 namespace vegard::fit {

@@ -16,27 +16,6 @@
 namespace vegard::fit {
 namespace {
 
-/// The eye of the last block, which is most often that of the next.
-class EyeAtHand {
- public:
-  explicit EyeAtHand(const SurveyRunOptions& options) : options_(options) {}
-
-  const SurveyEye* of(const PlannedBlock& block) {
-    if (block.calibration < 0) return nullptr;
-    const std::pair which{block.camera, block.calibration};
-    if (!eye_ || which_ != which) {
-      eye_ = options_.eye(block.camera, block.calibration);
-      which_ = which;
-    }
-    return &*eye_;
-  }
-
- private:
-  const SurveyRunOptions& options_;
-  std::optional<SurveyEye> eye_;
-  std::pair<int, int> which_;
-};
-
 /// Frames that are finished and not yet kept.
 class FramesToKeep {
  public:
@@ -103,13 +82,13 @@ bool run_shard(const SurveyPlan& plan, const BlockRange& blocks, ShardResults& r
     all += static_cast<int>(plan.blocks[static_cast<std::size_t>(b)].frames.size());
   }
   options.progress(done, all);
-  EyeAtHand eye(options);
+  LatestEye eyes(options.eye);
   SurveyPictures pictures;
   for (int b = blocks.begin; b < blocks.end; ++b) {
     const PlannedBlock& block = plan.blocks[static_cast<std::size_t>(b)];
     if (results.done(b) == static_cast<int>(block.frames.size())) continue;
-    if (!run_block(plan, b, eye.of(block), pictures, results, options,
-                   [&] { options.progress(++done, all); }))
+    const SurveyEye* eye = block.calibration < 0 ? nullptr : &eyes.of(block.camera, block.calibration);
+    if (!run_block(plan, b, eye, pictures, results, options, [&] { options.progress(++done, all); }))
       return false;
   }
   return true;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "fit/search/fit_options.h"
-#include "fit/survey/survey_eye.h"
+#include "fit/survey/survey_frame.h"
 #include "fit/survey/survey_plan.h"
 #include "fit/survey/survey_results.h"
 
@@ -14,8 +14,7 @@ namespace vegard::fit {
 struct SurveyRunOptions {
   int threads = 1;                          ///< the answers do not depend on it
   const std::atomic<bool>* stop = nullptr;  ///< set by Ctrl-C: the current frame is abandoned
-  /// Returns the eye of a camera during one of its calibrations; called when a block needs it.
-  std::function<SurveyEye(int camera, int calibration)> eye;
+  EyeOfPlan eye;                            ///< called when a block needs it
   /// Called after every frame, and once before the first with the number of frames done in earlier runs.
   std::function<void(int frames_done, int frames_of_shard)> progress;
 };

@@ -1,4 +1,4 @@
-#include "fit/survey/survey_toml.h"
+#include "fit/survey/survey.h"
 
 #include <algorithm>
 #include <cmath>

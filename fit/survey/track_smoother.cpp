@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -17,32 +18,35 @@ namespace {
 using TrackState = Eigen::Vector2d;
 using TrackCovariance = Eigen::Matrix2d;
 
-TrackCovariance way_over(double time_s) { return (TrackCovariance() << 1.0, time_s, 0.0, 1.0).finished(); }
+TrackCovariance transition_over(double time_s) {
+  return (TrackCovariance() << 1.0, time_s, 0.0, 1.0).finished();
+}
 
-/// What the noise of acceleration adds over a time.
-TrackCovariance noise_over(double time_s, double q) {
+/// Returns the covariance that the noise of acceleration adds over a time.
+TrackCovariance process_noise_over(double time_s, double q) {
   const double t2 = time_s * time_s;
   return q * (TrackCovariance() << t2 * time_s / 3.0, t2 / 2.0, t2 / 2.0, time_s).finished();
 }
 
-struct Guess {
+struct TrackEstimate {
   TrackState state = TrackState::Zero();
-  TrackCovariance spread = TrackCovariance::Zero();
+  TrackCovariance covariance = TrackCovariance::Zero();
 };
 
-Guess predicted(const Guess& from, double time_s, double q) {
-  const TrackCovariance way = way_over(time_s);
-  return {way * from.state, way * from.spread * way.transpose() + noise_over(time_s, q)};
+TrackEstimate predicted(const TrackEstimate& from, double time_s, double q) {
+  const TrackCovariance transition = transition_over(time_s);
+  return {transition * from.state,
+          transition * from.covariance * transition.transpose() + process_noise_over(time_s, q)};
 }
 
-/// The state at the second of two numbers, if nothing else is known.
-Guess begun(const TrackPoint& first, const TrackPoint& second, double q) {
+/// Returns the estimate of the state at the second of two numbers, without a prior.
+TrackEstimate first_estimate(const TrackPoint& first, const TrackPoint& second, double q) {
   const double t = second.time_s - first.time_s, r0 = first.sigma * first.sigma,
                r1 = second.sigma * second.sigma;
-  Guess guess;
-  guess.state << second.value, (second.value - first.value) / t;
-  guess.spread << r1, r1 / t, r1 / t, (r0 + r1) / (t * t) + q * t / 3.0;
-  return guess;
+  TrackEstimate estimate;
+  estimate.state << second.value, (second.value - first.value) / t;
+  estimate.covariance << r1, r1 / t, r1 / t, (r0 + r1) / (t * t) + q * t / 3.0;
+  return estimate;
 }
 
 struct Innovation {
@@ -50,17 +54,17 @@ struct Innovation {
   double chi2() const { return difference * difference / variance; }
 };
 
-Innovation innovation_of(const Guess& guess, const TrackPoint& point) {
-  return {point.value - guess.state[0], guess.spread(0, 0) + point.sigma * point.sigma};
+Innovation innovation_of(const TrackEstimate& estimate, const TrackPoint& point) {
+  return {point.value - estimate.state[0], estimate.covariance(0, 0) + point.sigma * point.sigma};
 }
 
-/// With the number taken in.
-Guess updated(const Guess& guess, const Innovation& innovation) {
-  const TrackState gain = guess.spread.col(0) / innovation.variance;
-  Guess after;
-  after.state = guess.state + gain * innovation.difference;
-  after.spread = guess.spread - gain * guess.spread.row(0);
-  after.spread = 0.5 * (after.spread + after.spread.transpose()).eval();
+/// Returns the estimate with the number taken in.
+TrackEstimate updated(const TrackEstimate& estimate, const Innovation& innovation) {
+  const TrackState gain = estimate.covariance.col(0) / innovation.variance;
+  TrackEstimate after;
+  after.state = estimate.state + gain * innovation.difference;
+  after.covariance = estimate.covariance - gain * estimate.covariance.row(0);
+  after.covariance = 0.5 * (after.covariance + after.covariance.transpose()).eval();
   return after;
 }
 
@@ -72,7 +76,7 @@ bool measures_position(const TrackPoint& point) {
 
 using Indices = std::vector<std::size_t>;
 
-/// The numbers that tracks are of: pieces, in the order of time.
+/// The numbers that are used for the track, piece by piece in the order of time.
 using Pieces = std::vector<Indices>;
 
 /// Of the third and later numbers: the sum over their innovations, whose mean is 1 if errors are as stated,
@@ -85,15 +89,15 @@ Misfit misfit_of(const std::vector<TrackPoint>& points, const Pieces& pieces, do
   Misfit sum;
   for (const Indices& piece : pieces) {
     if (piece.size() < 3) continue;
-    Guess guess = begun(points[piece[0]], points[piece[1]], q);
+    TrackEstimate estimate = first_estimate(points[piece[0]], points[piece[1]], q);
     for (std::size_t i = 2; i < piece.size(); ++i) {
       const TrackPoint& point = points[piece[i]];
-      guess = predicted(guess, point.time_s - points[piece[i - 1]].time_s, q);
-      const Innovation innovation = innovation_of(guess, point);
+      estimate = predicted(estimate, point.time_s - points[piece[i - 1]].time_s, q);
+      const Innovation innovation = innovation_of(estimate, point);
       sum.chi2 += innovation.chi2();
       sum.deviance += innovation.chi2() + std::log(innovation.variance);
       ++sum.count;
-      guess = updated(guess, innovation);
+      estimate = updated(estimate, innovation);
     }
   }
   return sum;
@@ -131,7 +135,7 @@ NoiseLimits noise_limits(const std::vector<TrackPoint>& points, const Pieces& pi
   return limits;
 }
 
-/// ln q in even steps, kNodesOfTen to a power of ten.
+/// Returns values of ln q in even steps, kNodesOfTen to a power of ten.
 std::vector<double> noise_nodes(const NoiseLimits& limits) {
   constexpr double kNodesOfTen = 4.0;
   const double begin = std::log(limits.least), length = std::log(limits.most) - begin;
@@ -141,7 +145,7 @@ std::vector<double> noise_nodes(const NoiseLimits& limits) {
   return nodes;
 }
 
-/// Where the likelihood is largest: the best node, then by golden sections between its neighbours.
+/// Returns the q of the largest likelihood: the best node, then by golden sections between its neighbours.
 double best_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   const NoiseLimits limits = noise_limits(points, pieces);
   if (!limits.any) return 0.0;
@@ -175,7 +179,7 @@ double best_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   return std::exp(0.5 * (low + high));
 }
 
-/// A value of q with its share of what the numbers say of it.
+/// A value of q with its posterior weight.
 struct WeighedNoise {
   double q = 0.0, weight = 1.0;
 };
@@ -216,7 +220,7 @@ std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, c
   return weighed;
 }
 
-struct Sorted {
+struct Segmentation {
   Pieces pieces;
   /// -2 log likelihood, where a number that jumps counts as one that lies at the limit: so what is left out
   /// is paid for, and q is not made small by leaving out much, nor large by taking jumps for movement.
@@ -224,24 +228,25 @@ struct Sorted {
   std::vector<std::pair<std::size_t, double>> outliers, breaks;  ///< with their chi2
 };
 
-/// How badly the third agrees with the two before it.
+/// Returns chi2 of the third number against the prediction from the two before it.
 double disagreement(const std::vector<TrackPoint>& points, std::size_t a, std::size_t b, std::size_t c,
                     double q) {
-  const Guess guess = predicted(begun(points[a], points[b], q), points[c].time_s - points[b].time_s, q);
-  return innovation_of(guess, points[c]).chi2();
+  const TrackEstimate estimate =
+      predicted(first_estimate(points[a], points[b], q), points[c].time_s - points[b].time_s, q);
+  return innovation_of(estimate, points[c]).chi2();
 }
 
-/// Each number is asked whether it agrees with those before it.
-class TrackSorting {
+/// Divides the numbers into pieces: each is tested against the prediction from those before it.
+class TrackSegmenter {
  public:
-  TrackSorting(const std::vector<TrackPoint>& points, const Indices& measured, double q, double limit)
+  TrackSegmenter(const std::vector<TrackPoint>& points, const Indices& measured, double q, double limit)
       : points_(points), measured_(measured), q_(q), limit_(limit) {}
 
-  Sorted sort() {
+  Segmentation sort() {
     std::size_t next = begin_piece(0);
     while (next < measured_.size()) next = take(next);
     leave_out_held();
-    return std::move(sorted_);
+    return std::move(segmentation_);
   }
 
  private:
@@ -254,7 +259,7 @@ class TrackSorting {
   /// Begins a track with the first two of those from here on that a third agrees with; of four one may be
   /// left out. The next number to be asked.
   std::size_t begin_piece(std::size_t from) {
-    sorted_.pieces.emplace_back();
+    segmentation_.pieces.emplace_back();
     held_.clear();
     std::size_t a = from, b = from + 1;
     if (from + 3 < measured_.size() && disagrees(from, from + 1, from + 2)) {
@@ -271,9 +276,9 @@ class TrackSorting {
         left_out = skipped;
       }
       if (left_out && *left_out < from + 2) {
-        sorted_.outliers.emplace_back(measured_[*left_out], sim::kNaN);
+        segmentation_.outliers.emplace_back(measured_[*left_out], sim::kNaN);
         const double sigma = points_[measured_[*left_out]].sigma;
-        sorted_.deviance += limit_ + std::log(sigma * sigma);
+        segmentation_.deviance += limit_ + std::log(sigma * sigma);
         a = *left_out == from ? from + 1 : from;
         b = from + 2;
       }
@@ -281,15 +286,15 @@ class TrackSorting {
     piece().push_back(measured_[a]);
     if (b >= measured_.size()) return b;
     piece().push_back(measured_[b]);
-    guess_ = begun(points_[measured_[a]], points_[measured_[b]], q_);
+    estimate_ = first_estimate(points_[measured_[a]], points_[measured_[b]], q_);
     at_s_ = points_[measured_[b]].time_s;
     return b + 1;
   }
 
   std::size_t take(std::size_t i) {
     const TrackPoint& point = points_[measured_[i]];
-    const Guess guess = predicted(guess_, point.time_s - at_s_, q_);
-    const Innovation innovation = innovation_of(guess, point);
+    const TrackEstimate estimate = predicted(estimate_, point.time_s - at_s_, q_);
+    const Innovation innovation = innovation_of(estimate, point);
     if (innovation.chi2() > limit_) {
       held_.push_back({i, innovation.chi2(), innovation.variance});
       constexpr std::size_t kInARow = 3;
@@ -298,15 +303,15 @@ class TrackSorting {
       if (disagrees(last[0].number, last[1].number, last[2].number)) return i + 1;
       const Held first = last[0];
       // Two begin the new track.
-      for (const Held* one : {last, last + 1}) sorted_.deviance += limit_ + std::log(one->variance);
+      for (const Held* one : {last, last + 1}) segmentation_.deviance += limit_ + std::log(one->variance);
       held_.erase(held_.end() - static_cast<std::ptrdiff_t>(kInARow), held_.end());
       leave_out_held();
-      sorted_.breaks.emplace_back(measured_[first.number], first.chi2);
+      segmentation_.breaks.emplace_back(measured_[first.number], first.chi2);
       return begin_piece(first.number);
     }
     leave_out_held();
-    sorted_.deviance += innovation.chi2() + std::log(innovation.variance);
-    guess_ = updated(guess, innovation);
+    segmentation_.deviance += innovation.chi2() + std::log(innovation.variance);
+    estimate_ = updated(estimate, innovation);
     at_s_ = point.time_s;
     piece().push_back(measured_[i]);
     return i + 1;
@@ -314,55 +319,59 @@ class TrackSorting {
 
   void leave_out_held() {
     for (const Held& one : held_) {
-      sorted_.outliers.emplace_back(measured_[one.number], one.chi2);
-      sorted_.deviance += limit_ + std::log(one.variance);
+      segmentation_.outliers.emplace_back(measured_[one.number], one.chi2);
+      segmentation_.deviance += limit_ + std::log(one.variance);
     }
     held_.clear();
   }
   bool disagrees(std::size_t a, std::size_t b, std::size_t c) const {
     return disagreement(points_, measured_[a], measured_[b], measured_[c], q_) > limit_;
   }
-  Indices& piece() { return sorted_.pieces.back(); }
+  Indices& piece() { return segmentation_.pieces.back(); }
 
   const std::vector<TrackPoint>& points_;
   const Indices& measured_;
   double q_, limit_;
-  Sorted sorted_;
+  Segmentation segmentation_;
   std::vector<Held> held_;
-  Guess guess_;
+  TrackEstimate estimate_;
   double at_s_ = 0.0;
 };
 
-/// The state before one that is known, backwards in time: nothing else being known beforehand, the way back
-/// is as random as the way there. With a number that measures `row` times the state.
-struct WayBack {
-  TrackCovariance way = TrackCovariance::Identity(), noise = TrackCovariance::Zero();
-  TrackState pull = TrackState::Zero();
+/// The transition from a known state to the one before it, backwards in time: without any other knowledge,
+/// its process noise is that of the transition forwards.
+struct BackwardStep {
+  TrackCovariance transition = TrackCovariance::Identity(), noise = TrackCovariance::Zero();
+  TrackState offset = TrackState::Zero();
 
-  WayBack(double time_s, double q) {
-    way = way_over(-time_s);
-    noise = way * noise_over(time_s, q) * way.transpose();
+  BackwardStep(double time_s, double q) {
+    transition = transition_over(-time_s);
+    noise = transition * process_noise_over(time_s, q) * transition.transpose();
   }
+  /// Takes in a number that measures `row` times the state.
   void take(const Eigen::RowVector2d& row, double value, double variance) {
     const TrackState gain = noise * row.transpose() / (row * noise * row.transpose() + variance);
     const TrackCovariance left = TrackCovariance::Identity() - gain * row;
-    pull = left * pull + gain * value;
-    way = left * way;
+    offset = left * offset + gain * value;
+    transition = left * transition;
     noise = left * noise;
   }
-  Guess of(const Guess& later) const {
-    return {way * later.state + pull, way * later.spread * way.transpose() + noise};
+  TrackEstimate of(const TrackEstimate& later) const {
+    return {transition * later.state + offset,
+            transition * later.covariance * transition.transpose() + noise};
   }
 };
 
 /// The smoothed states of a piece at the times from its first number to its last, and at all between them.
 /// `is_used`: of all points. `first`, `last`: of the points whose states are asked for, around the piece's.
 void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, std::size_t first,
-                  std::size_t last, double q, std::vector<Guess>& smoothed, std::vector<char>& is_known) {
+                  std::size_t last, double q, std::vector<TrackEstimate>& smoothed,
+                  std::vector<char>& is_known) {
   if (piece.size() < 2) return;
   const std::size_t second = piece[1];
-  std::vector<Guess> before(last - second + 1), after(last - second + 1);  // of each point from the second on
-  after[0] = begun(points[piece[0]], points[second], q);
+  std::vector<TrackEstimate> before(last - second + 1),
+      after(last - second + 1);  // of each point from the second on
+  after[0] = first_estimate(points[piece[0]], points[second], q);
   std::size_t next = 2;
   for (std::size_t i = second + 1; i <= last; ++i) {
     const std::size_t k = i - second;
@@ -377,17 +386,19 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
   is_known[last] = 1;
   for (std::size_t i = last; i-- > second;) {
     const std::size_t k = i - second;
-    const TrackCovariance way = way_over(points[i + 1].time_s - points[i].time_s);
-    const TrackCovariance gain = before[k + 1].spread.ldlt().solve(way * after[k].spread).transpose();
+    const TrackCovariance transition = transition_over(points[i + 1].time_s - points[i].time_s);
+    const TrackCovariance gain =
+        before[k + 1].covariance.ldlt().solve(transition * after[k].covariance).transpose();
     smoothed[i].state = after[k].state + gain * (smoothed[i + 1].state - before[k + 1].state);
-    smoothed[i].spread =
-        after[k].spread + gain * (smoothed[i + 1].spread - before[k + 1].spread) * gain.transpose();
+    smoothed[i].covariance =
+        after[k].covariance +
+        gain * (smoothed[i + 1].covariance - before[k + 1].covariance) * gain.transpose();
     is_known[i] = 1;
   }
   // Before the second number the filter has no state: from there on backwards.
   const TrackPoint& begin = points[piece[0]];
   for (std::size_t i = second; i-- > first;) {
-    WayBack back(points[i + 1].time_s - points[i].time_s, q);
+    BackwardStep back(points[i + 1].time_s - points[i].time_s, q);
     if (i >= piece[0]) {
       const double since = points[i].time_s - begin.time_s;
       back.take({1.0, -since}, begin.value, begin.sigma * begin.sigma + q * since * since * since / 3.0);
@@ -400,14 +411,15 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
 /// Numbers that do not lie between all others, the worst of their neighbourhood: its place in the piece.
 std::vector<std::pair<std::size_t, double>> jumps_between(const std::vector<TrackPoint>& points,
                                                           const Indices& piece,
-                                                          const std::vector<Guess>& smoothed, double limit) {
+                                                          const std::vector<TrackEstimate>& smoothed,
+                                                          double limit) {
   constexpr std::size_t kNeighbours = 3;
   std::vector<double> chi2(piece.size(), 0.0);
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const TrackPoint& point = points[piece[i]];
     const double difference = point.value - smoothed[piece[i]].state[0];
     // Of what the others say, the smoothed number's own part taken out again.
-    const double variance = point.sigma * point.sigma - smoothed[piece[i]].spread(0, 0);
+    const double variance = point.sigma * point.sigma - smoothed[piece[i]].covariance(0, 0);
     if (variance > 1e-9 * point.sigma * point.sigma) chi2[i] = difference * difference / variance;
   }
   std::vector<std::pair<std::size_t, double>> found;
@@ -436,53 +448,53 @@ std::vector<PieceReach> reaches_of(const Pieces& pieces, std::size_t points) {
   return reaches;
 }
 
-/// The sorting that the numbers fit best, over all q.
-Sorted best_sorting(const std::vector<TrackPoint>& points, const Indices& measured, double limit) {
+/// Returns the segmentation with the largest likelihood, over all q.
+Segmentation best_segmentation(const std::vector<TrackPoint>& points, const Indices& measured, double limit) {
   const NoiseLimits limits = noise_limits(points, {measured});
-  if (!limits.any) return TrackSorting(points, measured, 0.0, limit).sort();
-  Sorted best;
+  if (!limits.any) return TrackSegmenter(points, measured, 0.0, limit).sort();
+  Segmentation best;
   best.deviance = std::numeric_limits<double>::infinity();
   for (const double node : noise_nodes(limits)) {
-    Sorted sorted = TrackSorting(points, measured, std::exp(node), limit).sort();
-    if (sorted.deviance < best.deviance) best = std::move(sorted);
+    Segmentation segmentation = TrackSegmenter(points, measured, std::exp(node), limit).sort();
+    if (segmentation.deviance < best.deviance) best = std::move(segmentation);
   }
   return best;
 }
 
 /// States of all points that have any, over the pieces.
 struct SmoothedStates {
-  std::vector<Guess> states;
+  std::vector<TrackEstimate> states;
   std::vector<char> is_known;
 };
 SmoothedStates smoothed_states(const std::vector<TrackPoint>& points, const Pieces& pieces, double q) {
-  SmoothedStates all{std::vector<Guess>(points.size()), std::vector<char>(points.size(), 0)};
+  SmoothedStates all{std::vector<TrackEstimate>(points.size()), std::vector<char>(points.size(), 0)};
   const std::vector<PieceReach> reaches = reaches_of(pieces, points.size());
   for (std::size_t p = 0; p < pieces.size(); ++p)
     smooth_piece(points, pieces[p], reaches[p].first, reaches[p].last, q, all.states, all.is_known);
   return all;
 }
 
-/// The same over what the numbers say of q: means, and the spread about them.
+/// Returns the states over the posterior distribution of q: their means, and the covariances about them.
 SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   const std::vector<WeighedNoise> weighed = weighed_noise(points, pieces);
   SmoothedStates sum = smoothed_states(points, pieces, weighed.front().q);
   // Counted from the first, so that nothing is lost in differences of large numbers.
-  const std::vector<Guess> origin = sum.states;
+  const std::vector<TrackEstimate> origin = sum.states;
   std::vector<TrackCovariance> squares(points.size(), TrackCovariance::Zero());
-  for (Guess& guess : sum.states) guess = Guess();
+  for (TrackEstimate& estimate : sum.states) estimate = TrackEstimate();
   for (const WeighedNoise& one : weighed) {
     const SmoothedStates states = smoothed_states(points, pieces, one.q);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const TrackState from_origin = states.states[i].state - origin[i].state;
       sum.states[i].state += one.weight * from_origin;
-      sum.states[i].spread += one.weight * states.states[i].spread;
+      sum.states[i].covariance += one.weight * states.states[i].covariance;
       squares[i] += one.weight * from_origin * from_origin.transpose();
     }
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    Guess& guess = sum.states[i];
-    guess.spread += squares[i] - guess.state * guess.state.transpose();
-    guess.state += origin[i].state;
+    TrackEstimate& estimate = sum.states[i];
+    estimate.covariance += squares[i] - estimate.state * estimate.state.transpose();
+    estimate.state += origin[i].state;
   }
   return sum;
 }
@@ -490,15 +502,8 @@ SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const 
 }  // namespace
 
 const char* track_flag_name(TrackFlag flag) {
-  switch (flag) {
-    case TrackFlag::none:
-      return "";
-    case TrackFlag::outlier:
-      return "outlier";
-    case TrackFlag::broken:
-      return "break";
-  }
-  return "";
+  static constexpr std::array names = {"", "outlier", "break"};
+  return names[static_cast<std::size_t>(flag)];
 }
 
 double jump_limit(double false_alarms) {
@@ -518,42 +523,42 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
     track.innovation_chi2 = sim::kNaN;
     return track;
   }
-  Sorted sorted = best_sorting(points, measured, limit);
-  double q = best_noise(points, sorted.pieces);
+  Segmentation segmentation = best_segmentation(points, measured, limit);
+  double q = best_noise(points, segmentation.pieces);
   constexpr int kMaxRounds = 50;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const SmoothedStates now = smoothed_states(points, sorted.pieces, q);
+    const SmoothedStates now = smoothed_states(points, segmentation.pieces, q);
     bool any = false;
-    for (Indices& piece : sorted.pieces) {
+    for (Indices& piece : segmentation.pieces) {
       if (piece.size() < 4) continue;
       const auto jumps = jumps_between(points, piece, now.states, limit);
       // From behind, so that the places before stay; three at least are left to agree.
       for (auto jump = jumps.rbegin(); jump != jumps.rend() && piece.size() > 3; ++jump) {
-        sorted.outliers.emplace_back(piece[jump->first], jump->second);
+        segmentation.outliers.emplace_back(piece[jump->first], jump->second);
         piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(jump->first));
         any = true;
       }
     }
     if (!any) break;
   }
-  q = best_noise(points, sorted.pieces);
-  SmoothedStates all = states_of_all_noise(points, sorted.pieces);
+  q = best_noise(points, segmentation.pieces);
+  SmoothedStates all = states_of_all_noise(points, segmentation.pieces);
   // Nothing says how a track of two bends, nor whether one of them jumps.
-  if (!noise_limits(points, sorted.pieces).any) std::fill(all.is_known.begin(), all.is_known.end(), 0);
+  if (!noise_limits(points, segmentation.pieces).any) std::fill(all.is_known.begin(), all.is_known.end(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (all.is_known[i] == 0) continue;
     SmoothedPoint& to = track.points[i];
-    const Guess& guess = all.states[i];
-    to.position = guess.state[0];
-    to.velocity = guess.state[1];
-    to.position_sigma = std::sqrt(std::max(0.0, guess.spread(0, 0)));
-    to.velocity_sigma = std::sqrt(std::max(0.0, guess.spread(1, 1)));
+    const TrackEstimate& estimate = all.states[i];
+    to.position = estimate.state[0];
+    to.velocity = estimate.state[1];
+    to.position_sigma = std::sqrt(std::max(0.0, estimate.covariance(0, 0)));
+    to.velocity_sigma = std::sqrt(std::max(0.0, estimate.covariance(1, 1)));
   }
-  for (const auto& [i, chi2] : sorted.breaks) {
+  for (const auto& [i, chi2] : segmentation.breaks) {
     track.points[i].flag = TrackFlag::broken;
     track.points[i].chi2 = chi2;
   }
-  for (const auto& [i, chi2] : sorted.outliers) {
+  for (const auto& [i, chi2] : segmentation.outliers) {
     SmoothedPoint& to = track.points[i];
     to.flag = TrackFlag::outlier;
     // By the track as it is in the end, which has no part of it.
@@ -562,10 +567,10 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
     to.chi2 = all.is_known[i] != 0 ? difference * difference / variance : chi2;
   }
   track.process_noise = q;
-  track.outliers = static_cast<int>(sorted.outliers.size());
-  track.breaks = static_cast<int>(sorted.breaks.size());
-  for (const Indices& piece : sorted.pieces) track.used += static_cast<int>(piece.size());
-  const Misfit misfit = misfit_of(points, sorted.pieces, q);
+  track.outliers = static_cast<int>(segmentation.outliers.size());
+  track.breaks = static_cast<int>(segmentation.breaks.size());
+  for (const Indices& piece : segmentation.pieces) track.used += static_cast<int>(piece.size());
+  const Misfit misfit = misfit_of(points, segmentation.pieces, q);
   track.innovation_chi2 = misfit.count > 0 ? misfit.chi2 / misfit.count : sim::kNaN;
   return track;
 }

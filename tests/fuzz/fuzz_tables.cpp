@@ -10,10 +10,9 @@
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
 #include "fit/report/netcdf/keyed_table.h"
-#include "fit/survey/filter/sky_trees.h"
-#include "fit/survey/plan_json.h"
-#include "fit/survey/survey_frames.h"
-#include "fit/survey/survey_toml.h"
+#include "fit/survey/filter/frame_filter.h"
+#include "fit/survey/survey.h"
+#include "fit/survey/survey_plan.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
@@ -191,7 +190,7 @@ void survey_list(const std::string& text) {
   survey.cameras.emplace_back();
   survey.cameras[0].frames = {"it.txt"};
   const fit::ListedFrames listed = fit::survey_frames(survey, survey.cameras[0]);
-  for (const fit::ListedFrame& frame : listed.frames) require(std::isfinite(frame.time_s));
+  for (const fit::PlannedFrame& frame : listed.frames) require(std::isfinite(frame.time_s));
 }
 
 void air(const std::string& text) {

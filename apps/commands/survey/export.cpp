@@ -8,7 +8,6 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "fit/survey/survey_export.h"
-#include "fit/survey/survey_netcdf.h"
 
 namespace vegard::apps {
 namespace {

@@ -13,9 +13,8 @@
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
-#include "fit/survey/plan_json.h"
+#include "fit/survey/survey.h"
 #include "fit/survey/survey_plan.h"
-#include "fit/survey/survey_toml.h"
 #include "sim/base/file/whole_file.h"
 
 namespace vegard::apps {

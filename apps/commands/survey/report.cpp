@@ -9,8 +9,8 @@
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
-#include "fit/survey/plan_json.h"
 #include "fit/survey/report/survey_report.h"
+#include "fit/survey/survey_plan.h"
 
 namespace vegard::apps {
 namespace {

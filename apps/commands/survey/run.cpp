@@ -18,7 +18,7 @@
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
-#include "fit/survey/plan_json.h"
+#include "fit/survey/survey_plan.h"
 #include "fit/survey/survey_run.h"
 #include "sim/base/file/number_text.h"
 

@@ -17,7 +17,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
-#include "fit/survey/plan_json.h"
+#include "fit/survey/survey_plan.h"
 #include "fit/survey/survey_run.h"
 #include "sim/base/error.h"
 #include "sim/base/file/output_error.h"

@@ -349,9 +349,9 @@ FilterCells filter_cells(const sim::Scene& scene, const std::vector<std::uint8_t
     any = true;
   }
   if (!any)
-    throw sim::Error(
-        sim::ErrorKind::unreadable_input,
-        {"the camera sees no sky above 5 degrees that its mask leaves", scene.file, 0, {}, {}, {}});
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     "the camera sees no sky above 5 degrees that its mask leaves")
+        .file(scene.file);
   return cells;
 }
 
@@ -359,12 +359,9 @@ FrameFeatures frame_features(const Photo& photo, const sim::Scene& scene, const 
                              double utc_s) {
   if (photo.linear.width != scene.camera.width || photo.linear.height != scene.camera.height)
     throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"is of " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels",
-                      photo.file_name,
-                      0,
-                      {},
-                      sim::size_text(scene.camera.width, scene.camera.height) + ", the camera's",
-                      {}});
+                     "is of " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels")
+        .file(photo.file_name)
+        .expected(sim::size_text(scene.camera.width, scene.camera.height) + ", the camera's");
   FrameFeatures features{};
   constexpr double kUnixEpoch = 2440587.5, kSecondsPerDay = 86400.0;
   const double date = kUnixEpoch + utc_s / kSecondsPerDay;

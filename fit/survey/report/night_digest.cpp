@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "fit/border/border_distance.h"
+#include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/utc_time.h"
 
@@ -29,9 +31,14 @@ std::string without_numbers(const std::string& words) {
   return text;
 }
 
-void add_failure(const std::string& reason, const FrameAnswer& answer, Failures& failures) {
+/// The entry of a reason; beyond kMaxReasons of them, that of all others.
+FailedFrames& failures_of(const std::string& reason, Failures& failures) {
   const bool is_new = failures.count(reason) == 0;
-  FailedFrames& failed = failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];
+  return failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];
+}
+
+void add_failure(const std::string& reason, const FrameAnswer& answer, Failures& failures) {
+  FailedFrames& failed = failures_of(reason, failures);
   ++failed.frames;
   if (failed.some.size() < kNamedFrames)
     failed.some.push_back({answer.frame, answer.file, sim::utc_text(answer.time_s)});
@@ -118,6 +125,19 @@ class NightReading {
   std::map<std::tuple<FollowedKind, std::string, std::string>, FollowedSeries> series_;
 };
 
+constexpr int kNightStep_s = 600, kNightDay_s = 86400, kNightSteps = kNightDay_s / kNightStep_s;
+
+constexpr double kNoTime_s = 1e12;  ///< beyond all calendars, as SurveyReader has it
+
+double second_of_day(double time_s) { return time_s - kNightDay_s * std::floor(time_s / kNightDay_s); }
+
+void add_to_ranges(int frame, std::vector<FrameRange>& ranges) {
+  if (!ranges.empty() && ranges.back().end == frame)
+    ++ranges.back().end;
+  else
+    ranges.push_back({frame, frame + 1});
+}
+
 }  // namespace
 
 NightDigest digest_night(const SurveyReader& reader, const CameraNight& night, const SiteOfBlock& site) {
@@ -173,8 +193,7 @@ void add_verdicts(const VerdictCounts& more, VerdictCounts& counts) {
 
 void add_failures(const Failures& more, Failures& failures) {
   for (const auto& [reason, failed] : more) {
-    const bool is_new = failures.count(reason) == 0;
-    FailedFrames& sum = failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];
+    FailedFrames& sum = failures_of(reason, failures);
     sum.frames += failed.frames;
     for (const NamedFrame& frame : failed.some)
       if (sum.some.size() < kNamedFrames) sum.some.push_back(frame);
@@ -193,6 +212,51 @@ double share_of_numbers(std::vector<double> numbers, double share) {
                   static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(numbers.size() - 1)));
   std::nth_element(numbers.begin(), at, numbers.end());
   return *at;
+}
+
+int night_boundary_s(const std::vector<int>& frames_of_step) {
+  const int steps = static_cast<int>(frames_of_step.size());
+  const int least = *std::min_element(frames_of_step.begin(), frames_of_step.end());
+  int best = 0, best_end = steps, run = 0;
+  // Twice around: a stretch may go over midnight.
+  for (int i = 0; i < 2 * steps; ++i) {
+    run = frames_of_step[static_cast<std::size_t>(i % steps)] == least ? run + 1 : 0;
+    if (run > best && run <= steps) best = run, best_end = i + 1;
+  }
+  const double middle = best_end - 0.5 * best;
+  return static_cast<int>(middle * (kNightDay_s / steps)) % kNightDay_s;
+}
+
+SurveyNights survey_nights(const SqliteFile& database) {
+  std::vector<int> frames_of_step(kNightSteps, 0);
+  SqliteStatement times(database, "SELECT time_s FROM frame");
+  while (times.step()) {
+    const double time_s = times.number(0);
+    if (!(std::abs(time_s) < kNoTime_s))
+      throw sim::Error(sim::ErrorKind::unreadable_input, "has a frame of no time")
+          .file(database.name())
+          .expected("a database of vegard survey");
+    const double second = second_of_day(time_s);
+    ++frames_of_step[static_cast<std::size_t>(
+        std::clamp(static_cast<int>(second / kNightStep_s), 0, kNightSteps - 1))];
+  }
+  SurveyNights found;
+  found.begins_at_s = night_boundary_s(frames_of_step);
+  std::map<std::int64_t, std::map<std::string, std::vector<FrameRange>>> nights;
+  SqliteStatement frames(database, "SELECT frame, camera, time_s FROM frame ORDER BY frame");
+  while (frames.step()) {
+    const double night = std::floor((frames.number(2) - found.begins_at_s) / kNightDay_s);
+    add_to_ranges(static_cast<int>(frames.integer(0)),
+                  nights[static_cast<std::int64_t>(night)][frames.text(1)]);
+  }
+  for (auto& [number, cameras] : nights) {
+    SurveyNight night;
+    night.begin_s = static_cast<double>(number) * kNightDay_s + found.begins_at_s;
+    night.name = sim::utc_text(night.begin_s + kNightDay_s / 2.0).substr(0, 10);
+    for (auto& [camera, ranges] : cameras) night.cameras.push_back({camera, std::move(ranges)});
+    found.nights.push_back(std::move(night));
+  }
+  return found;
 }
 
 }  // namespace vegard::fit

@@ -56,23 +56,6 @@ KeogramLine line_of_eye(const SurveyEye& eye, const Photo& photo) {
   return column_line(region, std::max(1, width / kStripShare));
 }
 
-/// What the frames of a camera are read by, asked for once for each calibration.
-class EyesAtHand {
- public:
-  explicit EyesAtHand(const SurveyFrames& frames) : frames_(frames) {}
-  const SurveyEye& of(int camera, int calibration) {
-    const std::pair key{camera, calibration};
-    if (!eye_ || key != key_) eye_ = frames_.eye(camera, calibration);
-    key_ = key;
-    return *eye_;
-  }
-
- private:
-  const SurveyFrames& frames_;
-  std::optional<SurveyEye> eye_;
-  std::pair<int, int> key_{-1, -1};
-};
-
 }  // namespace
 
 NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night, const SurveyFrames& frames,
@@ -85,7 +68,7 @@ NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night,
   const SurveyPlan& plan = *frames.plan;
   const std::vector<ChosenFrame> chosen = chosen_frames(reader, night, most);
   if (chosen.empty()) made.why_none = "no frame was measured";
-  EyesAtHand eyes(frames);
+  LatestEye eyes(frames.eye);
   PictureSeries series;
   Keogram keogram;
   keogram.time_kind = PictureTimes::Kind::utc;

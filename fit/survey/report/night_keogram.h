@@ -9,7 +9,7 @@
 #include "fit/report/plot/plot.h"
 #include "fit/survey/report/night_digest.h"
 #include "fit/survey/report/night_plots.h"
-#include "fit/survey/survey_eye.h"
+#include "fit/survey/survey_frame.h"
 #include "fit/survey/survey_plan.h"
 
 namespace vegard::fit {
@@ -17,7 +17,7 @@ namespace vegard::fit {
 /// The frames of a survey and their cameras.
 struct SurveyFrames {
   const SurveyPlan* plan = nullptr;
-  std::function<SurveyEye(int camera, int calibration)> eye;  ///< indices of the plan; may throw sim::Error
+  EyeOfPlan eye;  ///< may throw sim::Error
 };
 
 struct NightKeogram {

@@ -136,6 +136,30 @@ int cell_of(double value, double size) { return static_cast<int>(std::floor(valu
 constexpr double kEnergyCell = 0.05;  ///< of a power of ten
 constexpr double kHalfHour_h = 0.5, kHalfDegree = 0.5, kSecondsOfHour = 3600.0, kHoursOfDay = 24.0;
 
+/// The order in which verdicts are stacked: what is best at the bottom.
+int verdict_rank(const std::string& verdict) {
+  const std::array<const char*, 9> order = {"good",     "arc",   "doubtful", "aurora", "none",
+                                            "twilight", "cloud", "failed",   "refused"};
+  const auto at = std::find(order.begin(), order.end(), verdict);
+  return static_cast<int>(at - order.begin());
+}
+
+std::vector<std::pair<std::string, int>> ranked_verdicts(const std::map<std::string, int>& counts) {
+  std::vector<std::pair<std::string, int>> ranked(counts.begin(), counts.end());
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+    return verdict_rank(a.first) < verdict_rank(b.first);
+  });
+  return ranked;
+}
+
+void fill_box(PlotCanvas& canvas, const PlotRectangle& box, Colour ink) {
+  canvas.area({{box.x, box.y},
+               {box.x + box.width, box.y},
+               {box.x + box.width, box.y + box.height},
+               {box.x, box.y + box.height}},
+              ink, 1.0);
+}
+
 }  // namespace
 
 Axis time_axis(const ShownSpan& span, const std::string& label) {
@@ -303,34 +327,6 @@ Colour verdict_ink(const std::string& verdict) {
   for (const char c : verdict) sum = 31 * sum + static_cast<unsigned char>(c);
   return distinct_colour(static_cast<int>(sum % 7));
 }
-
-namespace {
-
-/// The order in which verdicts are stacked: what is best at the bottom.
-int verdict_rank(const std::string& verdict) {
-  const std::array<const char*, 9> order = {"good",     "arc",   "doubtful", "aurora", "none",
-                                            "twilight", "cloud", "failed",   "refused"};
-  const auto at = std::find(order.begin(), order.end(), verdict);
-  return static_cast<int>(at - order.begin());
-}
-
-std::vector<std::pair<std::string, int>> ranked_verdicts(const std::map<std::string, int>& counts) {
-  std::vector<std::pair<std::string, int>> ranked(counts.begin(), counts.end());
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
-    return verdict_rank(a.first) < verdict_rank(b.first);
-  });
-  return ranked;
-}
-
-void fill_box(PlotCanvas& canvas, const PlotRectangle& box, Colour ink) {
-  canvas.area({{box.x, box.y},
-               {box.x + box.width, box.y},
-               {box.x + box.width, box.y + box.height},
-               {box.x, box.y + box.height}},
-              ink, 1.0);
-}
-
-}  // namespace
 
 std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, SurveyWork work,
                          int first_hour) {

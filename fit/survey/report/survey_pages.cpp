@@ -194,8 +194,6 @@ std::string bars_of(const std::map<int, VerdictCounts>& hours, const VerdictCoun
   return html;
 }
 
-std::string night_file_name(const std::string& night) { return "night-" + night + ".html"; }
-
 void add_hours(const std::map<int, VerdictCounts>& more, std::map<int, VerdictCounts>& hours) {
   for (const auto& [hour, counts] : more) add_verdicts(counts, hours[hour]);
 }
@@ -207,6 +205,8 @@ std::string flux_words(bool is_measured, const std::string& why_none) {
 }
 
 }  // namespace
+
+std::string night_file_name(const std::string& night) { return "night-" + night + ".html"; }
 
 std::string spread_words(const std::vector<FollowedPoint>& points, const std::string& unit) {
   std::vector<double> values;

@@ -34,6 +34,9 @@ struct ShownNight {
 /// Returns the link to a frame's file, relative to the pages' folder; empty: none.
 using FrameLink = std::function<std::string(const NamedFrame& frame)>;
 
+/// Returns "night-2019-03-01.html".
+std::string night_file_name(const std::string& night);
+
 /// Returns the page of a night. The same night gives the same bytes.
 std::string night_page(const SurveyFacts& facts, const ShownNight& night, const FrameLink& link);
 

@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 constexpr const char* kIndex = "index.html";
 constexpr std::size_t kMaxIndexBytes = 256u << 20;
 
-std::string file_of_night(const std::string& name) { return "night-" + name + ".html"; }
-
 bool is_night_file(const std::string& name) {
   return name.rfind("night-", 0) == 0 && name.size() > 5 && name.substr(name.size() - 5) == ".html";
 }
@@ -68,15 +66,15 @@ class SitesOfPlan {
 void require_plan_of(const SurveyReader& reader, const SqliteFile& database, const SurveyFrames& frames) {
   if (frames.plan == nullptr) return;
   if (reader.plans().size() != 1)
-    throw sim::Error(sim::ErrorKind::usage,
-                     {"is merged of several plans", database.name(), 0, "--plan", {}, "leave out --plan"});
+    throw sim::Error(sim::ErrorKind::usage, "is merged of several plans")
+        .file(database.name())
+        .key("--plan")
+        .hint("leave out --plan");
   if (reader.plans()[0].sha256 != frames.plan->sha256)
-    throw sim::Error(sim::ErrorKind::usage, {"is not of the plan '" + frames.plan->file + "'",
-                                             database.name(),
-                                             0,
-                                             "--plan",
-                                             {},
-                                             "the plan that the survey was run by"});
+    throw sim::Error(sim::ErrorKind::usage, "is not of the plan '" + frames.plan->file + "'")
+        .file(database.name())
+        .key("--plan")
+        .hint("the plan that the survey was run by");
 }
 
 SurveyFacts facts_of(const SurveyReader& reader, const SurveyNights& nights, int frames) {
@@ -154,7 +152,7 @@ SurveyReport write_survey_report(const SqliteFile& database, const std::string& 
     const SurveyNight& night = nights.nights[n];
     ShownNight shown;
     shown.name = night.name;
-    shown.file = file_of_night(night.name);
+    shown.file = night_file_name(night.name);
     if (n > 0) shown.before = nights.nights[n - 1].name;
     if (n + 1 < nights.nights.size()) shown.after = nights.nights[n + 1].name;
     double first_s = 0.0, last_s = 0.0;

@@ -1,5 +1,5 @@
 // Which numbers are followed, by the words that they are named by.
-#include "fit/survey/followed_quantity.h"
+#include "fit/survey/survey_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/survey/plan_json.h"
-#include "fit/survey/survey_answer.h"
+#include "fit/survey/survey.h"
 #include "fit/survey/survey_plan.h"
 #include "sim/base/file/sha256.h"
 

@@ -1,5 +1,5 @@
 // What a survey keeps of a map, of a made picture whose precipitation is known.
-#include "fit/survey/map_work.h"
+#include "fit/survey/survey_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "fit/map/map_fit.h"
+#include "fit/photo/photo.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/two_stations.h"
 

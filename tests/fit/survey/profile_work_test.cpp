@@ -1,12 +1,13 @@
 // Vertical profiles of a frame: numbers of a picture whose light is known row by row.
-#include "fit/survey/profile_work.h"
+#include "fit/survey/survey_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "fit/survey/survey_columns.h"
+#include "fit/photo/photo.h"
+#include "fit/survey/survey_export.h"
 #include "sim/base/error.h"
 #include "sim/view/camera/camera.h"
 

@@ -1,5 +1,5 @@
 // What a camera must tell for the work that a survey is to do.
-#include "fit/survey/survey_eye.h"
+#include "fit/survey/survey_frame.h"
 
 #include <gtest/gtest.h>
 

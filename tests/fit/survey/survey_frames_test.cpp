@@ -1,11 +1,11 @@
 // Frames of folders and lists, with their times, and those that are skipped.
-#include "fit/survey/survey_frames.h"
+#include "fit/survey/survey_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "fit/survey/survey_toml.h"
+#include "fit/survey/survey.h"
 #include "sim/base/utc_time.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/frames/gzip_bytes.h"
@@ -30,7 +30,7 @@ ListedFrames frames_of(const Survey& survey) { return survey_frames(survey, surv
 
 std::vector<std::string> names_of(const ListedFrames& listed) {
   std::vector<std::string> names;
-  for (const ListedFrame& frame : listed.frames) names.push_back(frame.file);
+  for (const PlannedFrame& frame : listed.frames) names.push_back(frame.file);
   return names;
 }
 
@@ -75,13 +75,13 @@ TEST(SurveyFrames, ThatAreSkippedKeepTheirReason) {
       "[[skip]]\nfrom = \"2019-03-01T22:10:01Z\"\nuntil = \"2019-03-01T22:10:03Z\"\nreason = \"fog\"\n"
       "[[skip]]\nlist = \"bad.txt\"\nreason = \"a lamp\"\n"));
   std::vector<std::string> reasons;
-  for (const ListedFrame& frame : listed.frames) reasons.push_back(frame.skip);
+  for (const PlannedFrame& frame : listed.frames) reasons.push_back(frame.skip);
   EXPECT_EQ(reasons, (std::vector<std::string>{"", "fog", "fog", "a lamp"}));
 }
 
 std::vector<double> seconds_of(const ListedFrames& listed, const std::string& from) {
   std::vector<double> seconds;
-  for (const ListedFrame& frame : listed.frames) seconds.push_back(frame.time_s - *sim::utc_seconds(from));
+  for (const PlannedFrame& frame : listed.frames) seconds.push_back(frame.time_s - *sim::utc_seconds(from));
   return seconds;
 }
 

@@ -1,5 +1,5 @@
 // A survey as netCDF, read back by the library.
-#include "fit/survey/survey_netcdf.h"
+#include "fit/survey/survey_export.h"
 
 #include <gtest/gtest.h>
 #include <netcdf.h>

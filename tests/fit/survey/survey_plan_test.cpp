@@ -5,8 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/survey/plan_json.h"
-#include "fit/survey/survey_toml.h"
+#include "fit/survey/survey.h"
 #include "sim/base/number/random.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,5 @@
 // Surveys' files: what is read, what is refused and in which words.
-#include "fit/survey/survey_toml.h"
+#include "fit/survey/survey.h"
 
 #include <gtest/gtest.h>
 

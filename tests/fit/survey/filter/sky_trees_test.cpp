@@ -1,5 +1,5 @@
 // Trees as files, and what they answer.
-#include "fit/survey/filter/sky_trees.h"
+#include "fit/survey/filter/frame_filter.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "fit/survey/report/survey_nights.h"
+#include "fit/survey/report/night_digest.h"
 #include "fit/survey/survey_results.h"
 #include "tests/fit/survey/made_answers.h"
 #include "tests/support/expect_error.h"
