@@ -228,6 +228,12 @@ struct BorderLight {
   double at(int column, int row) const { return smooth[cells.index(column, row)]; }
 };
 
+/// Takes the border of a point back, for this reason.
+void hide_border(BorderPoint& point, BorderLimit limit) {
+  point.limit = limit;
+  point.elevation_deg = point.elevation_error_deg = point.fall_deg = sim::kNaN;
+}
+
 /// Where the light falls through a level below a peak, as a row; below `end` if it does not.
 double border_crossing(const BorderLight& light, int column, int peak, int end, double level) {
   for (int r = peak; r > end; --r) {
@@ -251,8 +257,7 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   double base = border_mean(light, column, std::max(low, foot - 1), std::min(foot + 1, peak - 1));
   BorderPoint& p = found.point;
   const auto refuse = [&] {
-    p.limit = low == 0 ? BorderLimit::horizon : cells.limit[cells.index(column, low - 1)];
-    p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    hide_border(p, low == 0 ? BorderLimit::horizon : cells.limit[cells.index(column, low - 1)]);
     found.linked_deg = cells.elevation_deg(low);
     return true;
   };
@@ -286,15 +291,13 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   const double by_level = 0.5 * (upper - lower);
   p.elevation_deg = found.linked_deg = cells.elevation_deg(half);
   if (p.elevation_deg < settings.lowest_measured_deg) {
-    p.limit = BorderLimit::horizon;
-    p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    hide_border(p, BorderLimit::horizon);
     return true;
   }
   // A roof or a tree that no mask leaves out: black, and the light ends at it within a pixel or two.
   const int beneath = std::max(low, static_cast<int>(half - 2.0 * std::max(fall, 1.0)));
   if (fall < kEdge_rows && light.whole[cells.index(column, beneath)] < light.dark_sky) {
-    p.limit = BorderLimit::ground;
-    p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
+    hide_border(p, BorderLimit::ground);
     return true;
   }
   p.elevation_error_deg = std::hypot(by_noise, by_level) * cells.elevation_step_deg;
@@ -430,10 +433,7 @@ void hide_edge_of_ground(BorderTrace& trace) {
   for (const BorderPoint& p : trace.points) edges += p.limit == BorderLimit::ground ? 1 : 0;
   if (3 * edges < trace.points.size()) return;
   for (BorderPoint& p : trace.points)
-    if (p.measured()) {
-      p.limit = BorderLimit::ground;
-      p.elevation_deg = p.elevation_error_deg = p.fall_deg = sim::kNaN;
-    }
+    if (p.measured()) hide_border(p, BorderLimit::ground);
 }
 
 std::vector<BorderTrace> link_border(std::vector<std::vector<BorderCandidate>>& all,
@@ -489,19 +489,9 @@ std::string no_border_note(const BorderTrace& trace) {
 }  // namespace
 
 const char* border_limit_name(BorderLimit limit) {
-  switch (limit) {
-    case BorderLimit::none:
-      return "";
-    case BorderLimit::horizon:
-      return "the horizon";
-    case BorderLimit::frame:
-      return "the frame";
-    case BorderLimit::mask:
-      return "the mask or clipped light";
-    case BorderLimit::ground:
-      return "something dark before the sky";
-  }
-  return "";
+  static constexpr std::array names = {"", "the horizon", "the frame", "the mask or clipped light",
+                                       "something dark before the sky"};
+  return names[static_cast<std::size_t>(limit)];
 }
 
 double BorderTrace::mean_brightness() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -13,72 +12,67 @@
 #include "sim/view/camera/lens.h"
 
 namespace vegard::sim {
+namespace {
+
+/// A number of a camera and its role in the parameter table.
+struct CameraNumberRow {
+  double Camera::*number;
+  ParameterRole role;
+};
+constexpr std::array<CameraNumberRow, camera_numbers> kCameraNumbers = {
+    {{&Camera::azimuth_deg, ParameterRole::camera_azimuth},
+     {&Camera::elevation_deg, ParameterRole::camera_elevation},
+     {&Camera::roll_deg, ParameterRole::camera_roll},
+     {&Camera::focal_px, ParameterRole::focal_length},
+     {&Camera::principal_x_px, ParameterRole::principal_x},
+     {&Camera::principal_y_px, ParameterRole::principal_y},
+     {&Camera::aspect, ParameterRole::lens_aspect},
+     {&Camera::k1, ParameterRole::lens_k1},
+     {&Camera::k2, ParameterRole::lens_k2},
+     {&Camera::k3, ParameterRole::lens_k3},
+     {&Camera::p1, ParameterRole::lens_p1},
+     {&Camera::p2, ParameterRole::lens_p2}}};
+constexpr CameraNumberRow kPinholeScale = {&Camera::hfov_deg, ParameterRole::field_of_view};
+
+const CameraNumberRow& row_of(const Camera& camera, CameraNumber which) {
+  return which == scale_number && camera.model == LensModel::pinhole ? kPinholeScale : kCameraNumbers[which];
+}
+
+Vec3<double> unit(Vec3<double> a) {
+  const double length = std::sqrt(dot3(a, a));
+  for (double& x : a) x /= length;
+  return a;
+}
+
+void put(FilmEdges& edges, const Vec3<double>& outward) {
+  std::copy(outward.begin(), outward.end(), edges.outward[edges.count++]);
+}
+
+/// Directions along the rectangle's border; empty if some of it is outside of the lens's picture.
+std::vector<Vec3<double>> border(const Lens<double>& lens, double left, double top, double right,
+                                 double bottom) {
+  constexpr int kPieces = 48;
+  std::vector<Vec3<double>> all;
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < kPieces; ++i) {
+      const double share = static_cast<double>(i) / kPieces;
+      const double along = side < 2 ? share : 1.0 - share;
+      const double x = side % 2 == 0 ? left + along * (right - left) : (side == 1 ? right : left);
+      const double y = side % 2 == 1 ? top + along * (bottom - top) : (side == 0 ? top : bottom);
+      Vec3<double> direction;
+      if (!unproject(lens, x, y, direction.data())) return {};
+      all.push_back(direction);
+    }
+  return all;
+}
+
+}  // namespace
 
 const double& camera_number(const Camera& camera, CameraNumber which) {
-  switch (which) {
-    case azimuth_number:
-      return camera.azimuth_deg;
-    case elevation_number:
-      return camera.elevation_deg;
-    case roll_number:
-      return camera.roll_deg;
-    case scale_number:
-      return camera.model == LensModel::pinhole ? camera.hfov_deg : camera.focal_px;
-    case principal_x_number:
-      return camera.principal_x_px;
-    case principal_y_number:
-      return camera.principal_y_px;
-    case aspect_number:
-      return camera.aspect;
-    case k1_number:
-      return camera.k1;
-    case k2_number:
-      return camera.k2;
-    case k3_number:
-      return camera.k3;
-    case p1_number:
-      return camera.p1;
-    case p2_number:
-      return camera.p2;
-    case camera_numbers:
-      break;
-  }
-  assert(false);
-  return camera.azimuth_deg;
+  return camera.*row_of(camera, which).number;
 }
 
-ParameterRole role_of(const Camera& camera, CameraNumber which) {
-  switch (which) {
-    case azimuth_number:
-      return ParameterRole::camera_azimuth;
-    case elevation_number:
-      return ParameterRole::camera_elevation;
-    case roll_number:
-      return ParameterRole::camera_roll;
-    case scale_number:
-      return camera.model == LensModel::pinhole ? ParameterRole::field_of_view : ParameterRole::focal_length;
-    case principal_x_number:
-      return ParameterRole::principal_x;
-    case principal_y_number:
-      return ParameterRole::principal_y;
-    case aspect_number:
-      return ParameterRole::lens_aspect;
-    case k1_number:
-      return ParameterRole::lens_k1;
-    case k2_number:
-      return ParameterRole::lens_k2;
-    case k3_number:
-      return ParameterRole::lens_k3;
-    case p1_number:
-      return ParameterRole::lens_p1;
-    case p2_number:
-      return ParameterRole::lens_p2;
-    case camera_numbers:
-      break;
-  }
-  assert(false);
-  return ParameterRole::none;
-}
+ParameterRole role_of(const Camera& camera, CameraNumber which) { return row_of(camera, which).role; }
 
 int camera_number_of(const Camera& camera, const ParameterId& id) {
   for (int which = 0; which < camera_numbers; ++which)
@@ -219,38 +213,6 @@ double tangent_distance_km(double observer_km, double elevation_deg) {
   if (!(elevation_deg < 0.0)) return kNaN;
   return (kEarthRadiusKm + observer_km) * std::sin(-elevation_deg * kRadiansPerDegree);
 }
-
-namespace {
-
-Vec3<double> unit(Vec3<double> a) {
-  const double length = std::sqrt(dot3(a, a));
-  for (double& x : a) x /= length;
-  return a;
-}
-
-void put(FilmEdges& edges, const Vec3<double>& outward) {
-  std::copy(outward.begin(), outward.end(), edges.outward[edges.count++]);
-}
-
-/// Directions along the rectangle's border; empty if some of it is outside of the lens's picture.
-std::vector<Vec3<double>> border(const Lens<double>& lens, double left, double top, double right,
-                                 double bottom) {
-  constexpr int kPieces = 48;
-  std::vector<Vec3<double>> all;
-  for (int side = 0; side < 4; ++side)
-    for (int i = 0; i < kPieces; ++i) {
-      const double share = static_cast<double>(i) / kPieces;
-      const double along = side < 2 ? share : 1.0 - share;
-      const double x = side % 2 == 0 ? left + along * (right - left) : (side == 1 ? right : left);
-      const double y = side % 2 == 1 ? top + along * (bottom - top) : (side == 0 ? top : bottom);
-      Vec3<double> direction;
-      if (!unproject(lens, x, y, direction.data())) return {};
-      all.push_back(direction);
-    }
-  return all;
-}
-
-}  // namespace
 
 FilmEdges film_edges(const Lens<double>& lens, const FilmGeometry& film) {
   FilmEdges edges;

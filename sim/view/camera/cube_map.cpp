@@ -5,37 +5,20 @@
 namespace vegard::sim {
 namespace {
 
-constexpr std::array<CubeSide, 6> kSides = {CubeSide::front, CubeSide::right, CubeSide::back,
-                                            CubeSide::left,  CubeSide::up,    CubeSide::down};
-/// Of right, left, up, down, front, back in a strip or a grid.
+/// The axes (right, down, forward) of each CubeSide in camera coordinates.
+using FaceAxes = std::array<std::array<double, 3>, 3>;
+constexpr std::array<FaceAxes, 6> kFaceAxes = {{{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}},
+                                                {{{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}}},
+                                                {{{-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}}},
+                                                {{{0.0, 0.0, 1.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}}},
+                                                {{{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, {0.0, -1.0, 0.0}}},
+                                                {{{1.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}}}};
+/// The place of each CubeSide in a strip or a grid: right, left, up, down, front, back.
 constexpr std::array<int, 6> kPlaceInStrip = {4, 0, 5, 1, 2, 3};
 
 CubeFace cube_face(CubeSide side, CubeLayout layout) {
-  CubeFace face{side, 0, 0, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-  switch (side) {
-    case CubeSide::front:
-      break;
-    case CubeSide::right:
-      face.right = {0.0, 0.0, -1.0};
-      face.forward = {1.0, 0.0, 0.0};
-      break;
-    case CubeSide::back:
-      face.right = {-1.0, 0.0, 0.0};
-      face.forward = {0.0, 0.0, -1.0};
-      break;
-    case CubeSide::left:
-      face.right = {0.0, 0.0, 1.0};
-      face.forward = {-1.0, 0.0, 0.0};
-      break;
-    case CubeSide::up:
-      face.down = {0.0, 0.0, 1.0};
-      face.forward = {0.0, -1.0, 0.0};
-      break;
-    case CubeSide::down:
-      face.down = {0.0, 0.0, -1.0};
-      face.forward = {0.0, 1.0, 0.0};
-      break;
-  }
+  const auto& [right, down, forward] = kFaceAxes[static_cast<std::size_t>(side)];
+  CubeFace face{side, 0, 0, right, down, forward};
   const int place = kPlaceInStrip[static_cast<std::size_t>(side)];
   switch (layout) {
     case CubeLayout::cross: {
@@ -71,7 +54,7 @@ CubeSize cube_size(CubeLayout layout) {
 
 std::array<CubeFace, 6> cube_faces(CubeLayout layout) {
   std::array<CubeFace, 6> faces{};
-  for (std::size_t i = 0; i < kSides.size(); ++i) faces[i] = cube_face(kSides[i], layout);
+  for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = cube_face(static_cast<CubeSide>(i), layout);
   return faces;
 }
 

@@ -207,20 +207,7 @@ PlaceSlopes place_slopes(const Lens<double>& lens, const double direction[3]) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     slopes.across[1][i] = direction[j] * slopes.across[0][k] - direction[k] * slopes.across[0][j];
   }
-  Lens<Two> dual;
-  dual.model = lens.model;
-  dual.focal_px = lens.focal_px;
-  dual.aspect = lens.aspect;
-  dual.principal_x_px = lens.principal_x_px;
-  dual.principal_y_px = lens.principal_y_px;
-  dual.k1 = lens.k1;
-  dual.k2 = lens.k2;
-  dual.k3 = lens.k3;
-  dual.p1 = lens.p1;
-  dual.p2 = lens.p2;
-  dual.side = lens.side;
-  dual.min_cosine = lens.min_cosine;
-  dual.cube_layout = lens.cube_layout;
+  const Lens<Two> dual = converted<Two>(lens, [](double number) { return Two(number); });
   Two there[3], x(0.0), y(0.0);
   for (int i = 0; i < 3; ++i) {
     there[i] = direction[i];

@@ -168,24 +168,28 @@ double pixel_steradians(const Lens<double>& lens, double x_px, double y_px);
 
 // ---------------------------------------------------------------------------------------------------------
 
+/// Returns the lens with each of its numbers converted by `convert`.
+template <class To, class T, class Convert>
+Lens<To> converted(const Lens<T>& lens, const Convert& convert) {
+  return {lens.model,
+          convert(lens.focal_px),
+          convert(lens.aspect),
+          convert(lens.principal_x_px),
+          convert(lens.principal_y_px),
+          convert(lens.k1),
+          convert(lens.k2),
+          convert(lens.k3),
+          convert(lens.p1),
+          convert(lens.p2),
+          lens.side,
+          lens.min_cosine,
+          lens.cube_layout};
+}
+
 /// Returns the lens without derivatives.
 template <class T>
 Lens<double> values_of(const Lens<T>& lens) {
-  Lens<double> plain;
-  plain.model = lens.model;
-  plain.focal_px = value_of(lens.focal_px);
-  plain.aspect = value_of(lens.aspect);
-  plain.principal_x_px = value_of(lens.principal_x_px);
-  plain.principal_y_px = value_of(lens.principal_y_px);
-  plain.k1 = value_of(lens.k1);
-  plain.k2 = value_of(lens.k2);
-  plain.k3 = value_of(lens.k3);
-  plain.p1 = value_of(lens.p1);
-  plain.p2 = value_of(lens.p2);
-  plain.side = lens.side;
-  plain.min_cosine = lens.min_cosine;
-  plain.cube_layout = lens.cube_layout;
-  return plain;
+  return converted<double>(lens, [](const T& number) { return value_of(number); });
 }
 
 /// Two vectors a, b across a direction, and the change of its pixel along each of them: d (x, y) / d (a, b).

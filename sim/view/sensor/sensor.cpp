@@ -1,6 +1,7 @@
 #include "sim/view/sensor/sensor.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -68,23 +69,6 @@ std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked, int wi
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
           result[static_cast<std::size_t>(y) * width + x] |= marked[static_cast<std::size_t>(v) * width + u];
   return result;
-}
-
-const char* letters_of(MosaicPattern pattern) {
-  switch (pattern) {
-    case MosaicPattern::rggb:
-      return "rggb";
-    case MosaicPattern::bggr:
-      return "bggr";
-    case MosaicPattern::grbg:
-      return "grbg";
-    case MosaicPattern::gbrg:
-      return "gbrg";
-    case MosaicPattern::none:
-      break;
-  }
-  assert(false);
-  return "gggg";
 }
 
 /// Sums of what enters a channel at a pixel.
@@ -251,7 +235,9 @@ Image light_variance(const Scene& scene, const Image& light, double file_step) {
 }
 
 int filter_of_pixel(MosaicPattern pattern, int x, int y) {
-  const char filter = letters_of(pattern)[2 * (y & 1) + (x & 1)];
+  static constexpr std::array letters = {"rggb", "bggr", "grbg", "gbrg"};
+  assert(pattern != MosaicPattern::none);
+  const char filter = letters[static_cast<std::size_t>(pattern)][2 * (y & 1) + (x & 1)];
   return filter == 'r' ? 0 : filter == 'g' ? 1 : 2;
 }
 

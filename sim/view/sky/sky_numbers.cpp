@@ -1,5 +1,6 @@
 #include "sim/view/sky/sky_numbers.h"
 
+#include <array>
 #include <cassert>
 
 namespace vegard::sim {
@@ -7,24 +8,11 @@ namespace vegard::sim {
 ParameterId sky_number_id(const Scene& scene, SkyNumber which) {
   if (which >= first_sky_camera && which < sky_numbers)
     return parameter_with(role_of(scene.camera, static_cast<CameraNumber>(which - first_sky_camera)));
-  switch (which) {
-    case sky_aerosol_depth:
-      return parameter_with(ParameterRole::aerosol_depth);
-    case sky_angstrom:
-      return parameter_with(ParameterRole::angstrom_exponent);
-    case sky_green:
-      return parameter_with(ParameterRole::green_airglow);
-    case sky_red:
-      return parameter_with(ParameterRole::red_airglow);
-    case sky_sodium:
-      return parameter_with(ParameterRole::sodium_airglow);
-    case sky_pollution:
-      return parameter_with(ParameterRole::town_light);
-    default:
-      break;
-  }
-  assert(false);
-  return {};
+  static constexpr std::array<ParameterRole, first_sky_camera> roles = {
+      ParameterRole::aerosol_depth, ParameterRole::angstrom_exponent, ParameterRole::green_airglow,
+      ParameterRole::red_airglow,   ParameterRole::sodium_airglow,    ParameterRole::town_light};
+  assert(which >= 0 && which < first_sky_camera);
+  return parameter_with(roles[which]);
 }
 
 std::vector<int> sky_numbers_of(const Scene& scene, const std::vector<ParameterId>& free) {
