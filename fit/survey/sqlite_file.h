@@ -34,6 +34,13 @@ class SqliteStatement {
   SqliteStatement& bind(int place, const std::optional<T>& value) {
     return value ? bind(place, *value) : bind_null(place);
   }
+  /// Binds all parameters, in their order.
+  template <typename... Values>
+  SqliteStatement& bind_all(const Values&... values) {
+    int place = 0;
+    (bind(place++, values), ...);
+    return *this;
+  }
 
   /// Moves to the next row. Returns false after the last; then the statement may be bound and stepped again.
   bool step();

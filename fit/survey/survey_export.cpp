@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -25,31 +26,32 @@ using Take = std::function<void(const std::string& line)>;
 /// Cells with commas between.
 class CsvLine {
  public:
-  CsvLine& add(const std::optional<std::string>& text) { return put(text ? sim::csv_cell(*text) : ""); }
-  CsvLine& add(const std::string& text) { return put(sim::csv_cell(text)); }
-  CsvLine& add(const std::optional<double>& number) {
-    return put(sim::csv_number(number.value_or(sim::kNaN)));
+  template <class... Cells>
+  explicit CsvLine(const Cells&... cells) {
+    add(cells...);
   }
-  CsvLine& add(int number) { return put(std::to_string(number)); }
+  template <class... Cells>
+  CsvLine& add(const Cells&... cells) {
+    ((text_ += (text_.empty() ? "" : ",") + cell(cells)), ...);
+    return *this;
+  }
   std::string line() const { return text_ + "\n"; }
 
  private:
-  CsvLine& put(const std::string& cell) {
-    if (!is_first_) text_ += ",";
-    is_first_ = false;
-    text_ += cell;
-    return *this;
+  static std::string cell(const std::optional<std::string>& text) { return text ? sim::csv_cell(*text) : ""; }
+  static std::string cell(const std::string& text) { return sim::csv_cell(text); }
+  static std::string cell(const char* text) { return sim::csv_cell(text); }
+  static std::string cell(const std::optional<double>& number) {
+    return sim::csv_number(number.value_or(sim::kNaN));
   }
+  static std::string cell(std::int64_t number) { return std::to_string(number); }
   std::string text_;
-  bool is_first_ = true;
 };
 
 constexpr const char* kFacts = "frame,camera,file,time_utc,status,reason";
 CsvLine facts_line(const FrameAnswer& answer) {
-  CsvLine line;
-  line.add(answer.frame).add(answer.camera).add(answer.file).add(sim::utc_text(answer.time_s));
-  line.add(std::string(frame_status_name(answer.status))).add(answer.reason);
-  return line;
+  return CsvLine(answer.frame, answer.camera, answer.file, sim::utc_text(answer.time_s),
+                 frame_status_name(answer.status), answer.reason);
 }
 
 void each_frame(const SurveyReader& reader, const std::function<void(const FrameAnswer& answer)>& take) {
@@ -77,9 +79,9 @@ void wide_table(const SurveyReader& reader, const Take& take) {
     for (const SurveyColumn& column : all.columns) {
       const SurveyQuantity* q = quantity_in(work_in(answer, column.work), column);
       if (q != nullptr)
-        line.add(q->value).add(q->sigma).add(q->trust);
+        line.add(q->value, q->sigma, q->trust);
       else
-        line.add(std::string()).add(std::string()).add(std::string());
+        line.add("", "", "");
     }
     take(line.line());
   });
@@ -88,11 +90,8 @@ void wide_table(const SurveyReader& reader, const Take& take) {
 void frames_table(const SurveyReader& reader, const Take& take) {
   take(std::string(kFacts) + ",block,time_s,sha256,decoding\n");
   each_frame(reader, [&](const FrameAnswer& answer) {
-    CsvLine line = facts_line(answer);
-    take(line.add(answer.block)
-             .add(std::optional(answer.time_s))
-             .add(answer.sha256)
-             .add(answer.decoding)
+    take(facts_line(answer)
+             .add(answer.block, std::optional(answer.time_s), answer.sha256, answer.decoding)
              .line());
   });
 }
@@ -100,15 +99,11 @@ void frames_table(const SurveyReader& reader, const Take& take) {
 void results_table(const SurveyReader& reader, const Take& take) {
   take(std::string(kFacts) + ",work,verdict,words,start,chi2_per_dof,seed\n");
   each_frame(reader, [&](const FrameAnswer& answer) {
-    for (const WorkAnswer& w : answer.works) {
-      CsvLine line = facts_line(answer);
-      line.add(std::string(survey_work_name(w.work)))
-          .add(w.verdict)
-          .add(w.words)
-          .add(w.start)
-          .add(w.chi2_per_dof);
-      take(line.add(w.seed ? std::to_string(*w.seed) : std::string()).line());
-    }
+    for (const WorkAnswer& w : answer.works)
+      take(facts_line(answer)
+               .add(survey_work_name(w.work), w.verdict, w.words, w.start, w.chi2_per_dof,
+                    w.seed ? std::to_string(*w.seed) : "")
+               .line());
   });
 }
 
@@ -116,12 +111,10 @@ void quantities_table(const SurveyReader& reader, const Take& take) {
   take("frame,camera,time_utc,work,item,name,unit,value,sigma,trust,reason\n");
   each_frame(reader, [&](const FrameAnswer& answer) {
     for (const WorkAnswer& w : answer.works)
-      for (const SurveyQuantity& q : w.quantities) {
-        CsvLine line;
-        line.add(answer.frame).add(answer.camera).add(sim::utc_text(answer.time_s));
-        line.add(std::string(survey_work_name(w.work))).add(q.item).add(q.name).add(q.unit);
-        take(line.add(q.value).add(q.sigma).add(q.trust).add(q.reason).line());
-      }
+      for (const SurveyQuantity& q : w.quantities)
+        take(CsvLine(answer.frame, answer.camera, sim::utc_text(answer.time_s), survey_work_name(w.work),
+                     q.item, q.name, q.unit, q.value, q.sigma, q.trust, q.reason)
+                 .line());
   });
 }
 
@@ -134,13 +127,11 @@ void velocities_table(const SqliteFile& database, const Take& take) {
       "SELECT frame, camera, time_utc, work, item, name, track, position, position_sigma, unit, velocity, "
       "velocity_sigma, velocity_unit FROM velocity JOIN frame USING (frame) ORDER BY frame, work, item, "
       "name");
-  while (rows.step()) {
-    CsvLine line;
-    line.add(static_cast<int>(rows.integer(0))).add(rows.text(1)).add(rows.text(2)).add(rows.text(3));
-    line.add(static_cast<int>(rows.integer(4))).add(rows.text(5)).add(static_cast<int>(rows.integer(6)));
-    line.add(rows.number_or_none(7)).add(rows.number_or_none(8)).add(rows.text(9));
-    take(line.add(rows.number_or_none(10)).add(rows.number_or_none(11)).add(rows.text(12)).line());
-  }
+  while (rows.step())
+    take(CsvLine(rows.integer(0), rows.text(1), rows.text(2), rows.text(3), rows.integer(4), rows.text(5),
+                 rows.integer(6), rows.number_or_none(7), rows.number_or_none(8), rows.text(9),
+                 rows.number_or_none(10), rows.number_or_none(11), rows.text(12))
+             .line());
 }
 
 void flags_table(const SqliteFile& database, const Take& take) {
@@ -149,13 +140,10 @@ void flags_table(const SqliteFile& database, const Take& take) {
       database,
       "SELECT frame, camera, file, time_utc, work, item, name, track, kind, chi2, chi2_limit "
       "FROM flag JOIN frame USING (frame) ORDER BY frame, work, item, name");
-  while (rows.step()) {
-    CsvLine line;
-    line.add(static_cast<int>(rows.integer(0))).add(rows.text(1)).add(rows.text(2)).add(rows.text(3));
-    line.add(rows.text(4)).add(static_cast<int>(rows.integer(5))).add(rows.text(6));
-    line.add(static_cast<int>(rows.integer(7))).add(rows.text(8));
-    take(line.add(rows.number_or_none(9)).add(rows.number_or_none(10)).line());
-  }
+  while (rows.step())
+    take(CsvLine(rows.integer(0), rows.text(1), rows.text(2), rows.text(3), rows.text(4), rows.integer(5),
+                 rows.text(6), rows.integer(7), rows.text(8), rows.number_or_none(9), rows.number_or_none(10))
+             .line());
 }
 
 bool is_in_column(SurveyWork work, const SurveyQuantity& quantity) {

@@ -233,7 +233,7 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   for (const SurveyWork work : plan.work) {
     try {
       if (work == SurveyWork::filter) {
-        const FilterFinding found = eye->filter->look(frame.whole(), scene, planned.time_s);
+        const FilterFinding found = eye->filter->classify(frame.whole(), scene, planned.time_s);
         answer.works.push_back(filter_answer(found));
         if (has_arc(found.scores)) continue;
         give_up(answer, FrameStatus::filtered, "no arc: " + found.sky);

@@ -89,28 +89,24 @@ class MotionWriter {
     const char* work = survey_work_name(number.work);
     const VelocityUnit unit = velocity_unit(number.unit);
     const int id = ++motion_.tracks;
-    track_.bind(0, id).bind(1, number.camera).bind(2, work).bind(3, number.item).bind(4, number.name);
-    track_.bind(5, number.unit).bind(6, track.frames.front()).bind(7, track.frames.back());
-    track_.bind(8, smoothed.used).bind(9, smoothed.outliers).bind(10, smoothed.breaks);
-    track_.bind(11, smoothed.process_noise > 0.0 ? std::optional(smoothed.process_noise) : std::nullopt);
-    track_.bind(12, "(" + (number.unit.empty() ? "1" : number.unit) + ")^2 s^-3");
-    track_.bind(13, finite_or_none(smoothed.innovation_chi2)).run();
+    track_
+        .bind_all(id, number.camera, work, number.item, number.name, number.unit, track.frames.front(),
+                  track.frames.back(), smoothed.used, smoothed.outliers, smoothed.breaks,
+                  smoothed.process_noise > 0.0 ? std::optional(smoothed.process_noise) : std::nullopt,
+                  "(" + (number.unit.empty() ? "1" : number.unit) + ")^2 s^-3",
+                  finite_or_none(smoothed.innovation_chi2))
+        .run();
     for (std::size_t i = 0; i < track.frames.size(); ++i) {
       const SmoothedPoint& point = smoothed.points[i];
-      const auto begin_row = [&](SqliteStatement& row) {
-        row.bind(0, track.frames[i]).bind(1, work).bind(2, number.item).bind(3, number.name).bind(4, id);
+      const auto add_row = [&](SqliteStatement& row, const auto&... values) {
+        row.bind_all(track.frames[i], work, number.item, number.name, id, values...).run();
       };
-      if (std::isfinite(point.velocity)) {
-        begin_row(velocity_);
-        velocity_.bind(5, point.position).bind(6, point.position_sigma).bind(7, number.unit);
-        velocity_.bind(8, unit.factor * point.velocity).bind(9, unit.factor * point.velocity_sigma);
-        velocity_.bind(10, unit.words).run();
-      }
-      if (point.flag != TrackFlag::none) {
-        begin_row(flag_);
-        flag_.bind(5, track_flag_name(point.flag)).bind(6, finite_or_none(point.chi2));
-        flag_.bind(7, jump_limit(options_.false_alarms)).run();
-      }
+      if (std::isfinite(point.velocity))
+        add_row(velocity_, point.position, point.position_sigma, number.unit, unit.factor * point.velocity,
+                unit.factor * point.velocity_sigma, unit.words);
+      if (point.flag != TrackFlag::none)
+        add_row(flag_, track_flag_name(point.flag), finite_or_none(point.chi2),
+                jump_limit(options_.false_alarms));
     }
     motion_.used += smoothed.used;
     motion_.outliers += smoothed.outliers;
@@ -132,8 +128,6 @@ std::string in_sql_quotes(const std::string& text) {
   for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
   return quoted + "'";
 }
-
-bool begins_with(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
 
 struct FollowedWords {
   SurveyWork work;
@@ -195,7 +189,7 @@ SurveyMotion smooth_survey(const std::string& database, const std::string& outpu
 std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity& quantity) {
   if (quantity.item > 1) return std::nullopt;
   for (const FollowedWords& words : kFollowed)
-    if (words.work == work && begins_with(quantity.name, words.beginning)) return words.kind;
+    if (words.work == work && quantity.name.rfind(words.beginning, 0) == 0) return words.kind;
   return std::nullopt;
 }
 

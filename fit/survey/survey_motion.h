@@ -54,7 +54,4 @@ std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity&
 /// Returns the owner in a quantity's name: "main" for "distance of the main sheet"; empty if there is none.
 std::string owner_of_quantity(const std::string& name);
 
-/// The assumed altitude of a border for which its distance is followed.
-inline constexpr double kFollowedBorder_km = 105.0;
-
 }  // namespace vegard::fit

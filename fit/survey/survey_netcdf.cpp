@@ -22,55 +22,50 @@ using sim::NetcdfType;
 
 constexpr std::size_t kRowsAtATime = 4096;
 
+/// A variable and its rows that are not yet in the file.
+template <class T>
+struct BufferedColumn {
+  NetcdfFile::Variable variable;
+  std::vector<T> rows;
+  void put(NetcdfFile& file, std::size_t first) {
+    file.put(variable, first, rows);
+    rows.clear();
+  }
+};
+
 /// Words as the CF conventions have flags: numbers from 0 on with their meanings beside them. There are not
 /// more than a byte has room for, unless somebody has tampered with the database.
-class FlagColumn {
+class FlagColumn : public BufferedColumn<int> {
  public:
   static constexpr std::size_t kMaxFlags = 100;
   FlagColumn(NetcdfFile& file, const std::string& name, const std::string& long_name,
              const std::vector<std::string>& words, const std::vector<NetcdfFile::Dimension>& of)
-      : words_(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMaxFlags))),
-        variable_(file.variable(name, NetcdfType::flag, of)) {
-    file.attribute(variable_, "long_name", long_name);
+      : BufferedColumn{file.variable(name, NetcdfType::flag, of), {}},
+        words_(words.begin(),
+               words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMaxFlags))) {
+    file.attribute(variable, "long_name", long_name);
     std::vector<int> numbers;
     for (std::size_t i = 0; i < words_.size(); ++i) numbers.push_back(static_cast<int>(i));
     if (words_.empty()) return;
-    file.flags(variable_, "flag_values", numbers);
-    file.attribute(variable_, "flag_meanings", sim::netcdf_flag_meanings(words_));
+    file.flags(variable, "flag_values", numbers);
+    file.attribute(variable, "flag_meanings", sim::netcdf_flag_meanings(words_));
   }
   void add(const std::optional<std::string>& word) {
-    rows_.push_back(word ? sim::flag_number(words_, *word) : sim::kNetcdfNoFlag);
+    rows.push_back(word ? sim::flag_number(words_, *word) : sim::kNetcdfNoFlag);
   }
-  void put(NetcdfFile& file, std::size_t first) {
-    file.put(variable_, first, rows_);
-    rows_.clear();
-  }
-  const NetcdfFile::Variable& variable() const { return variable_; }
 
  private:
   std::vector<std::string> words_;
-  NetcdfFile::Variable variable_;
-  std::vector<int> rows_;
 };
 
-class RealColumn {
- public:
+struct RealColumn : BufferedColumn<double> {
   RealColumn(NetcdfFile& file, const std::string& name, const std::string& long_name, const std::string& unit,
              const std::vector<NetcdfFile::Dimension>& of)
-      : variable_(file.variable(name, NetcdfType::real, of)) {
-    file.attribute(variable_, "long_name", long_name);
-    file.attribute(variable_, "units", sim::udunits_of(unit));
+      : BufferedColumn{file.variable(name, NetcdfType::real, of), {}} {
+    file.attribute(variable, "long_name", long_name);
+    file.attribute(variable, "units", sim::udunits_of(unit));
   }
-  void add(const std::optional<double>& value) { rows_.push_back(value.value_or(sim::kNaN)); }
-  void put(NetcdfFile& file, std::size_t first) {
-    file.put(variable_, first, rows_);
-    rows_.clear();
-  }
-  const NetcdfFile::Variable& variable() const { return variable_; }
-
- private:
-  NetcdfFile::Variable variable_;
-  std::vector<double> rows_;
+  void add(const std::optional<double>& value) { rows.push_back(value.value_or(sim::kNaN)); }
 };
 
 /// A number with its error, and whether to trust it.
@@ -101,22 +96,24 @@ class SurveyNetcdf {
       : file_(file) {
     const std::vector<NetcdfFile::Dimension> frame = {
         file.dimension("frame", static_cast<std::size_t>(all.frames))};
-    number_ = define("frame_number", NetcdfType::whole, "number of the frame in the survey's plan", frame);
-    file.attribute(number_, "units", "1");
-    time_ = define("time", NetcdfType::real, "when the frame was taken", frame);
-    file.attribute(time_, "standard_name", "time");
-    file.attribute(time_, "units", "seconds since 1970-01-01 00:00:00");
-    file.attribute(time_, "calendar", "standard");
-    camera_ = define("camera", NetcdfType::text, "camera", frame);
-    name_ = define("file", NetcdfType::text, "file of the frame, from the survey's folder", frame);
+    number_.variable =
+        define("frame_number", NetcdfType::whole, "number of the frame in the survey's plan", frame);
+    file.attribute(number_.variable, "units", "1");
+    time_.variable = define("time", NetcdfType::real, "when the frame was taken", frame);
+    file.attribute(time_.variable, "standard_name", "time");
+    file.attribute(time_.variable, "units", "seconds since 1970-01-01 00:00:00");
+    file.attribute(time_.variable, "calendar", "standard");
+    camera_.variable = define("camera", NetcdfType::text, "camera", frame);
+    frame_file_.variable =
+        define("file", NetcdfType::text, "file of the frame, from the survey's folder", frame);
     status_.emplace(file, names_.of("status"), "what became of the frame", status_words(), frame);
-    at_time(status_->variable());
+    at_time(status_->variable);
     for (const auto& [work, verdicts] : all.verdicts) {
       const std::string name = survey_work_name(work);
       verdicts_.emplace_back(work,
                              FlagColumn(file, names_.of(name + " verdict"), "verdict of the work " + name,
                                         {verdicts.begin(), verdicts.end()}, frame));
-      at_time(verdicts_.back().second.variable());
+      at_time(verdicts_.back().second.variable);
     }
     for (const SurveyColumn& column : all.columns)
       define_quantity(column, all.with_trust.count(column) > 0, frame);
@@ -125,10 +122,10 @@ class SurveyNetcdf {
   }
 
   void take(const FrameAnswer& answer) {
-    numbers_.push_back(answer.frame);
-    times_.push_back(answer.time_s);
-    cameras_.push_back(answer.camera);
-    files_.push_back(answer.file);
+    number_.rows.push_back(answer.frame);
+    time_.rows.push_back(answer.time_s);
+    camera_.rows.push_back(answer.camera);
+    frame_file_.rows.push_back(answer.file);
     status_->add(std::string(frame_status_name(answer.status)));
     for (auto& [work, column] : verdicts_) {
       const WorkAnswer* found = work_in(answer, work);
@@ -141,16 +138,16 @@ class SurveyNetcdf {
       if (column.trust) column.trust->add(q != nullptr ? q->trust : std::nullopt);
     }
     for (MotionColumns& column : motions_) take_motion(answer.frame, column);
-    if (numbers_.size() == kRowsAtATime) put();
+    if (number_.rows.size() == kRowsAtATime) put();
   }
 
   void put() {
-    if (numbers_.empty()) return;
-    const std::size_t count = numbers_.size();
-    file_.put(number_, first_, numbers_);
-    file_.put(time_, first_, times_);
-    file_.put(camera_, first_, cameras_);
-    file_.put(name_, first_, files_);
+    if (number_.rows.empty()) return;
+    const std::size_t count = number_.rows.size();
+    number_.put(file_, first_);
+    time_.put(file_, first_);
+    camera_.put(file_, first_);
+    frame_file_.put(file_, first_);
     status_->put(file_, first_);
     for (auto& [work, column] : verdicts_) column.put(file_, first_);
     for (QuantityColumns& column : quantities_) {
@@ -164,10 +161,6 @@ class SurveyNetcdf {
       column.flag.put(file_, first_);
     }
     first_ += count;
-    numbers_.clear();
-    times_.clear();
-    cameras_.clear();
-    files_.clear();
   }
 
  private:
@@ -192,10 +185,10 @@ class SurveyNetcdf {
                                                   trust_name(Trust::unconstrained)},
                          frame);
     if (column.unit == "white")
-      file_.attribute(made.value.variable(), "comment", "share of the picture's white");
-    file_.attribute(made.value.variable(), "ancillary_variables", sigma + (has_trust ? " " + trust : ""));
-    for (const NetcdfFile::Variable& one : {made.value.variable(), made.sigma.variable()}) at_time(one);
-    if (made.trust) at_time(made.trust->variable());
+      file_.attribute(made.value.variable, "comment", "share of the picture's white");
+    file_.attribute(made.value.variable, "ancillary_variables", sigma + (has_trust ? " " + trust : ""));
+    for (const NetcdfFile::Variable& one : {made.value.variable, made.sigma.variable}) at_time(one);
+    if (made.trust) at_time(made.trust->variable);
     quantities_.push_back(std::move(made));
   }
 
@@ -213,9 +206,9 @@ class SurveyNetcdf {
            RealColumn(file_, sigma, "standard deviation of how fast it grows: " + words, rows.text(3), frame),
            FlagColumn(file_, flag, "whether it jumps: " + words, {"sound", "outlier", "break"}, frame)});
       const MotionColumns& made = motions_.back();
-      file_.attribute(made.velocity.variable(), "ancillary_variables", sigma + " " + flag);
+      file_.attribute(made.velocity.variable, "ancillary_variables", sigma + " " + flag);
       for (const NetcdfFile::Variable& one :
-           {made.velocity.variable(), made.sigma.variable(), made.flag.variable()})
+           {made.velocity.variable, made.sigma.variable, made.flag.variable})
         at_time(one);
     }
     motion_.emplace(
@@ -226,17 +219,12 @@ class SurveyNetcdf {
   }
 
   void take_motion(int frame, MotionColumns& column) {
-    motion_->bind(0, frame).bind(1, column.work).bind(2, column.item).bind(3, column.name);
-    if (motion_->step()) {
-      column.velocity.add(motion_->number_or_none(0));
-      column.sigma.add(motion_->number_or_none(1));
-      column.flag.add(motion_->text_or_none(2).value_or("sound"));
-      motion_->reset();
-      return;
-    }
-    column.velocity.add(std::nullopt);
-    column.sigma.add(std::nullopt);
-    column.flag.add(std::nullopt);
+    motion_->bind_all(frame, column.work, column.item, column.name);
+    const bool is_known = motion_->step();
+    column.velocity.add(is_known ? motion_->number_or_none(0) : std::nullopt);
+    column.sigma.add(is_known ? motion_->number_or_none(1) : std::nullopt);
+    column.flag.add(is_known ? std::optional(motion_->text_or_none(2).value_or("sound")) : std::nullopt);
+    if (is_known) motion_->reset();
   }
 
   void describe(const SurveyReader& reader) {
@@ -260,16 +248,15 @@ class SurveyNetcdf {
 
   NetcdfFile& file_;
   sim::NetcdfNames names_;
-  NetcdfFile::Variable number_, time_, camera_, name_;
+  BufferedColumn<int> number_;
+  BufferedColumn<double> time_;
+  BufferedColumn<std::string> camera_, frame_file_;
   std::optional<FlagColumn> status_;
   std::vector<std::pair<SurveyWork, FlagColumn>> verdicts_;
   std::vector<QuantityColumns> quantities_;
   std::vector<MotionColumns> motions_;
   std::optional<SqliteStatement> motion_;
   std::size_t first_ = 0;
-  std::vector<int> numbers_;
-  std::vector<double> times_;
-  std::vector<std::string> cameras_, files_;
 };
 
 }  // namespace

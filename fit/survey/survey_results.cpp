@@ -122,30 +122,12 @@ FrameStatus status_of(const SqliteFile& file, const std::string& name) {
   refuse_database(file, "has a frame of a status that there is none of");
 }
 
-}  // namespace
-
-bool SurveyVersions::operator<(const SurveyVersions& o) const {
-  return std::tie(vegard, ceres, eigen, opencv) < std::tie(o.vegard, o.ceres, o.eigen, o.opencv);
-}
-
-std::string SurveyVersions::words() const {
-  return "vegard " + vegard + ", Ceres " + ceres + ", Eigen " + eigen + ", OpenCV " + opencv;
-}
-
 SurveyVersions survey_versions() {
   return {sim::version(), ceres_version(), sim::eigen_version(), opencv_version()};
 }
 
-AnsweredPlan answered_plan(const SurveyPlan& plan) {
-  return {plan.sha256, plan.name, plan.frames(), static_cast<int>(plan.blocks.size()), plan.inputs};
-}
-
-void make_survey_tables(SqliteFile& file) {
-  file.run("PRAGMA application_id = " + std::to_string(kApplication) +
-           "; PRAGMA user_version = " + std::to_string(kTablesFormat));
-  for (const TableOfSurvey& table : kTables) file.run(creation_of(table));
-}
-
+/// Throws sim::Error(unreadable_input) unless the tables are those that this version makes, with or without
+/// the tables of motion.
 void check_survey_tables(const SqliteFile& file) {
   if (file.integer("PRAGMA application_id") != kApplication)
     refuse_database(file, "is no database of a survey");
@@ -164,6 +146,26 @@ void check_survey_tables(const SqliteFile& file) {
   if (i != tables.size() ||
       file.integer("SELECT count(*) FROM sqlite_schema") != static_cast<std::int64_t>(tables.size()))
     refuse_database(file, "has other tables than a survey's");
+}
+
+}  // namespace
+
+bool SurveyVersions::operator<(const SurveyVersions& o) const {
+  return std::tie(vegard, ceres, eigen, opencv) < std::tie(o.vegard, o.ceres, o.eigen, o.opencv);
+}
+
+std::string SurveyVersions::words() const {
+  return "vegard " + vegard + ", Ceres " + ceres + ", Eigen " + eigen + ", OpenCV " + opencv;
+}
+
+AnsweredPlan answered_plan(const SurveyPlan& plan) {
+  return {plan.sha256, plan.name, plan.frames(), static_cast<int>(plan.blocks.size()), plan.inputs};
+}
+
+void make_survey_tables(SqliteFile& file) {
+  file.run("PRAGMA application_id = " + std::to_string(kApplication) +
+           "; PRAGMA user_version = " + std::to_string(kTablesFormat));
+  for (const TableOfSurvey& table : kTables) file.run(creation_of(table));
 }
 
 bool has_motion(const SqliteFile& file) {
@@ -188,37 +190,33 @@ SurveyWriter::SurveyWriter(SqliteFile& file)
       quantity_(file, "INSERT OR IGNORE INTO quantity VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
 
 void SurveyWriter::add_plan(int number, const AnsweredPlan& plan, int first_frame, int first_block) {
-  plan_.bind(0, number).bind(1, plan.sha256).bind(2, plan.name).bind(3, plan.frames).bind(4, plan.blocks);
-  plan_.bind(5, first_frame).bind(6, first_block).run();
-  for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-    input_.bind(0, number)
-        .bind(1, static_cast<std::int64_t>(i) + 1)
-        .bind(2, plan.inputs[i].what)
-        .bind(3, plan.inputs[i].sha256)
-        .run();
+  plan_.bind_all(number, plan.sha256, plan.name, plan.frames, plan.blocks, first_frame, first_block).run();
+  int input_number = 0;
+  for (const PlanInput& input : plan.inputs)
+    input_.bind_all(number, ++input_number, input.what, input.sha256).run();
 }
 
 void SurveyWriter::add_origin(int number, int plan, const SurveyVersions& versions) {
-  origin_.bind(0, number).bind(1, plan).bind(2, versions.vegard).bind(3, versions.ceres);
-  origin_.bind(4, versions.eigen).bind(5, versions.opencv).run();
+  origin_.bind_all(number, plan, versions.vegard, versions.ceres, versions.eigen, versions.opencv).run();
 }
 
 void SurveyWriter::add_block(const AnsweredBlock& block) {
-  block_.bind(0, block.block).bind(1, block.origin).bind(2, block.first_frame).bind(3, block.frames).run();
+  block_.bind_all(block.block, block.origin, block.first_frame, block.frames).run();
 }
 
 void SurveyWriter::add_frame(const FrameAnswer& a) {
-  frame_.bind(0, a.frame).bind(1, a.block).bind(2, a.camera).bind(3, a.file);
-  frame_.bind(4, sim::utc_text(a.time_s)).bind(5, a.time_s).bind(6, frame_status_name(a.status));
-  frame_.bind(7, a.reason).bind(8, a.sha256).bind(9, a.decoding).run();
+  frame_
+      .bind_all(a.frame, a.block, a.camera, a.file, sim::utc_text(a.time_s), a.time_s,
+                frame_status_name(a.status), a.reason, a.sha256, a.decoding)
+      .run();
   for (const WorkAnswer& w : a.works) {
     const char* work = survey_work_name(w.work);
-    result_.bind(0, a.frame).bind(1, work).bind(2, w.verdict).bind(3, w.words).bind(4, w.start);
-    result_.bind(5, w.chi2_per_dof).bind(6, w.seed).bind(7, values_text(w.free_values)).run();
-    for (const SurveyQuantity& q : w.quantities) {
-      quantity_.bind(0, a.frame).bind(1, work).bind(2, q.item).bind(3, q.name).bind(4, q.unit);
-      quantity_.bind(5, q.value).bind(6, q.sigma).bind(7, q.trust).bind(8, q.reason).run();
-    }
+    result_
+        .bind_all(a.frame, work, w.verdict, w.words, w.start, w.chi2_per_dof, w.seed,
+                  values_text(w.free_values))
+        .run();
+    for (const SurveyQuantity& q : w.quantities)
+      quantity_.bind_all(a.frame, work, q.item, q.name, q.unit, q.value, q.sigma, q.trust, q.reason).run();
   }
 }
 
@@ -231,7 +229,7 @@ SurveyReader::SurveyReader(const SqliteFile& file) : file_(file) {
     numbers.push_back(small_number(file, plans, 0));
     AnsweredPlan plan{
         plans.text(1), plans.text(2), small_number(file, plans, 3), small_number(file, plans, 4), {}};
-    inputs.bind(0, numbers.back());
+    inputs.bind_all(numbers.back());
     while (inputs.step()) plan.inputs.push_back({inputs.text(0), inputs.text(1)});
     plans_.push_back(std::move(plan));
   }
@@ -265,7 +263,7 @@ std::vector<AnsweredBlock> SurveyReader::blocks() const {
     if (block.origin < 1 || block.origin > static_cast<int>(origins_.size()) || !is_after ||
         block.frames > std::numeric_limits<int>::max() - block.first_frame)
       refuse_database(file_, "has a block that no plan has");
-    done.bind(0, block.first_frame).bind(1, block.first_frame + block.frames).bind(2, block.block);
+    done.bind_all(block.first_frame, block.first_frame + block.frames, block.block);
     done.step();
     block.done = small_number(file_, done, 0);
     done.reset();
@@ -285,7 +283,7 @@ void SurveyReader::frames(int first, int end,
       file_,
       "SELECT item, name, unit, value, sigma, trust, reason FROM quantity WHERE frame = ? AND "
       "work = ? ORDER BY item, name");
-  frames.bind(0, first).bind(1, end);
+  frames.bind_all(first, end);
   while (frames.step()) {
     FrameAnswer answer;
     answer.frame = small_number(file_, frames, 0);
@@ -298,10 +296,10 @@ void SurveyReader::frames(int first, int end,
     answer.reason = frames.text_or_none(6);
     answer.sha256 = frames.text_or_none(7);
     answer.decoding = frames.text_or_none(8);
-    works.bind(0, answer.frame);
+    works.bind_all(answer.frame);
     while (works.step()) {
       WorkAnswer work = work_of_row(file_, works);
-      quantities.bind(0, answer.frame).bind(1, survey_work_name(work.work));
+      quantities.bind_all(answer.frame, survey_work_name(work.work));
       while (quantities.step())
         work.quantities.push_back({small_number(file_, quantities, 0), quantities.text(1), quantities.text(2),
                                    quantities.number_or_none(3), quantities.number_or_none(4),
@@ -340,7 +338,7 @@ ShardResults::ShardResults(const std::string& file, const SurveyPlan& plan)
 int ShardResults::done(int block) const {
   const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(block));
   SqliteStatement count(file_, "SELECT count(*) FROM frame WHERE frame >= ? AND frame < ?");
-  count.bind(0, planned.first_frame).bind(1, planned.end_frame());
+  count.bind_all(planned.first_frame, planned.end_frame());
   count.step();
   return small_number(file_, count, 0);
 }
@@ -351,7 +349,7 @@ std::optional<WorkAnswer> ShardResults::last_fit(int block) const {
                       std::string(kResultColumns) +
                           "WHERE work = 'fit' AND verdict <> 'refused' AND frame >= ? AND frame < ? ORDER BY "
                           "frame DESC LIMIT 1");
-  row.bind(0, planned.first_frame).bind(1, planned.end_frame());
+  row.bind_all(planned.first_frame, planned.end_frame());
   if (!row.step()) return std::nullopt;
   return work_of_row(file_, row);
 }
@@ -361,7 +359,7 @@ std::vector<ShardResults::Lost> ShardResults::lost(int block) const {
   SqliteStatement rows(file_,
                        "SELECT frame, status, sha256 FROM frame WHERE frame >= ? AND frame < ? AND status IN "
                        "('missing', 'unreadable') ORDER BY frame");
-  rows.bind(0, planned.first_frame).bind(1, planned.end_frame());
+  rows.bind_all(planned.first_frame, planned.end_frame());
   std::vector<Lost> found;
   while (rows.step())
     found.push_back(
@@ -375,11 +373,11 @@ int ShardResults::forget(int block, int from_frame) {
   file_.transaction([&] {
     for (const char* table : {"frame", "result", "quantity"}) {
       SqliteStatement remove(file_, std::string("DELETE FROM ") + table + " WHERE frame >= ? AND frame < ?");
-      remove.bind(0, from_frame).bind(1, end).run();
+      remove.bind_all(from_frame, end).run();
     }
     if (from_frame > planned.first_frame) return;
     SqliteStatement remove(file_, "DELETE FROM block WHERE block = ?");
-    remove.bind(0, block).run();
+    remove.bind_all(block).run();
   });
   return before - done(block);
 }
@@ -415,7 +413,7 @@ std::vector<int> count_by_status(const SqliteFile& file) {
   std::vector<int> counts;
   SqliteStatement count(file, "SELECT count(*) FROM frame WHERE status = ?");
   for (const FrameStatus status : kFrameStatuses) {
-    count.bind(0, frame_status_name(status));
+    count.bind_all(frame_status_name(status));
     count.step();
     counts.push_back(small_number(file, count, 0));
     count.reset();

@@ -22,7 +22,6 @@ struct SurveyVersions {
   bool operator<(const SurveyVersions& o) const;
   std::string words() const;  ///< "vegard 0.1.0, Ceres 2.1.0, …"
 };
-SurveyVersions survey_versions();
 
 /// A plan whose answers are in a database.
 struct AnsweredPlan {
@@ -42,10 +41,6 @@ struct AnsweredBlock {
 
 /// Makes the tables in an empty database.
 void make_survey_tables(SqliteFile& file);
-
-/// Throws sim::Error(unreadable_input) unless the tables are those that this version makes, with or without
-/// the tables of motion.
-void check_survey_tables(const SqliteFile& file);
 
 /// Test for, make and remove the tables of motion (fit/survey/survey_motion.h).
 bool has_motion(const SqliteFile& file);

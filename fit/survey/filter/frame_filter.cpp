@@ -53,7 +53,7 @@ FrameFilter::FrameFilter(const sim::Scene& scene, const std::string& mask, const
       trees_(text_of_trees(trees), trees.empty() ? kBuiltIn : trees),
       sha256_(sim::sha256(text_of_trees(trees))) {}
 
-FilterFinding FrameFilter::look(const Photo& photo, const sim::Scene& scene, double utc_s) const {
+FilterFinding FrameFilter::classify(const Photo& photo, const sim::Scene& scene, double utc_s) const {
   FilterFinding found;
   found.features = frame_features(photo, scene, cells_, utc_s);
   found.scores = trees_.scores(found.features);

@@ -64,7 +64,7 @@ class FrameFilter {
 
   /// Classifies a photograph in the pixels of its file, to which the mask is not applied, with the scene's
   /// site and camera. Throws as frame_features() does.
-  FilterFinding look(const Photo& photo, const sim::Scene& scene, double utc_s) const;
+  FilterFinding classify(const Photo& photo, const sim::Scene& scene, double utc_s) const;
 
   /// SHA-256 of the trees.
   const std::string& sha256() const { return sha256_; }
