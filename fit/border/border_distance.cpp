@@ -37,6 +37,14 @@ double elevation_of_place_deg(double ground_distance_km, double site_altitude_m,
   return std::atan2(shell * std::cos(angle) - observer, shell * std::sin(angle)) / sim::kRadiansPerDegree;
 }
 
+double latitude_of_place_deg(const sim::Site& site, double azimuth_deg, double ground_distance_km) {
+  const double angle = ground_distance_km / sim::kEarthRadiusKm;
+  const double latitude = site.latitude_deg * sim::kRadiansPerDegree;
+  const double sine = std::sin(latitude) * std::cos(angle) +
+                      std::cos(latitude) * std::sin(angle) * std::cos(azimuth_deg * sim::kRadiansPerDegree);
+  return std::asin(std::clamp(sine, -1.0, 1.0)) / sim::kRadiansPerDegree;
+}
+
 BorderPlace border_place(const sim::Site& site, double azimuth_deg, double apparent_elevation_deg,
                          double elevation_error_deg, double altitude_km) {
   const auto distance = [&](double apparent) {
@@ -52,9 +60,7 @@ BorderPlace border_place(const sim::Site& site, double azimuth_deg, double appar
   const double angle = place.distance_km / sim::kEarthRadiusKm;
   const double latitude = site.latitude_deg * sim::kRadiansPerDegree;
   const double azimuth = azimuth_deg * sim::kRadiansPerDegree;
-  const double sine =
-      std::sin(latitude) * std::cos(angle) + std::cos(latitude) * std::sin(angle) * std::cos(azimuth);
-  place.latitude_deg = std::asin(std::clamp(sine, -1.0, 1.0)) / sim::kRadiansPerDegree;
+  place.latitude_deg = latitude_of_place_deg(site, azimuth_deg, place.distance_km);
   const double east = std::atan2(
       std::sin(angle) * std::sin(azimuth),
       std::cos(latitude) * std::cos(angle) - std::sin(latitude) * std::sin(angle) * std::cos(azimuth));

@@ -32,4 +32,7 @@ double ground_distance_km(double true_elevation_deg, double site_altitude_m, dou
 /// The inverse: returns the true elevation of a point at this distance and altitude.
 double elevation_of_place_deg(double ground_distance_km, double site_altitude_m, double altitude_km);
 
+/// Returns the latitude at this distance along the ground.
+double latitude_of_place_deg(const sim::Site& site, double azimuth_deg, double ground_distance_km);
+
 }  // namespace vegard::fit

@@ -46,15 +46,6 @@ void add_failure(const std::string& reason, const FrameAnswer& answer, Failures&
 
 bool is_believed(const WorkAnswer& work) { return work.verdict == "good" || work.verdict == "doubtful"; }
 
-/// Of a curtain so far away in this direction, on the sphere that fit/border/border_distance.h has.
-double latitude_at(const sim::Site& site, double distance_km, double azimuth_deg) {
-  constexpr double kSphere_km = 6371.0;
-  const double arc = distance_km / kSphere_km, latitude = sim::kRadiansPerDegree * site.latitude_deg;
-  return std::asin(std::sin(latitude) * std::cos(arc) +
-                   std::cos(latitude) * std::sin(arc) * std::cos(sim::kRadiansPerDegree * azimuth_deg)) /
-         sim::kRadiansPerDegree;
-}
-
 class NightReading {
  public:
   NightReading(NightDigest& digest, const SiteOfBlock& site) : digest_(digest), site_(site) {}
@@ -117,7 +108,8 @@ class NightReading {
     // One latitude a frame: the border's goes first, as its work does.
     if (site != nullptr && azimuth != first.end() && distance != first.end() &&
         (digest_.latitudes.empty() || digest_.latitudes.back().time_s != answer.time_s))
-      digest_.latitudes.push_back({answer.time_s, latitude_at(*site, distance->second, azimuth->second)});
+      digest_.latitudes.push_back(
+          {answer.time_s, latitude_of_place_deg(*site, azimuth->second, distance->second)});
   }
 
   NightDigest& digest_;
@@ -165,7 +157,7 @@ void add_motion(const SqliteFile& database, const CameraNight& night, NightDiges
       "ON q.frame = f.frame AND q.work = f.work AND q.item = f.item AND q.name = f.name WHERE "
       "f.frame >= ? AND f.frame < ? ORDER BY f.frame, f.work, f.item, f.name");
   for (const FrameRange& range : night.ranges) {
-    rows.bind(0, range.first).bind(1, range.end);
+    rows.bind_all(range.first, range.end);
     while (rows.step()) {
       const std::optional<SurveyWork> work = survey_work_of(rows.text(1));
       SurveyQuantity quantity;
@@ -179,7 +171,7 @@ void add_motion(const SqliteFile& database, const CameraNight& night, NightDiges
       of.unit = rows.text(6);
       of.points.push_back({rows.number(0), rows.number(4), rows.number(5), rows.text(7) == "good"});
     }
-    jumps.bind(0, range.first).bind(1, range.end);
+    jumps.bind_all(range.first, range.end);
     while (jumps.step())
       digest.jumps.push_back({jumps.text(0), jumps.text(1), jumps.number(2), jumps.number(3)});
   }

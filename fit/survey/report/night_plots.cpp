@@ -12,9 +12,9 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kMaxMarks = 400, kMaxDots = 1500;
+constexpr int kMaxMarks = 400, kMaxEnergyDots = 1500;
 constexpr double kNightTickDistance_px = 75.0;
-constexpr Colour kDoubtfulInk{176, 184, 194}, kStripGround{238, 241, 245}, kStripTold{96, 178, 152},
+constexpr Colour kDoubtfulInk{176, 184, 194}, kStripGround{238, 241, 245}, kStripMeasured{96, 178, 152},
     kStripEnergy{196, 84, 10}, kBarText{95, 95, 95}, kBarAxis{150, 150, 150};
 
 struct KindWords {
@@ -53,13 +53,18 @@ void set_log_ticks(Axis& axis) {
     }
 }
 
-/// Numbers that were left out of the smoothed track, or begin a new one.
+Series point_series(const std::string& label, Colour colour, double width_px) {
+  Series series;
+  series.label = label;
+  series.colour = colour;
+  series.mark = Mark::points;
+  series.width_px = width_px;
+  return series;
+}
+
+/// Returns the numbers that were left out of the smoothed track, or that begin a new one.
 Series jumps_of(const NightDigest& digest, const FollowedSeries& of) {
-  Series jumped;
-  jumped.label = "jumps";
-  jumped.colour = {200, 20, 60};
-  jumped.mark = Mark::points;
-  jumped.width_px = 6.0;
+  Series jumped = point_series("jumps", {200, 20, 60}, 6.0);
   if (of.kind == FollowedKind::velocity) return jumped;
   for (const JumpedNumber& one : digest.jumps) {
     if (one.name != of.name || static_cast<int>(jumped.x.size()) >= kMaxMarks) continue;
@@ -75,21 +80,25 @@ std::string label_of_series(const FollowedSeries& series) {
          series.name;
 }
 
-Plot energy_frame(const std::string& title) {
+Plot one_panel(const std::string& title, const char* x_label, const char* y_label) {
   Plot plot;
   plot.panels.emplace_back();
-  Panel& panel = plot.panels.back();
-  panel.title = title;
-  panel.x.label = "mean electron energy (keV)";
-  panel.y.label = "energy flux (mW m\u207b\u00b2)";
-  set_log_ticks(panel.x);
-  set_log_ticks(panel.y);
+  plot.panels[0].title = title;
+  plot.panels[0].x.label = x_label;
+  plot.panels[0].y.label = y_label;
   plot.panel_width_px = 400;
   plot.panel_height_px = 340;
   return plot;
 }
 
-/// White to deep blue by the square root of the count.
+Plot energy_frame(const std::string& title) {
+  Plot plot = one_panel(title, "mean electron energy (keV)", "energy flux (mW m\u207b\u00b2)");
+  set_log_ticks(plot.panels[0].x);
+  set_log_ticks(plot.panels[0].y);
+  return plot;
+}
+
+/// Returns a colour from white to deep blue, by the square root of the count.
 Colour count_ink(int count, int most) {
   const double x = std::sqrt(static_cast<double>(count) / std::max(1, most));
   const auto mix = [&](double from, double to) {
@@ -193,16 +202,8 @@ std::vector<FollowedPoint> thinned(const std::vector<FollowedPoint>& points, con
 
 std::vector<Series> series_of(const FollowedSeries& followed, const ShownSpan& span, const std::string& name,
                               Colour ink) {
-  Series doubtful, good;
-  doubtful.label = "doubtful";
-  doubtful.colour = kDoubtfulInk;
-  good.label = name;
-  good.colour = ink;
-  for (Series* series : {&doubtful, &good}) {
-    series->mark = Mark::points;
-    series->width_px = 4.0;
-    series->error_bars = true;
-  }
+  Series doubtful = point_series("doubtful", kDoubtfulInk, 4.0), good = point_series(name, ink, 4.0);
+  doubtful.error_bars = good.error_bars = true;
   for (const FollowedPoint& point : thinned(followed.points, span, kMaxMarks)) {
     Series& to = point.is_good ? good : doubtful;
     to.x.push_back(point.time_s);
@@ -253,14 +254,9 @@ Plot night_curves(const NightDigest& digest, const ShownSpan& span) {
 Plot energy_plot(const std::vector<EnergyAndFlux>& energies) {
   if (energies.empty()) return {};
   Plot plot = energy_frame("");
-  Series good, doubtful;
-  good.label = "good";
-  good.colour = verdict_ink("good");
-  doubtful.label = "doubtful";
-  doubtful.colour = kDoubtfulInk;
-  good.mark = doubtful.mark = Mark::points;
-  good.width_px = doubtful.width_px = 3.0;
-  const std::size_t step = (energies.size() + kMaxDots - 1) / kMaxDots;
+  Series good = point_series("good", verdict_ink("good"), 3.0),
+         doubtful = point_series("doubtful", kDoubtfulInk, 3.0);
+  const std::size_t step = (energies.size() + kMaxEnergyDots - 1) / kMaxEnergyDots;
   for (std::size_t i = 0; i < energies.size(); i += step) {
     Series& to = energies[i].is_good ? good : doubtful;
     to.x.push_back(std::log10(energies[i].energy_kev));
@@ -294,14 +290,8 @@ void LatitudeCells::add(const LatitudeAtTime& place) {
 
 Plot LatitudeCells::plot(int first_hour) const {
   if (cells_.empty()) return {};
-  Plot plot;
-  plot.panel_width_px = 400;
-  plot.panel_height_px = 340;
-  plot.panels.emplace_back();
-  Panel& panel = plot.panels.back();
-  panel.title = "Frames by hour and latitude";
-  panel.x.label = "hour (UTC)";
-  panel.y.label = "latitude (\u00b0)";
+  Plot plot = one_panel("Frames by hour and latitude", "hour (UTC)", "latitude (\u00b0)");
+  Panel& panel = plot.panels[0];
   std::map<std::pair<int, int>, int> turned;
   constexpr int kHalfHours = 48;
   for (const auto& [cell, count] : cells_)
@@ -404,10 +394,10 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
   });
 }
 
-NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, double begin_s) {
+NightMinutes night_minutes(const std::vector<const NightDigest*>& cameras, double begin_s) {
   constexpr int kMinutes = 24 * 60;
   constexpr double kSeconds = 60.0;
-  NightInSmall night{std::vector<int>(kMinutes, 0), std::vector<int>(kMinutes, 0),
+  NightMinutes night{std::vector<int>(kMinutes, 0), std::vector<int>(kMinutes, 0),
                      std::vector<double>(kMinutes, sim::kNaN)};
   const auto minute_of = [&](double time_s) {
     return static_cast<std::size_t>(
@@ -419,7 +409,7 @@ NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, doub
       night.frames[minute_of(static_cast<double>(minute) * kSeconds)] += count;
     const std::vector<FollowedPoint> borders = points_of(*camera, FollowedKind::border);
     for (const FollowedPoint& p : borders.empty() ? points_of(*camera, FollowedKind::distance) : borders)
-      ++night.told[minute_of(p.time_s)];
+      ++night.measured[minute_of(p.time_s)];
     for (const FollowedPoint& p : points_of(*camera, FollowedKind::energy))
       energies[minute_of(p.time_s)].push_back(p.value);
   }
@@ -427,7 +417,7 @@ NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, doub
   return night;
 }
 
-void StripScales::add(const NightInSmall& night) {
+void StripScales::add(const NightMinutes& night) {
   std::vector<double> energies;
   most_filled = std::max(most_filled, static_cast<int>(std::count_if(night.frames.begin(), night.frames.end(),
                                                                      [](int f) { return f > 0; })));
@@ -443,14 +433,14 @@ void StripScales::add(const NightInSmall& night) {
   max_kev = std::max(max_kev, share_of_numbers(energies, 0.98));
 }
 
-std::string night_strip(const NightInSmall& night, const StripScales& scales) {
+std::string night_strip(const NightMinutes& night, const StripScales& scales) {
   constexpr int kMaxStretches = 128, kMinStretches = 8;
   constexpr double kWidth = 384, kHeight = 40, kEdge = 3;
   const int minutes = std::max(1, scales.end_minute - scales.first_minute);
   // As wide as to have frames in each, also of cameras that take one every few minutes.
   const int stretches = std::min(minutes, std::clamp(scales.most_filled / 2, kMinStretches, kMaxStretches));
   struct Stretch {
-    int frames = 0, told = 0;
+    int frames = 0, measured = 0;
     std::vector<double> energies;
   };
   std::vector<Stretch> all(static_cast<std::size_t>(stretches));
@@ -458,7 +448,7 @@ std::string night_strip(const NightInSmall& night, const StripScales& scales) {
     Stretch& s = all[static_cast<std::size_t>(static_cast<std::int64_t>(m) * stretches / minutes)];
     const auto at = static_cast<std::size_t>(scales.first_minute + m);
     s.frames += night.frames.at(at);
-    s.told += night.told[at];
+    s.measured += night.measured[at];
     if (std::isfinite(night.energy_kev[at])) s.energies.push_back(night.energy_kev[at]);
   }
   return drawn_svg("the night in small", {kWidth, kHeight}, [&](PlotCanvas& canvas) {
@@ -479,7 +469,8 @@ std::string night_strip(const NightInSmall& night, const StripScales& scales) {
       }
     };
     boxes([&](const Stretch& s) { return s.frames > 0 ? kHeight : 0.0; }, kStripGround);
-    boxes([&](const Stretch& s) { return s.told == 0 ? 0.0 : kHeight * s.told / s.frames; }, kStripTold);
+    boxes([&](const Stretch& s) { return s.measured == 0 ? 0.0 : kHeight * s.measured / s.frames; },
+          kStripMeasured);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const double kev = share_of_numbers(all[i].energies, 0.5);
       if (kev > 0.0) {

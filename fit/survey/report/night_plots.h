@@ -73,21 +73,21 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
                          int first_hour);
 
 /// A night minute by minute since its beginning, for a thumbnail.
-struct NightInSmall {
-  std::vector<int> frames, told;   ///< number of frames; number of those with a border or a curtain
-  std::vector<double> energy_kev;  ///< median; NaN where there is none
+struct NightMinutes {
+  std::vector<int> frames, measured;  ///< number of frames; number of those with a border or a curtain
+  std::vector<double> energy_kev;     ///< median; NaN where there is none
 };
-NightInSmall night_in_small(const std::vector<const NightDigest*>& cameras, double begin_s);
+NightMinutes night_minutes(const std::vector<const NightDigest*>& cameras, double begin_s);
 
 /// The common scales of all thumbnails of a list: minutes [first, end), limits of energy.
 struct StripScales {
   int first_minute = 24 * 60, end_minute = 0;
   int most_filled = 0;  ///< minutes with frames, of the night that has most
   double min_kev = 1e9, max_kev = 0.0;
-  void add(const NightInSmall& night);
+  void add(const NightMinutes& night);
 };
 
 /// Returns the thumbnail (SVG, without text): the share of frames with an answer, and the energy over it.
-std::string night_strip(const NightInSmall& night, const StripScales& scales);
+std::string night_strip(const NightMinutes& night, const StripScales& scales);
 
 }  // namespace vegard::fit

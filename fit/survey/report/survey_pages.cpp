@@ -156,7 +156,17 @@ std::string failure_table(const Failures& failures, const FrameLink& link) {
 
 std::string shown_plot(const Plot& plot) { return plot.panels.empty() ? "" : plot_svg(plot); }
 
-/// The sentence about a camera's numbers: what lies in the middle of them.
+/// Returns median and percentiles of a quantity: "4.3 keV (16 to 84 % of frames: 3.1 to 6.0)".
+std::string spread_words(const std::vector<FollowedPoint>& points, const std::string& unit) {
+  std::vector<double> values;
+  for (const FollowedPoint& point : points) values.push_back(point.value);
+  if (values.empty()) return {};
+  const auto number = [&](double share) { return sim::short_number(share_of_numbers(values, share), 3); };
+  return number(0.5) + "\u00a0" + unit + " (16 to 84\u00a0% of frames: " + number(0.16) + " to " +
+         number(0.84) + ")";
+}
+
+/// Returns the sentence about a camera's numbers, which tells their middle half.
 std::string numbers_sentence(const NightDigest& digest) {
   std::string text;
   const auto add = [&](FollowedKind kind, const std::string& noun, const std::string& unit) {
@@ -207,15 +217,6 @@ std::string flux_words(bool is_measured, const std::string& why_none) {
 }  // namespace
 
 std::string night_file_name(const std::string& night) { return "night-" + night + ".html"; }
-
-std::string spread_words(const std::vector<FollowedPoint>& points, const std::string& unit) {
-  std::vector<double> values;
-  for (const FollowedPoint& point : points) values.push_back(point.value);
-  if (values.empty()) return {};
-  const auto number = [&](double share) { return sim::short_number(share_of_numbers(values, share), 3); };
-  return number(0.5) + "\u00a0" + unit + " (16 to 84\u00a0% of frames: " + number(0.16) + " to " +
-         number(0.84) + ")";
-}
 
 std::string night_page(const SurveyFacts& facts, const ShownNight& night, const FrameLink& link) {
   int frames = 0;

@@ -68,7 +68,4 @@ struct SurveySum {
 
 std::string survey_page(const SurveyFacts& facts, const SurveySum& sum, const FrameLink& link);
 
-/// Returns median and percentiles of a quantity: "4.3 keV (16 to 84 % of frames: 3.1 to 6.0)".
-std::string spread_words(const std::vector<FollowedPoint>& points, const std::string& unit);
-
 }  // namespace vegard::fit

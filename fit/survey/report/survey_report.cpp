@@ -146,7 +146,7 @@ SurveyReport write_survey_report(const SqliteFile& database, const std::string& 
   const SiteOfBlock site_of = [&](int block) { return sites.of(block); };
   SurveyReport report;
   SurveySum sum;
-  std::vector<NightInSmall> in_small;
+  std::vector<NightMinutes> minutes_of_nights;
   StripScales scales;
   for (std::size_t n = 0; n < nights.nights.size(); ++n) {
     const SurveyNight& night = nights.nights[n];
@@ -190,11 +190,12 @@ SurveyReport write_survey_report(const SqliteFile& database, const std::string& 
     sum.nights.push_back(row_of_night(shown));
     std::vector<const NightDigest*> digests;
     for (const ShownCamera& camera : shown.cameras) digests.push_back(&camera.digest);
-    in_small.push_back(night_in_small(digests, night.begin_s));
-    scales.add(in_small.back());
+    minutes_of_nights.push_back(night_minutes(digests, night.begin_s));
+    scales.add(minutes_of_nights.back());
     if (options.progress) options.progress(static_cast<double>(n + 1) / nights.nights.size());
   }
-  for (std::size_t n = 0; n < in_small.size(); ++n) sum.nights[n].strip = night_strip(in_small[n], scales);
+  for (std::size_t n = 0; n < minutes_of_nights.size(); ++n)
+    sum.nights[n].strip = night_strip(minutes_of_nights[n], scales);
   sim::write_whole(whole.file(kIndex), survey_page(facts, sum, link));
   whole.commit();
   report.nights = static_cast<int>(nights.nights.size());
