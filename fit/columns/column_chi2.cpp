@@ -1,5 +1,6 @@
 #include "fit/columns/column_chi2.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +15,8 @@ constexpr int kMaxDescentSteps = 100;
 constexpr double kSettledStep = 1e-9, kSettledFall = 1e-11;
 constexpr double kFirstDamping = 1e-4, kMaxDamping = 1e10;
 constexpr ColumnPoint kLongestStep = {0.7, 2.0, 0.5};
-constexpr double kSameValley = 0.02;  // of ln(energy) and ln(oxygen)
-constexpr double kAtLimit = 1e-9;     // of an unknown, where it counts as being at its limit
+constexpr double kSameValley = 0.02;     // of ln(energy) and ln(oxygen)
+constexpr double kAtColumnLimit = 1e-9;  // of an unknown, where it counts as being at its limit
 
 struct ColumnGradient {
   double chi2 = 0.0;
@@ -44,8 +45,8 @@ ColumnFreedom held_unknowns(const ColumnModel& model, const ColumnPoint& point, 
   ColumnFreedom is_held{};
   for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    is_held[k] = !free[k] || (point[k] <= model.least(k) + kAtLimit && slope(i) >= 0.0) ||
-                 (point[k] >= model.most(k) - kAtLimit && slope(i) <= 0.0);
+    is_held[k] = !free[k] || (point[k] <= model.least(k) + kAtColumnLimit && slope(i) >= 0.0) ||
+                 (point[k] >= model.most(k) - kAtColumnLimit && slope(i) <= 0.0);
   }
   return is_held;
 }

@@ -6,7 +6,7 @@
 // Marquardt 1963) lead to a minimum of chi2 inside the limits of the tables.
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <vector>
