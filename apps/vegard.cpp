@@ -35,48 +35,10 @@ int report(const std::string& message, int exit_code) {
 
 int run(int argc, char** argv) {
   apps::Program program("vegard", "Simulates aurorae and fits them to photographs.", versions, argc, argv);
-  program.begin_group("From a photograph to numbers");
-  apps::add_measure_command(program);
-  apps::add_fit_command(program);
-  apps::add_compare_command(program);
-  apps::add_map_command(program);
-  apps::add_border_command(program);
-  apps::add_profile_command(program);
-  apps::add_keogram_command(program);
-  apps::add_sequence_command(program);
-  apps::add_survey_command(program);
-  program.begin_group("Cameras and pictures");
-  apps::add_describe_command(program);
-  apps::add_calibrate_command(program);
-  apps::add_horizon_command(program);
-  apps::add_directions_command(program);
-  apps::add_mask_command(program);
-  apps::add_linearise_command(program);
-  apps::add_photometry_command(program);
-  program.begin_group("Render a scene");
-  apps::add_render_command(program);
-  apps::add_animate_command(program);
-  apps::add_preview_command(program);
-  apps::add_brightness_command(program);
-  apps::add_points_command(program);
-  apps::add_volume_command(program);
-  apps::add_grid_command(program);
-  apps::add_slices_command(program);
-  apps::add_sdf_command(program);
-  program.begin_group("Electrons, air and lines");
-  apps::add_invert_command(program);
-  apps::add_electrons_command(program);
-  apps::add_atmosphere_command(program);
-  apps::add_tables_command(program);
-  apps::add_lines_command(program);
-  apps::add_bodies_command(program);
-  program.begin_group("Files for other programs");
-  apps::add_to_netcdf_command(program);
-  apps::add_to_gemini_command(program);
-  apps::add_to_lompe_command(program);
-  program.begin_group("Reference");
-  apps::add_params_command(program);
-  apps::add_manual_command(program);
+  for (const apps::CommandGroup& group : apps::command_groups()) {
+    program.begin_group(group.title);
+    for (apps::AddCommand* const add : group.commands) add(program);
+  }
   const int exit_code = program.run();
   return exit_code == apps::interrupted ? apps::exit_code_of_interruption() : exit_code;
 }

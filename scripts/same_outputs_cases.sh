@@ -10,12 +10,13 @@ photo=inputs/examples/h000/photo.jpg
 all_of() { ! $quick; }
 
 # --- Words ---------------------------------------------------------------------------------------------------------------------------
-for command in animate atmosphere bodies brightness calibrate compare describe directions electrons fit grid horizon invert keogram linearise lines manual mask params photometry \
-  points preview profile render sdf sequence slices to-gemini to-lompe to-netcdf volume; do
+run help --help
+mapfile -t commands < <(sed -n '/^Exit codes:/q; s/^  \([a-z][a-z-]*\) .*/\1/p' logs/help.stdout)
+((${#commands[@]} > 30)) || refuse "the help has ${#commands[@]} subcommands"
+for command in "${commands[@]}"; do
   all_of || [[ $command == fit || $command == render ]] || continue
   run "help_$command" "$command" --help
 done
-run help --help
 run params params
 run params_page params --markdown
 run params_forms params --forms
