@@ -111,7 +111,8 @@ std::optional<std::string> other_file_text(const std::string& path) {
   } else if (constexpr std::string_view kFits = "SIMPLE  =";
              sim::read_beginning(path, kFits.size()).bytes == kFits) {
     text = fits_text(path);
-  } else if (sim::array_format_of(path) == sim::ArrayFormat::hdf5) {
+  } else if (const sim::ArrayFormat* const format = sim::array_format_of(path);
+             format != nullptr && format->open == sim::open_hdf5) {
     const std::unique_ptr<sim::ArrayFile> file = sim::open_array_file(path);
     const auto words = file->words().find("");
     if (words != file->words().end() && word_of(words->second, "Conventions").compare(0, 3, "CF-") == 0)

@@ -145,7 +145,7 @@ SkyMapFile read_planes(const std::string& file) {
 }
 
 SkyMapFile read_as_stored(const std::string& file) {
-  if (sim::array_format_of(file) != sim::ArrayFormat::none) return read_arrays(file);
+  if (sim::array_format_of(file) != nullptr) return read_arrays(file);
   constexpr std::string_view kFits = "SIMPLE  =";
   if (sim::read_beginning(file, kFits.size()).bytes == kFits) return read_planes(file);
   return {read_direction_map(file, file), {}, {}};
@@ -170,7 +170,7 @@ SkyMapFile read_sky_map(const std::string& file, const SkyMapFlip& flip) {
 }
 
 bool has_sky_map(const std::string& file) {
-  if (sim::array_format_of(file) == sim::ArrayFormat::none) return false;
+  if (sim::array_format_of(file) == nullptr) return false;
   try {
     const std::unique_ptr<sim::ArrayFile> arrays = sim::open_array_file(file);
     return plane_of(angles_of(*arrays, kAzimuthNames)) == plane_of(angles_of(*arrays, kElevationNames));

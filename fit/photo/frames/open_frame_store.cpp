@@ -14,9 +14,8 @@ constexpr std::size_t kBeginning = 1024;
 enum class StoreKind { none, arrays, tar };
 
 StoreKind kind_of_beginning(std::string_view beginning) {
-  const sim::ArrayFormat format = sim::array_format(beginning);
-  // IDL's saves hold maps of directions, no pictures (fit/photo/sky_map_file.h).
-  if (format != sim::ArrayFormat::none && format != sim::ArrayFormat::idl_save) return StoreKind::arrays;
+  const sim::ArrayFormat* const format = sim::array_format(beginning);
+  if (format != nullptr && format->has_pictures) return StoreKind::arrays;
   return sim::is_tar(beginning) ? StoreKind::tar : StoreKind::none;
 }
 

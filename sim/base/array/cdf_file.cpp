@@ -1,4 +1,13 @@
-#include "sim/base/array/cdf_file.h"
+// Reads NASA's CDF files of version 3, as far as files of ground-based imagers use them (hourly images of
+// THEMIS and REGO and their maps of directions): numeric variables (integers, floats, CDF_EPOCH and TT2000)
+// of either kind (r and z), row-major or column-major, in blocks that are uncompressed, or compressed by gzip
+// or run lengths of zeros; also files compressed by gzip as a whole. Attributes are ignored.
+//
+// The format: CDF Internal Format Description, version 3 (NASA's Space Physics Data Facility).
+//
+// Files of version 2, multi-file CDFs and VAX numbers are refused; variables with another compression are
+// refused when they are read.
+#include "sim/base/array/array_format.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,9 @@
-#include "sim/base/array/hdf5_file.h"
+// Reads HDF5 files, also those of MATLAB 7.3. Only hdf5_file.cpp includes the library, which runs in a
+// separate process (sim/base/file/child_worker.h) because it crashes on damaged files.
+//
+// It reads datasets of integers, floats and texts, of any layout inside of the file, with the filters of the
+// library (deflate, shuffle, checksums). Links to other files, and data in other files, are not followed.
+#include "sim/base/array/array_format.h"
 
 #include <hdf5.h>
 
@@ -309,6 +314,14 @@ class Hdf5File : public ArrayFile {
 };
 
 }  // namespace
+
+bool is_hdf5(std::string_view beginning) {
+  constexpr std::string_view kHdf5("\x89HDF\r\n\x1a\n", 8);
+  // MATLAB's files of version 7.3 are HDF5 behind a header of 512 bytes.
+  constexpr std::size_t kUserBlock = 512;
+  return beginning.substr(0, kHdf5.size()) == kHdf5 ||
+         (beginning.size() >= kUserBlock && beginning.substr(kUserBlock, kHdf5.size()) == kHdf5);
+}
 
 std::unique_ptr<ArrayFile> open_hdf5(const std::string& name, std::string_view bytes) {
   return guarded(name, "HDF5", "HDF5", [name, bytes]() -> std::unique_ptr<ArrayFile> {

@@ -1,4 +1,13 @@
-#include "sim/base/array/idl_save.h"
+// Reads IDL save files (.sav), as far as the maps of directions of THEMIS, REGO and TREx use them: variables
+// that are numbers, texts, arrays of numbers, or structures with one element of these
+// ("skymap/full_azimuth"), with records that are uncompressed or compressed by zlib.
+//
+// The format is that of "Unofficial Format Specification for the IDL SAVE File" (C. Markwardt): records in
+// XDR. Records of other kinds (routines, system variables, heap variables) and variables of other types are
+// skipped; variables with an invalid description are refused.
+//
+// Texts become attributes of their structure.
+#include "sim/base/array/array_format.h"
 
 #include <algorithm>
 #include <deque>
@@ -312,6 +321,11 @@ class IdlSave : public ArrayFile {
 };
 
 }  // namespace
+
+bool is_idl_save(std::string_view beginning) {
+  const std::string_view start = beginning.substr(0, 4);
+  return start == std::string_view("SR\0\4", 4) || start == std::string_view("SR\0\6", 4);
+}
 
 std::unique_ptr<ArrayFile> open_idl_save(const std::string& name, std::string_view bytes) {
   return std::make_unique<IdlSave>(name, bytes);

@@ -1,4 +1,8 @@
-#include "sim/base/array/mat_file.h"
+// Reads MATLAB files of version 5 (also called 6 and 7; those of 7.3 are HDF5) with libmatio. Only
+// mat_file.cpp includes the library, which runs in a separate process (sim/base/file/child_worker.h).
+//
+// It reads arrays of real numbers, also in structures with one element, such as "skymap/full_azimuth".
+#include "sim/base/array/array_format.h"
 
 #include <matio.h>
 #include <sys/mman.h>
@@ -207,6 +211,11 @@ class MatFile : public ArrayFile {
 };
 
 }  // namespace
+
+bool is_mat(std::string_view beginning) {
+  constexpr std::string_view kMat = "MATLAB 5.0 MAT-file";
+  return beginning.substr(0, kMat.size()) == kMat;
+}
 
 std::unique_ptr<ArrayFile> open_mat(const std::string& name, std::string_view bytes) {
   return guarded(name, "MATLAB", "the reader of MATLAB files", [name, bytes]() -> std::unique_ptr<ArrayFile> {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "sim/base/array/array_format.h"
-#include "sim/base/array/cdf_file.h"
 #include "sim/base/error.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/source_folder.h"
@@ -163,7 +162,7 @@ TEST(ArrayFile, GivesOneMessageForWhatIsCutShort) {
     int cuts = 0, refused = 0;
     for (int part = 1; part < cut.parts; ++part) {
       const std::string bytes = whole.substr(0, whole.size() * part / cut.parts);
-      if (array_format(bytes) == ArrayFormat::none) continue;  // too little to be known for what it was
+      if (array_format(bytes) == nullptr) continue;  // too little to be known for what it was
       for (const tests::TemporaryFolder* where : places) {
         ++cuts;
         refused += is_refused(bytes, std::string("cut_") + cut.name, sound, where) ? 1 : 0;
