@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <future>
 
-#include "fit/photo/codec/image_walk.h"
 #include "fit/photo/codec/jpeg_rows.h"
-#include "fit/photo/codec/picture_codes.h"
+#include "fit/photo/codec/picture_format.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/image.h"
 #include "sim/view/sensor/sensor.h"
@@ -109,7 +108,7 @@ PictureCodes head_of(const ImageFile& image, int channels) {
   head.height = static_cast<int>(turned ? image.width : image.height);
   head.channels = channels;
   head.block_error = image.block_error;
-  head.kind = kind_by_opencv(image);
+  head.kind = kind_of_codes(image);
   return head;
 }
 
@@ -163,7 +162,7 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
   if (averaging.any() && decoding.unknowns == 0 && decoding.kind != Decoding::Kind::sensor) {
     image = inspect_image_file(bytes, file);
     const bool turned = image.orientation >= 5;
-    if (image.format == ImageFormat::jpeg && (turned ? image.height : image.width) == averaging.from.width &&
+    if (image.format->walk == walk_jpeg && (turned ? image.height : image.width) == averaging.from.width &&
         (turned ? image.width : image.height) == averaging.from.height)
       jpeg = std::make_unique<JpegRows>(bytes, file);
     // What the walk and libjpeg do not see alike is left to the other decoder, which is asked for its size.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "fit/photo/codec/picture_format.h"
+
 namespace vegard::fit {
 
 const char* survey_work_name(SurveyWork work) {
@@ -22,10 +24,12 @@ std::string Survey::place(const std::string& name) const {
 }
 
 const std::vector<std::string>& picture_endings() {
-  static const std::vector<std::string> endings = {".jpg", ".jpeg",    ".png",    ".tif",  ".tiff", ".pgm",
-                                                   ".ppm", ".pgm.gz",  ".ppm.gz", ".exr",  ".fits", ".fit",
-                                                   ".fts", ".fits.gz", ".fit.gz", ".heic", ".heif", ".dng",
-                                                   ".nef", ".cr2",     ".cr3",    ".arw",  ".raf",  ".rw2"};
+  static const std::vector<std::string> endings = [] {
+    std::vector<std::string> all;
+    for (const PictureFormat& format : picture_formats())
+      all.insert(all.end(), format.endings.begin(), format.endings.end());
+    return all;
+  }();
   return endings;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/direction_map_file.h"
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo.h"

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "fit/photo/codec/picture_codes.h"
+#include "fit/photo/codec/picture_format.h"
 #include "sim/base/error.h"
 
 namespace vegard::fit {
@@ -43,7 +43,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   // OpenCV turns a TIFF by all eight orientations whatever the flags, and with IMREAD_COLOR fails on grey
   // floats; of the others it misses the orientation at times (fit/photo/codec/image_file.h), so that is done
   // here.
-  const bool tiff = image.format == ImageFormat::tiff;
+  const bool tiff = image.format->walk == walk_tiff;
   const int flags = tiff ? static_cast<int>(cv::IMREAD_UNCHANGED)
                          : cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION;
   cv::Mat codes;
@@ -68,7 +68,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
     codes.release();
   }
   if (codes.empty())
-    refuse_image(file, "the image cannot be decoded", std::string("a sound ") + format_name(image.format),
+    refuse_image(file, "the image cannot be decoded", std::string("a sound ") + image.format->name,
                  "open it in an image viewer and save it again");
   const bool turned = image.orientation >= 5;
   const int depth = image.floating ? CV_32F : image.bits == 16 ? CV_16U : CV_8U;
@@ -102,10 +102,6 @@ void take_codes(const cv::Mat& mat, PictureCodes& codes) {
 
 }  // namespace
 
-std::string kind_by_opencv(const ImageFile& image) {
-  return std::to_string(image.bits) + (image.floating ? "-bit float " : "-bit ") + format_name(image.format);
-}
-
 PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file) {
   const cv::Mat mat = decode(bytes, image, file);
   PictureCodes codes;
@@ -115,7 +111,7 @@ PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, co
   // A PNG of fewer than 8 bits is stretched to 8 by libpng.
   codes.bits = std::max(8, image.bits);
   codes.floating = codes.linear = image.floating;
-  codes.kind = kind_by_opencv(image);
+  codes.kind = kind_of_codes(image);
   switch (mat.depth()) {
     case CV_8U:
       codes.white = std::numeric_limits<std::uint8_t>::max();

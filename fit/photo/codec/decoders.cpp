@@ -2,8 +2,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "fit/photo/codec/image_walk.h"
-#include "fit/photo/codec/picture_codes.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/pnm_header.h"
 #include "sim/base/picture/coded_picture.h"
 #include "sim/base/picture/fits_io.h"
@@ -23,7 +22,7 @@ double number_of(const sim::FitsKeywords& keywords, const char* key, double if_a
 
 }  // namespace
 
-PictureCodes decode_exr(std::string_view bytes, const std::string& file) {
+PictureCodes decode_exr(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
   sim::ExrFile exr = sim::read_exr_bytes(bytes, file);
   const sim::Image& all = exr.image;
   const auto place = [&](const char* name) {
@@ -54,7 +53,13 @@ PictureCodes decode_exr(std::string_view bytes, const std::string& file) {
   return codes;
 }
 
-PictureCodes decode_fits(std::string_view bytes, const std::string& file) {
+ImageFile walk_fits(std::string_view /*bytes*/, const std::string& /*file*/) {
+  ImageFile image;  // checked by sim/base/picture/fits_io.h
+  image.size_comes_later = true;
+  return image;
+}
+
+PictureCodes decode_fits(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   const int planes = fits.image.channels();
   if (planes != 1 && planes != 3)
@@ -87,7 +92,7 @@ PictureCodes decode_fits(std::string_view bytes, const std::string& file) {
   return codes;
 }
 
-PictureCodes decode_heif(std::string_view bytes, const std::string& file) {
+PictureCodes decode_heif(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
   const sim::CodedPicture picture = sim::read_heif(bytes, file);
   if (!heif_promises(bytes, picture.width, picture.height, file))
     refuse_image(file, "the image decodes to something else than its header promises", "",
@@ -110,7 +115,7 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
   codes.bits = image.bits;
   // Above eight bits it is scientific cameras that write these files, and they write what they count.
   codes.linear = header.largest > 255;
-  codes.kind = std::to_string(image.bits) + "-bit " + format_name(image.format);
+  codes.kind = kind_of_codes(image);
   codes.values.resize(static_cast<std::size_t>(codes.width) * codes.height * codes.channels);
   const int size = header.largest > 255 ? 2 : 1;
   std::size_t at = header.data;
@@ -132,7 +137,7 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
   return codes;
 }
 
-PictureCodes decode_camera_raw(std::string_view bytes, const std::string& file) {
+PictureCodes decode_camera_raw(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
   const sim::CodedPicture picture = sim::read_camera_raw(bytes, file);
   PictureCodes codes;
   codes.width = picture.width;

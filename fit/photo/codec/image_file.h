@@ -20,12 +20,13 @@
 
 namespace vegard::fit {
 
-enum class ImageFormat { jpeg, png, tiff, pgm, ppm, exr, fits, raw, heif };
+struct PictureFormat;
 
 struct ImageFile {
-  ImageFormat format = ImageFormat::jpeg;
-  long long width = 0, height = 0;  ///< as stored, before orientation; 0 for FITS and raw: see their readers
-  int bits = 8;                     ///< per channel, as in the file
+  const PictureFormat* format = nullptr;  ///< a row of picture_formats(), set by inspect_image_file()
+  long long width = 0, height = 0;        ///< as stored, before orientation
+  bool size_comes_later = false;          ///< the size is 0 where only the decoder knows it
+  int bits = 8;                           ///< per channel, as in the file
   bool floating = false;
   int orientation = 1;              ///< EXIF's 1 to 8
   bool colour_times_alpha = false;  ///< libtiff multiplies this file's colours by its alpha
@@ -33,9 +34,6 @@ struct ImageFile {
   /// common; 0 for lossless formats, and for those whose quantisation tables are not read.
   std::array<double, 3> block_error{};
 };
-
-/// Returns "JPEG", "PNG", "TIFF" ...
-const char* format_name(ImageFormat format);
 
 /// Throws sim::Error(unreadable_input) about the file.
 [[noreturn]] void refuse_image(const std::string& file, const std::string& problem,

@@ -1,4 +1,4 @@
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/picture_format.h"
 
 #include "fit/photo/codec/pnm_header.h"
 #include "fit/photo/codec/tiff_directory.h"
@@ -11,8 +11,6 @@
 
 namespace vegard::fit {
 namespace {
-
-constexpr const char* known_formats = "JPEG, PNG, TIFF, EXR, FITS, PGM, PPM, camera raw or HEIC";
 
 // ITU-T T.81, table B.1.
 constexpr int kStartOfImage = 0xd8, kEndOfImage = 0xd9, kStartOfScan = 0xda, kQuantisation = 0xdb,
@@ -76,40 +74,6 @@ void check_kind(const TiffDirectory& directory, ImageFile& image, const std::str
 
 }  // namespace
 
-ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
-  if (bytes.empty())
-    refuse_image(file, "the file is empty", known_formats, "copy it again from where it came");
-  ImageFile image;
-  using namespace std::string_view_literals;
-  if (sim::starts_with(bytes, "\xff\xd8"sv)) {
-    image = walk_jpeg(bytes, file);
-  } else if (sim::starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) {
-    image = walk_png(bytes, file);
-  } else if (is_camera_raw(bytes)) {
-    image = walk_camera_raw(bytes, file);
-  } else if (sim::starts_with(bytes, "II\x2a\0"sv) || sim::starts_with(bytes, "MM\0\x2a"sv) ||
-             sim::starts_with(bytes, "II\x2b\0"sv) || sim::starts_with(bytes, "MM\0\x2b"sv)) {
-    image = walk_tiff(bytes, file);
-  } else if (sim::starts_with(bytes, "P2"sv) || sim::starts_with(bytes, "P3"sv) ||
-             sim::starts_with(bytes, "P5"sv) || sim::starts_with(bytes, "P6"sv)) {
-    image = walk_pnm(bytes, file);
-  } else if (sim::starts_with(bytes, "v/1\x01"sv)) {
-    image = walk_exr(bytes, file);
-  } else if (is_heif(bytes)) {
-    image = walk_heif(bytes, file);
-  } else if (sim::starts_with(bytes, "SIMPLE  ="sv)) {
-    image.format = ImageFormat::fits;
-  } else {
-    refuse_image(file, "this is no image that can be read",
-                 std::string(known_formats) + ", by its contents and not by its name",
-                 "convert it to a 16-bit TIFF, unpack it if it is compressed");
-  }
-  const bool size_is_known = image.width != 0 || image.height != 0;
-  const bool size_comes_later = image.format == ImageFormat::fits || image.format == ImageFormat::raw;
-  if (size_is_known || !size_comes_later) sim::check_pixel_limit(image.width, image.height, file);
-  return image;
-}
-
 /// The lowest frequencies of a JPEG's quantisation table, in the file's zigzag order: sums of the two
 /// directions' numbers up to 2, whose errors neighbouring pixels share.
 constexpr std::size_t kLowFrequencies = 6;
@@ -153,7 +117,6 @@ std::array<double, 3> block_error(std::string_view frame, const std::array<LowSt
 
 ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
   ImageFile image;
-  image.format = ImageFormat::jpeg;
   bool frame_seen = false, scan_seen = false, exif_seen = false;
   std::array<LowSteps, 4> steps{};
   std::string_view frame;
@@ -204,7 +167,6 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
 
 ImageFile walk_png(std::string_view bytes, const std::string& file) {
   ImageFile image;
-  image.format = ImageFormat::png;
   bool first = true, data_seen = false;
   std::size_t at = 8;
   while (true) {
@@ -248,7 +210,6 @@ ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
   const TiffDirectory directory(bytes);
   if (!directory.complete()) throw_truncated(file, "its TIFF directory lies beyond the end");
   ImageFile image;
-  image.format = ImageFormat::tiff;
   // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
   constexpr std::uint64_t kMax = 0xffffffffu;
   image.width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMax));
@@ -262,7 +223,6 @@ ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
 ImageFile walk_pnm(std::string_view bytes, const std::string& file) {
   const PnmHeader header = pnm_header(bytes, file);
   ImageFile image;
-  image.format = header.channels == 3 ? ImageFormat::ppm : ImageFormat::pgm;
   image.width = header.width;
   image.height = header.height;
   image.bits = 1;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/photo/codec/hevc_size.h"
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/picture_format.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::fit {
@@ -241,7 +241,6 @@ bool is_heif(std::string_view bytes) {
 
 ImageFile walk_heif(std::string_view bytes, const std::string& file) {
   ImageFile image;
-  image.format = ImageFormat::heif;
   Sizes sizes;
   find_sizes(bytes, file, sizes);
   // The largest. Sides of 32 bits: their product fits into 64.

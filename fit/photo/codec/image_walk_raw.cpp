@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "fit/photo/codec/image_walk.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/tiff_directory.h"
 
 namespace vegard::fit {
@@ -59,7 +59,7 @@ bool is_camera_raw(std::string_view bytes) {
 
 ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
   ImageFile image;
-  image.format = ImageFormat::raw;
+  image.size_comes_later = true;
   image.bits = 16;
   if (!is_tiff(bytes)) return image;
   for (const TiffDirectory& directory : directories(bytes)) {

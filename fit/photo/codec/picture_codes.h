@@ -1,5 +1,5 @@
 // The numbers of an image file as stored, turned upright and not yet converted to light: one structure for
-// all formats, and the decoders that fill it.
+// all formats.
 #pragma once
 
 #include <array>
@@ -39,14 +39,5 @@ struct PictureCodes {
 /// Reads any format of fit/photo/codec/image_file.h. `file` is for messages. Throws
 /// sim::Error(unreadable_input).
 PictureCodes picture_codes(std::string_view bytes, const std::string& file);
-
-// One decoder per format; the bytes have been walked (fit/photo/codec/image_walk.h).
-std::string kind_by_opencv(const ImageFile& image);  ///< "8-bit JPEG", "32-bit float TIFF"
-PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file);
-PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const std::string& file);
-PictureCodes decode_exr(std::string_view bytes, const std::string& file);
-PictureCodes decode_fits(std::string_view bytes, const std::string& file);
-PictureCodes decode_camera_raw(std::string_view bytes, const std::string& file);
-PictureCodes decode_heif(std::string_view bytes, const std::string& file);
 
 }  // namespace vegard::fit

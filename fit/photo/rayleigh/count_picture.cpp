@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/photo/codec/image_file.h"
-#include "fit/photo/codec/image_walk.h"
-#include "fit/photo/codec/picture_codes.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
@@ -40,8 +38,7 @@ int channel_number(const std::string& channel) { return channel == "red" ? 0 : c
 
 FileCounts file_counts(const std::string& name, const std::string& channel) {
   const PictureBytes picture = read_picture_bytes(name);
-  const ImageFormat format = inspect_image_file(picture.bytes, name).format;
-  if (format == ImageFormat::jpeg || format == ImageFormat::heif)
+  if (inspect_image_file(picture.bytes, name).format->is_lossy)
     refuse_image(name, "its numbers are no counts: they were bent and packed for the eye",
                  "FITS, PGM, TIFF, PNG or an imager's frame");
   const PictureCodes codes = picture_codes(picture.bytes, name);

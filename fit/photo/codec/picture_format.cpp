@@ -1,0 +1,91 @@
+#include "fit/photo/codec/picture_format.h"
+
+#include <algorithm>
+#include <new>
+
+#include "sim/base/picture/pixel_limit.h"
+#include "sim/base/quiet_decoder.h"
+#include "sim/base/text.h"
+
+namespace vegard::fit {
+namespace {
+
+std::string known_formats() {
+  std::vector<std::string> names;
+  for (const PictureFormat& format : picture_formats()) names.emplace_back(format.name);
+  return sim::joined(names, ", ", " or ");
+}
+
+bool begins_as(const PictureFormat& format, std::string_view bytes) {
+  return std::any_of(format.beginnings.begin(), format.beginnings.end(),
+                     [&](std::string_view start) { return sim::starts_with(bytes, start); });
+}
+
+}  // namespace
+
+const std::vector<PictureFormat>& picture_formats() {
+  using namespace std::string_view_literals;
+  static const std::vector<PictureFormat> formats = {
+      {"JPEG", {".jpg", ".jpeg"}, {"\xff\xd8"sv}, nullptr, walk_jpeg, decode_by_opencv, true},
+      {"PNG", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, nullptr, walk_png, decode_by_opencv},
+      {"TIFF",
+       {".tif", ".tiff"},
+       {"II\x2a\0"sv, "MM\0\x2a"sv, "II\x2b\0"sv, "MM\0\x2b"sv},
+       [](std::string_view bytes) { return !is_camera_raw(bytes); },
+       walk_tiff,
+       decode_by_opencv},
+      {"EXR", {".exr"}, {"v/1\x01"sv}, nullptr, walk_exr, decode_exr},
+      {"FITS",
+       {".fits", ".fit", ".fts", ".fits.gz", ".fit.gz"},
+       {"SIMPLE  ="sv},
+       nullptr,
+       walk_fits,
+       decode_fits},
+      {"PGM", {".pgm", ".pgm.gz"}, {"P2"sv, "P5"sv}, nullptr, walk_pnm, decode_pnm},
+      {"PPM", {".ppm", ".ppm.gz"}, {"P3"sv, "P6"sv}, nullptr, walk_pnm, decode_pnm},
+      {"camera raw",
+       {".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".rw2"},
+       {},
+       is_camera_raw,
+       walk_camera_raw,
+       decode_camera_raw},
+      {"HEIC", {".heic", ".heif"}, {}, is_heif, walk_heif, decode_heif, true},
+  };
+  return formats;
+}
+
+ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
+  if (bytes.empty())
+    refuse_image(file, "the file is empty", known_formats(), "copy it again from where it came");
+  for (const PictureFormat& format : picture_formats()) {
+    if (!format.beginnings.empty() && !begins_as(format, bytes)) continue;
+    if (format.is_format != nullptr && !format.is_format(bytes)) continue;
+    ImageFile image = format.walk(bytes, file);
+    image.format = &format;
+    // The library that decodes FITS and raw files tells their size, and checks it.
+    const bool size_is_known = image.width != 0 || image.height != 0;
+    if (size_is_known || !image.size_comes_later) sim::check_pixel_limit(image.width, image.height, file);
+    return image;
+  }
+  refuse_image(file, "this is no image that can be read",
+               known_formats() + ", by its contents and not by its name",
+               "convert it to a 16-bit TIFF, unpack it if it is compressed");
+}
+
+std::string kind_of_codes(const ImageFile& image) {
+  return std::to_string(image.bits) + (image.floating ? "-bit float " : "-bit ") + image.format->name;
+}
+
+PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
+  const ImageFile image = inspect_image_file(bytes, file);
+  const sim::QuietDecoder quiet;
+  try {
+    PictureCodes codes = image.format->decode(bytes, image, file);
+    codes.block_error = image.block_error;
+    return codes;
+  } catch (const std::bad_alloc&) {
+    refuse_image(file, "there is not enough memory for this image", "", "scale or crop it first");
+  }
+}
+
+}  // namespace vegard::fit

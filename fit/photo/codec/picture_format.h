@@ -1,0 +1,56 @@
+// The formats of pictures: how each is recognised, checked and decoded. A new one is a .cpp of this folder
+// and a row of picture_formats().
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/photo/codec/picture_codes.h"
+
+namespace vegard::fit {
+
+/// Do the bytes begin as a file of the format does?
+using IsPicture = bool(std::string_view bytes);
+/// Checks the structure of a file before it is decoded ("walks" it). Throws as inspect_image_file() does.
+using WalkPicture = ImageFile(std::string_view bytes, const std::string& file);
+/// Decodes bytes that have been walked.
+using DecodePicture = PictureCodes(std::string_view bytes, const ImageFile& image, const std::string& file);
+
+IsPicture is_heif;
+/// Camera raw files are recognised by their first bytes, or if they are TIFFs by their directories.
+IsPicture is_camera_raw;
+WalkPicture walk_jpeg, walk_png, walk_tiff, walk_exr, walk_fits, walk_pnm, walk_camera_raw, walk_heif;
+DecodePicture decode_by_opencv, decode_exr, decode_fits, decode_pnm, decode_camera_raw, decode_heif;
+
+struct PictureFormat {
+  const char* name;                  ///< for messages, "JPEG"
+  std::vector<std::string> endings;  ///< of file names, as a survey takes them unless told otherwise
+  std::vector<std::string_view>
+      beginnings;  ///< any of them begins a file of the format; none: is_format tells
+  IsPicture* is_format;
+  WalkPicture* walk;
+  DecodePicture* decode;
+  bool is_lossy = false;
+};
+
+/// All formats; what a message lists is in this order.
+const std::vector<PictureFormat>& picture_formats();
+
+/// Recognises the format and checks the file. Throws sim::Error(unreadable_input) with the name `file` for
+/// bytes that are empty, truncated, detectably damaged (a PNG's checksums), of an unknown format or of an
+/// unsupported variant of a format, or for pictures larger than sim/base/picture/pixel_limit.h allows.
+/// Allocates no memory according to the header's sizes.
+ImageFile inspect_image_file(std::string_view bytes, const std::string& file);
+
+/// "8-bit JPEG", "32-bit float TIFF"
+std::string kind_of_codes(const ImageFile& image);
+
+/// True if, by the file's header, one of the pictures in a HEIC has this size, upright or turned; or at least
+/// this size, if the picture is cropped.
+bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
+
+/// Returns the orientation in EXIF data that begin with a TIFF header; 1 if they have none or are invalid.
+int exif_orientation(std::string_view tiff);
+
+}  // namespace vegard::fit
