@@ -23,37 +23,6 @@ bool begins_as(const PictureFormat& format, std::string_view bytes) {
 
 }  // namespace
 
-const std::vector<PictureFormat>& picture_formats() {
-  using namespace std::string_view_literals;
-  static const std::vector<PictureFormat> formats = {
-      {"JPEG", {".jpg", ".jpeg"}, {"\xff\xd8"sv}, nullptr, walk_jpeg, decode_by_opencv, true},
-      {"PNG", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, nullptr, walk_png, decode_by_opencv},
-      {"TIFF",
-       {".tif", ".tiff"},
-       {"II\x2a\0"sv, "MM\0\x2a"sv, "II\x2b\0"sv, "MM\0\x2b"sv},
-       [](std::string_view bytes) { return !is_camera_raw(bytes); },
-       walk_tiff,
-       decode_by_opencv},
-      {"EXR", {".exr"}, {"v/1\x01"sv}, nullptr, walk_exr, decode_exr},
-      {"FITS",
-       {".fits", ".fit", ".fts", ".fits.gz", ".fit.gz"},
-       {"SIMPLE  ="sv},
-       nullptr,
-       walk_fits,
-       decode_fits},
-      {"PGM", {".pgm", ".pgm.gz"}, {"P2"sv, "P5"sv}, nullptr, walk_pnm, decode_pnm},
-      {"PPM", {".ppm", ".ppm.gz"}, {"P3"sv, "P6"sv}, nullptr, walk_pnm, decode_pnm},
-      {"camera raw",
-       {".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".rw2"},
-       {},
-       is_camera_raw,
-       walk_camera_raw,
-       decode_camera_raw},
-      {"HEIC", {".heic", ".heif"}, {}, is_heif, walk_heif, decode_heif, true},
-  };
-  return formats;
-}
-
 ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
   if (bytes.empty())
     refuse_image(file, "the file is empty", known_formats(), "copy it again from where it came");

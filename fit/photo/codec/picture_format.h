@@ -25,9 +25,9 @@ DecodePicture decode_by_opencv, decode_exr, decode_fits, decode_pnm, decode_came
 
 struct PictureFormat {
   const char* name;                  ///< for messages, "JPEG"
-  std::vector<std::string> endings;  ///< of file names, as a survey takes them unless told otherwise
-  std::vector<std::string_view>
-      beginnings;  ///< any of them begins a file of the format; none: is_format tells
+  std::vector<std::string> endings;  ///< of file names, which a survey looks for
+  /// Of which one begins each file; empty: is_format tells.
+  std::vector<std::string_view> beginnings;
   IsPicture* is_format;
   WalkPicture* walk;
   DecodePicture* decode;
@@ -35,7 +35,36 @@ struct PictureFormat {
 };
 
 /// All formats; what a message lists is in this order.
-const std::vector<PictureFormat>& picture_formats();
+inline const std::vector<PictureFormat>& picture_formats() {
+  using namespace std::string_view_literals;
+  static const std::vector<PictureFormat> formats = {
+      {"JPEG", {".jpg", ".jpeg"}, {"\xff\xd8"sv}, nullptr, walk_jpeg, decode_by_opencv, true},
+      {"PNG", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, nullptr, walk_png, decode_by_opencv},
+      {"TIFF",
+       {".tif", ".tiff"},
+       {"II\x2a\0"sv, "MM\0\x2a"sv, "II\x2b\0"sv, "MM\0\x2b"sv},
+       [](std::string_view bytes) { return !is_camera_raw(bytes); },
+       walk_tiff,
+       decode_by_opencv},
+      {"EXR", {".exr"}, {"v/1\x01"sv}, nullptr, walk_exr, decode_exr},
+      {"FITS",
+       {".fits", ".fit", ".fts", ".fits.gz", ".fit.gz"},
+       {"SIMPLE  ="sv},
+       nullptr,
+       walk_fits,
+       decode_fits},
+      {"PGM", {".pgm", ".pgm.gz"}, {"P2"sv, "P5"sv}, nullptr, walk_pnm, decode_pnm},
+      {"PPM", {".ppm", ".ppm.gz"}, {"P3"sv, "P6"sv}, nullptr, walk_pnm, decode_pnm},
+      {"camera raw",
+       {".dng", ".nef", ".cr2", ".cr3", ".arw", ".raf", ".rw2"},
+       {},
+       is_camera_raw,
+       walk_camera_raw,
+       decode_camera_raw},
+      {"HEIC", {".heic", ".heif"}, {}, is_heif, walk_heif, decode_heif, true},
+  };
+  return formats;
+}
 
 /// Recognises the format and checks the file. Throws sim::Error(unreadable_input) with the name `file` for
 /// bytes that are empty, truncated, detectably damaged (a PNG's checksums), of an unknown format or of an
