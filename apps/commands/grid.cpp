@@ -51,8 +51,10 @@ sim::Mask5 mask_of_file(const std::string& path) {
   constexpr std::size_t kMaxBytes = 1 << 20;
   const sim::InputFile file = sim::read_input(path, kMaxBytes);
   if (!file.problem.empty())
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {file.problem, path, 0, "--mask", "a text of 125 numbers", ""});
+    throw sim::Error(sim::ErrorKind::unreadable_input, file.problem)
+        .file(path)
+        .key("--mask")
+        .expected("a text of 125 numbers");
   return sim::read_mask5(file.bytes, path);
 }
 

@@ -43,11 +43,9 @@ struct LineariseRequest {
 void check_is_photograph(const fit::Photo& photo, const std::string& file) {
   const auto units = photo.words.find("units");
   if (units == photo.words.end() || units->second.find(photograph_words) != std::string::npos) return;
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = "it is no photograph but linear light already";
-  details.expected = "a photograph, as render --photograph writes it";
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::Error(sim::ErrorKind::unreadable_input, "it is no photograph but linear light already")
+      .file(file)
+      .expected("a photograph, as render --photograph writes it");
 }
 
 void check_size(const sim::Scene& scene, const fit::Photo& photo) {
@@ -121,14 +119,12 @@ int run_rayleigh(const LineariseRequest& options) {
   for (const std::string& input : {options.photo, options.rayleigh, filter.dark_file, filter.flat_file})
     if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
   if (!filter.factor) {
-    sim::ErrorDetails details;
-    details.file = options.rayleigh;
-    details.line = filter.line;
-    details.key = "filter.rayleigh_per_count_s";
-    details.problem = "it is not known what a count of '" + filter.name + "' means";
-    details.expected = "rayleigh_per_count_s";
-    details.hint = "vegard photometry finds it by stars";
-    throw sim::Error(sim::ErrorKind::scene, details);
+    throw sim::Error(sim::ErrorKind::scene, "it is not known what a count of '" + filter.name + "' means")
+        .file(options.rayleigh)
+        .line(filter.line)
+        .key("filter.rayleigh_per_count_s")
+        .expected("rayleigh_per_count_s")
+        .hint("vegard photometry finds it by stars");
   }
   sim::WholeFile file(options.output, options.overwrite);
   const fit::CountPicture counts = fit::count_picture(options.photo, filter, options.exposure_s);

@@ -47,9 +47,10 @@ int run_points(const PointsRequest& options) {
   const std::atomic<bool>& stop = watch_for_interrupt();
   const sim::Scene scene = scene_of(options.scene);
   if (scene.sheets.empty() && sim::has_emitters(scene))
-    throw sim::Error(sim::ErrorKind::scene,
-                     {"volumes have no points, and the scene has no sheet", options.scene.file, 0, "",
-                      "a [[sheet]]", "vegard volume fills an OpenVDB file with their light"});
+    throw sim::Error(sim::ErrorKind::scene, "volumes have no points, and the scene has no sheet")
+        .file(options.scene.file)
+        .expected("a [[sheet]]")
+        .hint("vegard volume fills an OpenVDB file with their light");
   protect_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
   {
     PointFile(options.output, scene, options.unit, 1, options.overwrite);

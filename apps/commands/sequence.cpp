@@ -149,12 +149,9 @@ class Folder {
     const sim::InputFile found = sim::read_input(row);
     if (!fs::is_regular_file(status) || !found.problem.empty())
       throw sim::Error(sim::ErrorKind::existing_output,
-                       {"is in the way of a frame's row, and is no file that can be read",
-                        row,
-                        0,
-                        {},
-                        {},
-                        "move it, or choose another name"});
+                       "is in the way of a frame's row, and is no file that can be read")
+          .file(row)
+          .hint("move it, or choose another name");
     fit::sequence_row_of(found.bytes, row);
   }
 
@@ -198,9 +195,11 @@ bool wants_report(const SequenceRequest& options, fit::Verdict verdict) {
 int run_sequence(const SequenceRequest& options, const std::string& command) {
   const sim::Scene scene = scene_of(options.scene);
   if (!scene.fit.photos.empty())
-    throw with_place(sim::Error(sim::ErrorKind::scene,
-                                {"a sequence fits one photograph after another", scene.file, 0, "fit.photo",
-                                 "a scene without [[fit.photo]]", "vegard fit fits them all at once"}),
+    throw with_place(sim::Error(sim::ErrorKind::scene, "a sequence fits one photograph after another")
+                         .file(scene.file)
+                         .key("fit.photo")
+                         .expected("a scene without [[fit.photo]]")
+                         .hint("vegard fit fits them all at once"),
                      scene);
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);

@@ -28,12 +28,13 @@ void add_map_options(const Command& command, MapOptions& options) {
 
 void check_camera_size(const sim::Scene& scene, int width_px, int height_px, const std::string& picture) {
   if (scene.camera.width == width_px && scene.camera.height == height_px) return;
-  sim::ErrorDetails details;
-  details.key = "camera.width";
-  details.problem = "the scene's camera has " + sim::size_text(scene.camera.width, scene.camera.height) +
-                    " pixels, the photograph " + picture + " has " + sim::size_text(width_px, height_px);
-  details.hint = "set camera.width and camera.height to the photograph's";
-  throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
+  throw with_place(
+      sim::Error(sim::ErrorKind::scene,
+                 "the scene's camera has " + sim::size_text(scene.camera.width, scene.camera.height) +
+                     " pixels, the photograph " + picture + " has " + sim::size_text(width_px, height_px))
+          .key("camera.width")
+          .hint("set camera.width and camera.height to the photograph's"),
+      scene);
 }
 
 fit::SkyMapFlip flip_of(const MapOptions& options) {
@@ -73,11 +74,10 @@ std::optional<KnownDirections> known_directions(const MapOptions& options, const
   }
   KnownDirections known = maps_of(options);
   if (known.map.width != width_px || known.map.height != height_px) {
-    sim::ErrorDetails details;
-    details.file = options.first();
-    details.problem = "the maps have " + sim::size_text(known.map.width, known.map.height) + " pixels";
-    details.expected = sim::size_text(width_px, height_px) + ", the size of " + picture;
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     "the maps have " + sim::size_text(known.map.width, known.map.height) + " pixels")
+        .file(options.first())
+        .expected(sim::size_text(width_px, height_px) + ", the size of " + picture);
   }
   return known;
 }

@@ -41,11 +41,7 @@ bool is_inside(const std::string& file, const std::string& folder) {
 }
 
 void refuse_same_file(const std::string& key, const std::string& file, const std::string& other) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = "'" + file + "' is " + other + " as well";
-  details.hint = "choose another name";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw usage_error(key, "'" + file + "' is " + other + " as well", "", "choose another name");
 }
 
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "apps/options/photo_options.h"
+#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
@@ -38,11 +39,7 @@ PhotoWords with_frames_chosen(PhotoWords words) {
 std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
                                           fit::PhotoPixels pixels) {
   const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
-    sim::ErrorDetails details;
-    details.key = key;
-    details.problem = problem;
-    details.hint = hint;
-    throw sim::Error(sim::ErrorKind::usage, details);
+    throw usage_error(key, problem, "", hint);
   };
   if (scene.fit.photos.empty()) {
     if (!words.file.empty() && !words.filters.empty())

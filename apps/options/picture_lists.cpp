@@ -28,13 +28,11 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(sim::ErrorKind kind, const std::string& problem, const std::string& file, int line,
                        const std::string& expected) {
-  sim::ErrorDetails details;
-  details.problem = problem;
-  details.file = file;
-  details.line = line;
-  if (file.empty()) details.key = "--photos";
-  details.expected = expected;
-  throw sim::Error(kind, details);
+  throw sim::Error(kind, problem)
+      .file(file)
+      .line(line)
+      .key(file.empty() ? "--photos" : "")
+      .expected(expected);
 }
 
 std::vector<ListedPhoto> read_list(const std::string& list) {
@@ -70,12 +68,7 @@ using Kind = fit::PictureTimes::Kind;
 
 [[noreturn]] void unreadable(const std::string& file, int line, const std::string& problem,
                              const std::string& expected) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.line = line;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(file).line(line).expected(expected);
 }
 
 std::string trimmed(const std::string& text) { return std::string(sim::trimmed(text)); }

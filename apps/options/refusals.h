@@ -12,12 +12,7 @@ namespace vegard::apps {
 /// Returns an Error(usage) about the option `key`.
 inline sim::Error usage_error(const std::string& key, const std::string& problem, const std::string& expected,
                               const std::string& hint = {}) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  return sim::Error(sim::ErrorKind::usage, details);
+  return sim::Error(sim::ErrorKind::usage, problem).key(key).expected(expected).hint(hint);
 }
 
 // Errors of the scene, with its file and line.

@@ -1,5 +1,6 @@
 #include "apps/options/scene_options.h"
 
+#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "fit/ready_scene.h"
 #include "sim/base/error.h"
@@ -15,11 +16,8 @@ namespace {
 void change(sim::Scene& scene, const std::string& words) {
   const std::size_t equals = words.find('=');
   if (equals == std::string::npos || equals == 0) {
-    sim::ErrorDetails details;
-    details.key = "--set";
-    details.problem = "'" + words + "' sets nothing";
-    details.expected = "path=value, as in --set sheet.main.energy_kev=3.5";
-    throw sim::Error(sim::ErrorKind::usage, details);
+    throw usage_error("--set", "'" + words + "' sets nothing",
+                      "path=value, as in --set sheet.main.energy_kev=3.5");
   }
   sim::set_from_text(scene, words.substr(0, equals), words.substr(equals + 1));
 }

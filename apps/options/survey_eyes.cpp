@@ -58,12 +58,9 @@ fit::SurveyEye planned_eye(const fit::SurveyPlan& plan, int camera, int calibrat
   const std::string what = fit::setup_words(of, calibration);
   if (fit::eye_sha256(eye, placed_decoding(of, place)) != plan.sha256_of(what))
     throw sim::Error(sim::ErrorKind::existing_output,
-                     {what + " (scene, camera, mask, decoding) is not what it was when the plan was made",
-                      plan.file,
-                      0,
-                      {},
-                      {},
-                      "make a new plan, or put back what has changed"});
+                     what + " (scene, camera, mask, decoding) is not what it was when the plan was made")
+        .file(plan.file)
+        .hint("make a new plan, or put back what has changed");
   return eye;
 }
 

@@ -57,20 +57,18 @@ std::string camera_json(const sim::Scene& scene) {
   const sim::Camera& camera = scene.camera;
   const sim::CameraView<double> view = sim::camera_view(camera);
   if (camera.model == sim::LensModel::pinhole && (!sim::is_plain_pinhole(view.lens) || camera.mirrored)) {
-    sim::ErrorDetails details;
-    details.key = "camera";
-    details.problem = "a camera with distortion, or one that is mirrored, has no matrices";
-    details.expected = "camera.k1, k2, k3, p1 and p2 of 0, camera.mirrored = false";
-    details.hint = "leave out --camera-json";
-    throw sim::Error(sim::ErrorKind::scene, details);
+    throw sim::Error(sim::ErrorKind::scene,
+                     "a camera with distortion, or one that is mirrored, has no matrices")
+        .key("camera")
+        .expected("camera.k1, k2, k3, p1 and p2 of 0, camera.mirrored = false")
+        .hint("leave out --camera-json");
   }
   if (camera.model != sim::LensModel::pinhole) {
-    sim::ErrorDetails details;
-    details.key = "camera.model";
-    details.problem = "a camera of the model '" + sim::word_of(camera.model) + "' has no matrices";
-    details.expected = "\"pinhole\"";
-    details.hint = "leave out --camera-json";
-    throw sim::Error(sim::ErrorKind::scene, details);
+    throw sim::Error(sim::ErrorKind::scene,
+                     "a camera of the model '" + sim::word_of(camera.model) + "' has no matrices")
+        .key("camera.model")
+        .expected("\"pinhole\"")
+        .hint("leave out --camera-json");
   }
   const sim::Lens<double>& lens = view.lens;
   const double across_px = lens.focal_px, down_px = lens.focal_px * lens.aspect;

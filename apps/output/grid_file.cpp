@@ -47,8 +47,9 @@ GridFile read_grid_file(const std::string& path, const std::vector<std::string>&
   for (const std::string& name : wanted)
     if (read.grid.channel(name) < 0) refuse_channel(path, name, read.names);
   if (read.grid.channels.empty())
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"it has no grid of floats", path, 0, "", "a grid such as density", ""});
+    throw sim::Error(sim::ErrorKind::unreadable_input, "it has no grid of floats")
+        .file(path)
+        .expected("a grid such as density");
   file.grid = std::move(read.grid);
   file.metadata = std::move(read.metadata);
   return file;

@@ -34,11 +34,11 @@ sim::Image channels_of(const sim::Image& image, int first, std::vector<std::stri
 void check_layer_names(const sim::Scene& scene) {
   for (const sim::Sheet& sheet : scene.sheets) {
     if (std::find(kOwnNames.begin(), kOwnNames.end(), sheet.name) == kOwnNames.end()) continue;
-    sim::ErrorDetails details;
-    details.key = "sheet." + sheet.name + ".name";
-    details.problem = "--layers has a layer '" + sheet.name + "' that is no sheet";
-    details.expected = "another name for the sheet";
-    throw with_place(sim::Error(sim::ErrorKind::scene, details), scene);
+    throw with_place(
+        sim::Error(sim::ErrorKind::scene, "--layers has a layer '" + sheet.name + "' that is no sheet")
+            .key("sheet." + sheet.name + ".name")
+            .expected("another name for the sheet"),
+        scene);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "sim/base/error.h"
+#include "apps/options/refusals.h"
 
 namespace vegard::apps {
 
@@ -13,11 +13,7 @@ PlotFormat plot_format(const std::string& file, const std::string& key) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (extension == ".svg") return PlotFormat::svg;
   if (extension == ".png") return PlotFormat::png;
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = "'" + file + "' names no kind of picture";
-  details.expected = "a name that ends in .svg or .png";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw usage_error(key, "'" + file + "' names no kind of picture", "a name that ends in .svg or .png");
 }
 
 std::string plot_bytes(const fit::Plot& plot, PlotFormat format) {

@@ -58,9 +58,10 @@ OtherCamera other_camera(const DirectionsRequest& options, const sim::Scene& sce
         {{"rms_px", fit.rms_px}, {"largest_px", fit.largest_px}, {"share_of_picture", fit.share}}};
   }
   if (!julian_date || !sim::is_latitude_given(scene) || !sim::is_longitude_given(scene))
-    throw with_place(sim::Error(sim::ErrorKind::scene,
-                                {"where stars are depends on place and time", scene.file, 0, "site.time_utc",
-                                 "time_utc, latitude_deg and longitude_deg in [site]", ""}),
+    throw with_place(sim::Error(sim::ErrorKind::scene, "where stars are depends on place and time")
+                         .file(scene.file)
+                         .key("site.time_utc")
+                         .expected("time_utc, latitude_deg and longitude_deg in [site]"),
                      scene);
   const sim::Observer observer{scene.site.latitude_deg, scene.site.longitude_deg, scene.site.altitude_m,
                                true};

@@ -192,13 +192,11 @@ int run_photometry(PhotometryRequest& options) {
   const fit::RayleighCamera camera = fit::parse_rayleigh_camera(text, options.counts);
   const fit::RayleighFilter& filter = fit::filter_called(camera, options.filter);
   if (filter.band.width_nm == 0.0 && filter.band.table_nm.empty()) {
-    sim::ErrorDetails details;
-    details.file = options.counts;
-    details.line = filter.line;
-    details.key = "filter.width_nm";
-    details.problem = "it is not known how broad the filter '" + filter.name + "' is";
-    details.expected = "'width_nm', or 'transmission'";
-    throw sim::Error(sim::ErrorKind::scene, details);
+    throw sim::Error(sim::ErrorKind::scene, "it is not known how broad the filter '" + filter.name + "' is")
+        .file(options.counts)
+        .line(filter.line)
+        .key("filter.width_nm")
+        .expected("'width_nm', or 'transmission'");
   }
   check_outputs(options, filter);
   std::optional<sim::WholeFile> output, stars_out;

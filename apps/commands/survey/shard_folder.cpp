@@ -69,12 +69,9 @@ void begin_shard_folder(const std::string& folder, int shards) {
   for (const ShardFile& file : shard_files(folder))
     if (file.shards != shards)
       throw sim::Error(sim::ErrorKind::existing_output,
-                       {"has shards of a survey that is cut into " + std::to_string(file.shards),
-                        folder,
-                        0,
-                        {},
-                        {},
-                        "go on with this number, or choose another folder"});
+                       "has shards of a survey that is cut into " + std::to_string(file.shards))
+          .file(folder)
+          .hint("go on with this number, or choose another folder");
 }
 
 int frames_in(const std::string& database) {

@@ -62,8 +62,9 @@ bool is_number(const std::string& text) {
 void write_own(const std::string& file, const std::string& text) {
   const std::string old = sim::read_input(file).bytes;
   if (!old.empty() && old.find(kMark) == std::string::npos)
-    throw sim::Error(sim::ErrorKind::existing_output,
-                     {"is in the way, and none that vegard wrote", file, 0, {}, {}, "move it away"});
+    throw sim::Error(sim::ErrorKind::existing_output, "is in the way, and none that vegard wrote")
+        .file(file)
+        .hint("move it away");
   sim::write_whole(file, text, true);
 }
 

@@ -26,11 +26,7 @@ constexpr Codec kCodecs[] = {{"H.264", {'a', 'v', 'c', '1'}}, {"MPEG-4 part 2", 
 
 sim::Error trouble(sim::ErrorKind kind, const std::string& file, const std::string& problem,
                    const std::string& hint = {}) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.hint = hint;
-  return sim::Error(kind, details);
+  return sim::Error(kind, problem).file(file).hint(hint);
 }
 
 /// While there is one, memory comes from malloc with zeros in it. libx264 (core 164) reads memory that it has

@@ -116,11 +116,7 @@ std::string difference(const std::string& mine, const std::string& theirs) {
 }
 
 sim::Error other_animation(const std::string& file, const std::string& problem, const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.hint = hint;
-  return sim::Error(sim::ErrorKind::existing_output, details);
+  return sim::Error(sim::ErrorKind::existing_output, problem).file(file).hint(hint);
 }
 
 }  // namespace

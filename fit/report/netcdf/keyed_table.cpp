@@ -14,12 +14,7 @@ namespace {
 
 [[noreturn]] void refuse_table(const TextTable& table, int line, const std::string& problem,
                                const std::string& expected = "a table that vegard wrote") {
-  sim::ErrorDetails details;
-  details.file = table.name;
-  details.line = line;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(table.name).line(line).expected(expected);
 }
 
 std::vector<std::string> cells_of_line(std::string_view line) {

@@ -40,11 +40,9 @@ void require_same_data(const std::vector<RunSummary>& runs) {
   for (const RunSummary& run : runs) {
     const std::string problem = difference(runs.front(), run);
     if (problem.empty()) continue;
-    sim::ErrorDetails details;
-    details.file = run.name;
-    details.problem = "cannot be compared with " + runs.front().name + ": " + problem;
-    details.hint = "fit both scenes to the same photograph with the same [fit], but for what is free";
-    throw sim::Error(sim::ErrorKind::usage, details);
+    throw sim::Error(sim::ErrorKind::usage, "cannot be compared with " + runs.front().name + ": " + problem)
+        .file(run.name)
+        .hint("fit both scenes to the same photograph with the same [fit], but for what is free");
   }
 }
 

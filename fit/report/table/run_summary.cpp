@@ -13,12 +13,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 sim::Error unreadable(const std::string& file, const std::string& problem, const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = "the result.json of a run";
-  details.hint = hint;
-  return sim::Error(sim::ErrorKind::unreadable_input, details);
+  return sim::Error(sim::ErrorKind::unreadable_input, problem)
+      .file(file)
+      .expected("the result.json of a run")
+      .hint(hint);
 }
 
 /// Throws Json::exception.

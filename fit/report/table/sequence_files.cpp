@@ -158,9 +158,10 @@ SequenceRow sequence_row_of(const std::string& text, const std::string& file) {
     }
     return row;
   } catch (const Json::exception&) {
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"is no row of a sequence", file, 0, "", "what vegard sequence wrote",
-                      "remove it, and the frame is fitted again"});
+    throw sim::Error(sim::ErrorKind::unreadable_input, "is no row of a sequence")
+        .file(file)
+        .expected("what vegard sequence wrote")
+        .hint("remove it, and the frame is fitted again");
   }
 }
 
