@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <new>
 #include <set>
 #include <sstream>
@@ -325,54 +323,22 @@ bool Option::given() const { return option_->count() > 0; }
 
 std::string Option::name() const { return option_->get_name(); }
 
-Option Command::option(const std::string& names, std::string& value, const std::string& words) const {
+template <class Value>
+Option Command::option(const std::string& names, Value& value, const std::string& words) const {
   return Option(app_->add_option(names, value, words));
 }
-
-Option Command::option(const std::string& names, int& value, const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, std::uint64_t& value, const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, double& value, const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, std::optional<int>& value, const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, std::optional<std::uint64_t>& value,
-                       const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, std::optional<double>& value,
-                       const std::string& words) const {
-  return Option(app_->add_option(names, value, words));
-}
-
-Option Command::option(const std::string& names, std::vector<std::string>& values,
-                       const std::string& words) const {
-  return Option(app_->add_option(names, values, words));
-}
-
-Option Command::option(const std::string& names, std::vector<int>& values, const std::string& words) const {
-  return Option(app_->add_option(names, values, words));
-}
-
-Option Command::option(const std::string& names, std::vector<double>& values,
-                       const std::string& words) const {
-  return Option(app_->add_option(names, values, words));
-}
-
-Option Command::option(const std::string& names, std::vector<std::vector<std::string>>& values,
-                       const std::string& words) const {
-  return Option(app_->add_option(names, values, words));
-}
+template Option Command::option(const std::string&, std::string&, const std::string&) const;
+template Option Command::option(const std::string&, int&, const std::string&) const;
+template Option Command::option(const std::string&, std::uint64_t&, const std::string&) const;
+template Option Command::option(const std::string&, double&, const std::string&) const;
+template Option Command::option(const std::string&, std::optional<int>&, const std::string&) const;
+template Option Command::option(const std::string&, std::optional<std::uint64_t>&, const std::string&) const;
+template Option Command::option(const std::string&, std::optional<double>&, const std::string&) const;
+template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&) const;
+template Option Command::option(const std::string&, std::vector<int>&, const std::string&) const;
+template Option Command::option(const std::string&, std::vector<double>&, const std::string&) const;
+template Option Command::option(const std::string&, std::vector<std::vector<std::string>>&,
+                                const std::string&) const;
 
 Option Command::flag(const std::string& names, bool& value, const std::string& words) const {
   return Option(app_->add_flag(names, value, words));
@@ -414,6 +380,11 @@ void Command::runs(std::function<int()> call) const {
       throw out_of_memory(name);
     }
   });
+}
+
+Option add_threads_option(const Command& command, int& threads) {
+  return command.option("--threads", threads, "Threads to use (0: all cores); the result is the same")
+      .range(0, 1024);
 }
 
 Program::Program(const std::string& name, const std::string& description,

@@ -41,7 +41,7 @@ class Option {
   /// Both ends included.
   const Option& range(int low, int high) const;
   const Option& range(std::uint64_t low, std::uint64_t high) const;
-  /// Both ends included. It accepts "nan", which is neither below nor above any number: see finite_range().
+  /// It accepts "nan", which is neither below nor above any number: see finite_range().
   const Option& range(double low, double high) const;
   /// The same, but it refuses "nan".
   const Option& finite_range(double low, double high) const;
@@ -84,21 +84,10 @@ class Command {
   Command(CLI::App* app, int* exit_code) : app_(app), exit_code_(exit_code) {}
 
   /// `names`: "-o,--output", or "SCENE" for a positional argument. `words` is the description in the help.
-  Option option(const std::string& names, std::string& value, const std::string& words = {}) const;
-  Option option(const std::string& names, int& value, const std::string& words = {}) const;
-  Option option(const std::string& names, std::uint64_t& value, const std::string& words = {}) const;
-  Option option(const std::string& names, double& value, const std::string& words = {}) const;
-  Option option(const std::string& names, std::optional<int>& value, const std::string& words = {}) const;
-  Option option(const std::string& names, std::optional<std::uint64_t>& value,
-                const std::string& words = {}) const;
-  Option option(const std::string& names, std::optional<double>& value, const std::string& words = {}) const;
-  Option option(const std::string& names, std::vector<std::string>& values,
-                const std::string& words = {}) const;
-  Option option(const std::string& names, std::vector<int>& values, const std::string& words = {}) const;
-  Option option(const std::string& names, std::vector<double>& values, const std::string& words = {}) const;
-  /// One list of values for each occurrence.
-  Option option(const std::string& names, std::vector<std::vector<std::string>>& values,
-                const std::string& words = {}) const;
+  /// The value is a text, an int, a std::uint64_t or a double, one of these numbers as an optional, a vector
+  /// of texts, ints or doubles, or a vector of lists of texts: one list for each occurrence.
+  template <class Value>
+  Option option(const std::string& names, Value& value, const std::string& words = {}) const;
   Option flag(const std::string& names, bool& value, const std::string& words = {}) const;
 
   /// Adds a subcommand to this command, which from then on requires one.
@@ -119,6 +108,9 @@ class Command {
   CLI::App* app_;
   int* exit_code_;
 };
+
+/// Adds --threads: an option of whatever is computed by several threads, with the same result.
+Option add_threads_option(const Command& command, int& threads);
 
 /// The texts of an option, for manuals.
 struct OptionText {
