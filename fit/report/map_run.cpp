@@ -1,7 +1,6 @@
 #include "fit/report/map_run.h"
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -11,7 +10,6 @@
 #include "fit/map/map_image.h"
 #include "fit/map/map_raster.h"
 #include "fit/map/map_record.h"
-#include "fit/report/map_page.h"
 #include "fit/report/netcdf/map_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
@@ -23,7 +21,6 @@
 #include "sim/base/picture/image_io.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"
-#include "sim/scene/file/scene_toml.h"
 
 namespace vegard::fit {
 namespace {
@@ -67,10 +64,6 @@ sim::KnownFolder look_at_map(const std::string& directory) {
 
 sim::DirectoryKind map_kind() { return {"a map", look_at_map, {kMapJson}}; }
 
-nlohmann::ordered_json number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 std::string map_json(const MapResult& result, const std::vector<Curtain>& curtains,
                      const std::vector<QuantityVerdict>& verdicts, const MapRunFacts& facts) {
   nlohmann::ordered_json json;
@@ -85,16 +78,15 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
                                 {"verdict", trust_name(v.trust)},
                                 {"value", v.value},
                                 {"reason", v.reason}});
-  json["chi2"] = number(result.chi2);
+  json["chi2"] = result.chi2;
   json["values"] = result.values;
-  json["chi2_per_value"] = number(result.chi2_per_value());
-  json["chi2_without_aurora"] = number(result.chi2_without_aurora);
+  json["chi2_per_value"] = result.chi2_per_value();
+  json["chi2_without_aurora"] = result.chi2_without_aurora;
   json["model_error"] = result.scene.fit.model_error;
   json["prior"] = {{"sparsity", result.sparsity}, {"tried", nlohmann::ordered_json::array()}};
   for (const MapTrial& t : result.trials)
-    json["prior"]["tried"].push_back({{"sparsity", t.sparsity},
-                                      {"left_out_loss", number(t.left_out)},
-                                      {"standard_error", number(t.error)}});
+    json["prior"]["tried"].push_back(
+        {{"sparsity", t.sparsity}, {"left_out_loss", t.left_out}, {"standard_error", t.error}});
   json["altitude_scale"] = result.altitude_scale;
   json["known_with_errors"] = nlohmann::ordered_json::array();
   for (const MapNumber& n : result.numbers)
@@ -112,7 +104,7 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
                               {"height_px", photo.scene.camera.height},
                               {"latitude_deg", photo.scene.site.latitude_deg},
                               {"longitude_deg", photo.scene.site.longitude_deg},
-                              {"chi2", number(photo.chi2)},
+                              {"chi2", photo.chi2},
                               {"values", photo.values},
                               {"gain", photo.gain},
                               {"pixels_per_cell", photo.film.cell_width_px}});
@@ -123,10 +115,10 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
       flux += p.flux_mw_m2.value;
       ln += p.flux_mw_m2.value * std::log(p.energy_kev.value);
     }
-    json["curtains"].push_back({{"length_km", number(curtain.length_km)},
+    json["curtains"].push_back({{"length_km", curtain.length_km},
                                 {"points", curtain.points.size()},
-                                {"mean_energy_flux_mw_m2", number(flux / curtain.points.size())},
-                                {"mean_energy_kev", number(flux > 0.0 ? std::exp(ln / flux) : sim::kNaN)}});
+                                {"mean_energy_flux_mw_m2", flux / curtain.points.size()},
+                                {"mean_energy_kev", flux > 0.0 ? std::exp(ln / flux) : sim::kNaN}});
   }
   json["faint_curtains"] = facts.faint.size();
   json["inputs"] = nlohmann::ordered_json::array();
@@ -182,14 +174,6 @@ void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
   sim::write_exr(run.file(file_of("residual", photo.name)), residual, where);
 }
 
-/// An error inside of the temporary directory is one of the directory that the user named.
-sim::Error about(const std::string& directory, const std::string& temporary, const sim::Error& error) {
-  sim::ErrorDetails details = error.details();
-  if (details.file.compare(0, temporary.size(), temporary) == 0)
-    details.file.replace(0, temporary.size(), directory);
-  return sim::Error(error.kind(), details);
-}
-
 }  // namespace
 
 void check_map_directory(const std::string& directory, bool overwrite) {
@@ -225,7 +209,7 @@ void write_map_run(const std::string& directory, bool overwrite, const MapResult
                    const std::vector<Curtain>& curtains, const MapRunFacts& facts) {
   sim::WholeDirectory run(directory, overwrite, map_kind());
   const std::vector<QuantityVerdict> verdicts = map_verdicts(result, curtains);
-  try {
+  run.fill([&] {
     sim::write_whole(run.file(kMapJson), map_json(result, curtains, verdicts, facts));
     sim::write_whole(run.file("precipitation.fits"), precipitation_fits(result));
     sim::write_whole(run.file(kCurtainTable), curtains_csv(curtains));
@@ -234,10 +218,7 @@ void write_map_run(const std::string& directory, bool overwrite, const MapResult
     sim::write_whole(run.file("report.html"), map_page(result, curtains, verdicts, facts));
     // Whatever is in it stands in the other files.
     if (facts.netcdf) sim::write_netcdf(map_dataset(run.temporary()), run.file(kMapNetcdf), false);
-    run.commit();
-  } catch (const sim::Error& error) {
-    throw about(directory, run.temporary(), error);
-  }
+  });
 }
 
 }  // namespace vegard::fit

@@ -166,14 +166,6 @@ sim::KnownFolder look_at_run(const std::string& directory) {
 
 sim::DirectoryKind run_kind() { return {"a run", look_at_run, {"best.toml", "result.json"}}; }
 
-/// An error inside of the temporary directory is one of the directory that the user named.
-sim::Error about(const std::string& directory, const std::string& temporary, const sim::Error& error) {
-  sim::ErrorDetails details = error.details();
-  if (details.file.compare(0, temporary.size(), temporary) == 0)
-    details.file.replace(0, temporary.size(), directory);
-  return sim::Error(error.kind(), details);
-}
-
 }  // namespace
 
 void check_run_directory(const std::string& directory, bool overwrite) {
@@ -193,7 +185,7 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
                      [&camera = result.photos[i].best.camera](double x_px, double y_px) {
                        return sim::direction_of_pixel(camera, x_px, y_px).elevation_deg;
                      }});
-  try {
+  run.fill([&] {
     sim::write_whole(run.file("result.json"), result_json(result));
     sim::Scene best = sim::with_tables_beside(result.best);
     rename_files(directory, best);
@@ -213,10 +205,7 @@ void write_run(const std::string& directory, bool overwrite, const FitResult& re
     sim::write_whole(run.file("report.html"), report_html(result, shown));
     // Whatever is in it stands in the other files.
     if (context.netcdf) sim::write_netcdf(run_dataset(run.temporary()), run.file(kRunNetcdf), false);
-    run.commit();
-  } catch (const sim::Error& error) {
-    throw about(directory, run.temporary(), error);
-  }
+  });
 }
 
 void write_run(const std::string& directory, bool overwrite, const FitResult& result, const Photo& photo,

@@ -37,10 +37,6 @@ sim::KnownFolder look_at_border(const std::string& directory) {
 
 sim::DirectoryKind border_kind() { return {"traced borders", look_at_border, {kBorderJson}}; }
 
-nlohmann::ordered_json border_number(double value) {
-  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
-}
-
 bool is_border_place_known(const sim::Scene& scene) {
   return sim::is_latitude_given(scene) && sim::is_longitude_given(scene);
 }
@@ -96,19 +92,19 @@ std::string border_json(const Border& border, const sim::Scene& scene, const Bor
     const BorderSummary s = border_summary(trace, scene);
     nlohmann::ordered_json of_altitude = nlohmann::ordered_json::array(), errors = of_altitude;
     for (std::size_t h = 0; h < kBorderAltitudesKm.size(); ++h) {
-      of_altitude.push_back(border_number(s.distance_km[h]));
-      errors.push_back(border_number(s.distance_error_km[h]));
+      of_altitude.push_back(s.distance_km[h]);
+      errors.push_back(s.distance_error_km[h]);
     }
     json["traces"].push_back({{"points", trace.points.size()},
                               {"measured", trace.measured},
-                              {"from_azimuth_deg", border_number(s.from_azimuth_deg)},
-                              {"to_azimuth_deg", border_number(s.to_azimuth_deg)},
-                              {"lowest_elevation_deg", border_number(s.lowest_deg)},
-                              {"highest_elevation_deg", border_number(s.highest_deg)},
-                              {"nearest_azimuth_deg", border_number(s.nearest_azimuth_deg)},
+                              {"from_azimuth_deg", s.from_azimuth_deg},
+                              {"to_azimuth_deg", s.to_azimuth_deg},
+                              {"lowest_elevation_deg", s.lowest_deg},
+                              {"highest_elevation_deg", s.highest_deg},
+                              {"nearest_azimuth_deg", s.nearest_azimuth_deg},
                               {"nearest_distance_km", of_altitude},
                               {"nearest_distance_error_km", errors},
-                              {"brightness", border_number(trace.mean_brightness())}});
+                              {"brightness", trace.mean_brightness()}});
   }
   json["notes"] = border.notes;
   json["inputs"] = nlohmann::ordered_json::array();
@@ -124,19 +120,12 @@ void check_border_directory(const std::string& directory, bool overwrite) {
 void write_border_run(const std::string& directory, bool overwrite, const Border& border, const Photo& photo,
                       const sim::Scene& scene, const BorderRunFacts& facts) {
   sim::WholeDirectory run(directory, overwrite, border_kind());
-  try {
+  run.fill([&] {
     sim::write_whole(run.file(kBorderJson), border_json(border, scene, facts));
     sim::write_whole(run.file("border.csv"), border_csv(border, scene));
     sim::write_whole(run.file("border.svg"), border_svg(border, photo, scene) + "\n");
     sim::write_whole(run.file("report.html"), border_page(border, photo, scene, facts));
-    run.commit();
-  } catch (const sim::Error& error) {
-    // An error inside of the temporary directory is one of the directory that the user named.
-    sim::ErrorDetails details = error.details();
-    if (details.file.compare(0, run.temporary().size(), run.temporary()) == 0)
-      details.file.replace(0, run.temporary().size(), directory);
-    throw sim::Error(error.kind(), details);
-  }
+  });
 }
 
 }  // namespace vegard::fit

@@ -151,7 +151,8 @@ std::string without_trailing_slash(std::string target) {
 }  // namespace
 
 WholeDirectory::WholeDirectory(const std::string& target, bool overwrite, DirectoryKind kind)
-    : target_(without_trailing_slash(target)),
+    : named_(target),
+      target_(without_trailing_slash(target)),
       resolved_(target_),
       overwrite_(overwrite),
       kind_(std::move(kind)) {
@@ -232,6 +233,18 @@ void WholeDirectory::commit() {
   const std::string parent = fs::path(resolved_).parent_path().string();
   make_durable(parent.empty() ? "." : parent);
   remove_known(temporary_, kind_);  // if there was an old one; what is left of it bears the temporary's name
+}
+
+void WholeDirectory::fill(const std::function<void()>& write) {
+  try {
+    write();
+    commit();
+  } catch (const Error& error) {
+    ErrorDetails details = error.details();
+    if (details.file.compare(0, temporary_.size(), temporary_) == 0)
+      details.file.replace(0, temporary_.size(), named_);
+    throw Error(error.kind(), details);
+  }
 }
 
 }  // namespace vegard::sim

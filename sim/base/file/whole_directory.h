@@ -54,7 +54,12 @@ class WholeDirectory {
   /// the old directory is unchanged then.
   void commit();
 
+  /// Calls `write`, which writes the files, and commits. Of an Error about a file in the temporary directory
+  /// the user is told as about one of the directory that he named.
+  void fill(const std::function<void()>& write);
+
  private:
+  std::string named_;  ///< the target as it was given
   std::string target_;
   std::string resolved_;  ///< the target with its symbolic links followed
   std::string temporary_;
