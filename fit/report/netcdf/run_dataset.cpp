@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "fit/answer/trust.h"
-#include "fit/answer/verdict.h"
 #include "fit/report/netcdf/map_dataset.h"
 #include "fit/report/netcdf/record_json.h"
 #include "fit/report/netcdf/table_dataset.h"
@@ -114,48 +113,46 @@ class RunDataset {
   void take_parameters() {
     const RecordOfRun& parameters = record_list(json_, "parameters");
     if (parameters.empty()) return;
-    const std::size_t n = parameters.size();
     std::vector<std::string> paths, units;
-    std::vector<double> sigmas, values, initial, least, most;
     std::vector<double> interval;
     std::vector<int> at_limit;
     for (const RecordOfRun& p : parameters) {
       const std::string photo = record_text(p, "photo");
       paths.push_back(record_text(p, "path") + (photo.empty() ? "" : " of " + photo));
       units.push_back(sim::udunits_of(record_text(p, "unit")));
-      values.push_back(record_number(p, "value"));
-      sigmas.push_back(record_number(p, "sigma"));
-      initial.push_back(record_number(p, "initial"));
-      least.push_back(record_number(p, "min"));
-      most.push_back(record_number(p, "max"));
       at_limit.push_back(p.contains("at_limit") && p["at_limit"] == true ? 1 : 0);
       const RecordOfRun& ends = record_list(p, "interval68");
       for (std::size_t e = 0; e < 2; ++e)
         interval.push_back(e < ends.size() && ends[e].is_number() ? ends[e].get<double>() : sim::kNaN);
-      add_quantity(dataset_, paths.back(), record_text(p, "meaning"), record_text(p, "unit"), values.back(),
-                   sigmas.back())
+      add_quantity(dataset_, paths.back(), record_text(p, "meaning"), record_text(p, "unit"),
+                   record_number(p, "value"), record_number(p, "sigma"))
           .with("path", record_text(p, "path"));
     }
-    dataset_.dimension("parameter", n);
-    dataset_.dimension("other_parameter", n);
-    dataset_.dimension("end", 2);
-    dataset_.text("parameter", "free parameters", {"parameter"}, paths);
-    dataset_.text("other_parameter", "free parameters", {"other_parameter"}, paths);
-    dataset_.text("parameter_unit", "unit of each parameter, as UDUNITS has it", {"parameter"}, units);
     const std::string own = "each in its parameter_unit";
-    dataset_.real("parameter_value", "best values", "", {"parameter"}, values)
-        .with("comment", own)
-        .with("ancillary_variables", "parameter_sigma");
-    dataset_.real("parameter_sigma", "standard errors", "", {"parameter"}, sigmas).with("comment", own);
+    const std::vector<std::string> by = {"parameter"};
+    const auto numbers = [&](const char* key) {
+      std::vector<double> of_each;
+      for (const RecordOfRun& p : parameters) of_each.push_back(record_number(p, key));
+      return of_each;
+    };
+    const auto define = [&](const std::string& key, const char* words) -> NetcdfVariable& {
+      return dataset_.real("parameter_" + key, words, "", by, numbers(key.c_str())).with("comment", own);
+    };
+    dataset_.dimension("parameter", parameters.size());
+    dataset_.dimension("other_parameter", parameters.size());
+    dataset_.dimension("end", 2);
+    dataset_.text("parameter", "free parameters", by, paths);
+    dataset_.text("other_parameter", "free parameters", {"other_parameter"}, paths);
+    dataset_.text("parameter_unit", "unit of each parameter, as UDUNITS has it", by, units);
+    define("value", "best values").with("ancillary_variables", "parameter_sigma");
+    define("sigma", "standard errors");
     dataset_.real("parameter_interval68", "ends of the 68 % intervals", "", {"parameter", "end"}, interval)
         .with("comment", own);
-    dataset_.real("parameter_initial", "where the search began", "", {"parameter"}, initial)
-        .with("comment", own);
-    dataset_.real("parameter_min", "lower limits", "", {"parameter"}, least).with("comment", own);
-    dataset_.real("parameter_max", "upper limits", "", {"parameter"}, most).with("comment", own);
-    dataset_.flags("parameter_at_limit", "whether a parameter ended at a limit", {"no", "yes"}, {"parameter"},
-                   at_limit);
-    take_covariance(sigmas);
+    define("initial", "where the search began");
+    define("min", "lower limits");
+    define("max", "upper limits");
+    dataset_.flags("parameter_at_limit", "whether a parameter ended at a limit", {"no", "yes"}, by, at_limit);
+    take_covariance(numbers("sigma"));
   }
 
   void take_covariance(const std::vector<double>& sigmas) {
@@ -251,18 +248,12 @@ NetcdfDataset sequence_dataset(const std::vector<SequenceRow>& rows) {
   dataset.flags("search", "by a descent from the frame before, or by the full search", searches, by,
                 searched);
   dataset.real("chi2_per_dof", "chi2 per degree of freedom", "1", by, chi2);
-  std::vector<SequenceNumber> all;
-  for (const SequenceRow& row : rows)
-    for (const SequenceNumber& number : row.numbers)
-      if (std::none_of(all.begin(), all.end(), [&](const auto& known) { return known.name == number.name; }))
-        all.push_back(number);
-  for (const SequenceNumber& wanted : all) {
+  for (const SequenceNumber& wanted : sequence_numbers(rows)) {
     std::vector<double> values, sigmas;
     for (const SequenceRow& row : rows) {
-      const auto found = std::find_if(row.numbers.begin(), row.numbers.end(),
-                                      [&](const auto& number) { return number.name == wanted.name; });
-      values.push_back(found == row.numbers.end() ? sim::kNaN : found->value);
-      sigmas.push_back(found == row.numbers.end() ? sim::kNaN : found->sigma.value_or(sim::kNaN));
+      const SequenceNumber* const found = find_number(row, wanted.name);
+      values.push_back(found == nullptr ? sim::kNaN : found->value);
+      sigmas.push_back(found == nullptr ? sim::kNaN : found->sigma.value_or(sim::kNaN));
     }
     const std::string unit = sim::udunits_of(wanted.unit);
     NetcdfVariable& made = dataset.real(wanted.name, wanted.name, unit, by, values);

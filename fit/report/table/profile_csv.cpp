@@ -2,49 +2,35 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "fit/report/table/report_bins.h"
+#include "sim/base/file/csv_text.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
-
-/// A comment must stay one line, whatever the file is called.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return text;
-}
-
-void append_number(std::string& text, double value) {
-  text += ',';
-  // fmt's plain {} is the shortest form that reads back the same.
-  if (std::isfinite(value)) fmt::format_to(std::back_inserter(text), "{}", value);
-}
 
 std::string comments(const Photo& photo, const Profile& profile) {
   const Region& region = profile.region;
   const bool named = has_named_axes(profile);
   std::string text = named ? "# profiles: mean linear light per bin, band and channel\n"
                            : "# vertical profiles: mean linear light per row, band and channel\n";
-  text += "# photograph: " + one_line(photo.file_name) + "\n";
+  text += sim::csv_comment("photograph: " + photo.file_name);
   text += "# sha256: " + photo.sha256 + "\n";
   for (std::size_t c = 0; c < photo.filters.size(); ++c) {
     const PhotoPart& part = photo.filters[c];
     const char* const names[3] = {"r", "g", "b"};
     if (part.wavelength_nm > 0.0)
-      text += fmt::format("# {}: {} nm, {}, sha256 {}\n", names[c], part.wavelength_nm,
-                          one_line(part.file_name), part.sha256);
+      text += sim::csv_comment(
+          fmt::format("{}: {} nm, {}, sha256 {}", names[c], part.wavelength_nm, part.file_name, part.sha256));
     else
       text += fmt::format("# {}: no file\n", names[c]);
   }
   text += fmt::format("# size_px: {} x {}\n", photo.linear.width, photo.linear.height);
   text += "# decoding: " + photo.decoding + "\n";
   if (!photo.mask_name.empty()) {
-    text += "# mask: " + one_line(photo.mask_name) + "\n";
+    text += sim::csv_comment("mask: " + photo.mask_name);
     text += "# mask_sha256: " + photo.mask_sha256 + "\n";
   }
   text += fmt::format("# roi_px: [{}, {}, {}, {}]\n", region.x, region.y, region.width, region.height);
@@ -109,25 +95,25 @@ std::string profile_csv(const Photo& photo, const Profile& profile,
       text += std::to_string(band);
       double elevation_deg = std::numeric_limits<double>::quiet_NaN();
       if (named) {
-        append_number(text, profile.grid->across.edge(band + 0.5));
-        append_number(text, profile.grid->along.edge(row + 0.5));
+        text += "," + sim::csv_number(profile.grid->across.edge(band + 0.5));
+        text += "," + sim::csv_number(profile.grid->along.edge(row + 0.5));
       } else {
         text += "," + std::to_string(profile.region.y + row);
         elevation_deg = row_elevation_deg(profile, band, row, elevation_of_pixel);
-        append_number(text, elevation_deg);
+        text += "," + sim::csv_number(elevation_deg);
       }
-      if (observer_km) append_number(text, sim::tangent_altitude_km(*observer_km, elevation_deg));
+      if (observer_km) text += "," + sim::csv_number(sim::tangent_altitude_km(*observer_km, elevation_deg));
       const std::size_t i = profile.index(band, row, 0);
-      for (int c = 0; c < 3; ++c) append_number(text, profile.mean[i + c]);
-      for (int c = 0; c < 3; ++c) append_number(text, profile.standard_error[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(profile.mean[i + c]);
+      for (int c = 0; c < 3; ++c) text += "," + sim::csv_number(profile.standard_error[i + c]);
       for (int c = 0; c < 3; ++c) text += "," + std::to_string(profile.count[i + c]);
       const Chromaticity colour = chromaticity(profile, band, row);
       for (const double value : {colour.r, colour.g, colour.sigma_r, colour.sigma_g})
-        append_number(text, value);
+        text += "," + sim::csv_number(value);
       for (std::size_t l = 0; l < line_count; ++l) {
         const std::size_t at = i / 3 * line_count + l;
-        append_number(text, lines->rayleigh[at]);
-        append_number(text, lines->sigma[at]);
+        text += "," + sim::csv_number(lines->rayleigh[at]);
+        text += "," + sim::csv_number(lines->sigma[at]);
       }
       text += '\n';
     }

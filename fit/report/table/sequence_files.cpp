@@ -1,11 +1,8 @@
 #include "fit/report/table/sequence_files.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "fit/answer/verdict.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_text.h"
 #include "sim/base/number/constants.h"
@@ -16,15 +13,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The number of this name in a row, or null.
-const SequenceNumber* find(const SequenceRow& row, const std::string& name) {
+bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+/// What one wants to see of a sequence at a glance.
+bool is_plotted(const std::string& name) {
+  return contains(name, ".energy_kev") || contains(name, ".energy_flux_mw_m2") ||
+         name.compare(0, 8, "distance") == 0 || name.compare(0, 12, "lower border") == 0;
+}
+
+double number_or_nan(const Json& json) { return json.is_null() ? sim::kNaN : json.get<double>(); }
+
+}  // namespace
+
+const SequenceNumber* find_number(const SequenceRow& row, const std::string& name) {
   for (const SequenceNumber& number : row.numbers)
     if (number.name == name) return &number;
   return nullptr;
 }
 
-/// In the order of their first appearance: a frame that failed may lack some.
-std::vector<SequenceNumber> all_numbers(const std::vector<SequenceRow>& rows) {
+std::vector<SequenceNumber> sequence_numbers(const std::vector<SequenceRow>& rows) {
   std::vector<SequenceNumber> all;
   for (const SequenceRow& row : rows)
     for (const SequenceNumber& number : row.numbers) {
@@ -34,22 +41,8 @@ std::vector<SequenceNumber> all_numbers(const std::vector<SequenceRow>& rows) {
   return all;
 }
 
-bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-
-/// What one wants to see of a sequence at a glance.
-bool is_plotted(const std::string& name) {
-  return contains(name, ".energy_kev") || contains(name, ".energy_flux_mw_m2") ||
-         name.compare(0, 8, "distance") == 0 || name.compare(0, 12, "lower border") == 0;
-}
-
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-double number_or_nan(const Json& json) { return json.is_null() ? sim::kNaN : json.get<double>(); }
-
-}  // namespace
-
 std::string sequence_csv(const std::vector<SequenceRow>& rows) {
-  const std::vector<SequenceNumber> columns = all_numbers(rows);
+  const std::vector<SequenceNumber> columns = sequence_numbers(rows);
   std::string text = sim::csv_comment("a sequence of photographs, each fitted from where the last one ended");
   text += sim::csv_comment("vegard: " + sim::version());
   text += sim::csv_comment("time_s: on the scene's clock");
@@ -69,7 +62,7 @@ std::string sequence_csv(const std::vector<SequenceRow>& rows) {
     text += sim::csv_cell(row.frame) + "," + sim::csv_number(row.time_s) + "," + verdict_name(row.verdict) +
             "," + (row.searched ? "full" : "warm") + "," + sim::csv_number(row.chi2_per_dof);
     for (const SequenceNumber& column : columns) {
-      const SequenceNumber* number = find(row, column.name);
+      const SequenceNumber* number = find_number(row, column.name);
       text += "," + sim::csv_number(number != nullptr ? number->value : sim::kNaN) + "," +
               sim::csv_number(number != nullptr ? number->sigma.value_or(sim::kNaN) : sim::kNaN);
     }
@@ -85,7 +78,7 @@ Plot sequence_plot(const std::vector<SequenceRow>& rows) {
   plot.columns = 1;
   plot.panel_width_px = 640;
   plot.panel_height_px = 190;
-  for (const SequenceNumber& column : all_numbers(rows)) {
+  for (const SequenceNumber& column : sequence_numbers(rows)) {
     if (!is_plotted(column.name)) continue;
     Panel panel;
     Series line, good, doubtful;
@@ -95,7 +88,7 @@ Plot sequence_plot(const std::vector<SequenceRow>& rows) {
     good.width_px = doubtful.width_px = 6.0;
     doubtful.colour = {130, 130, 130};
     for (const SequenceRow& row : rows) {
-      const SequenceNumber* number = find(row, column.name);
+      const SequenceNumber* number = find_number(row, column.name);
       const bool shown =
           number != nullptr && (row.verdict == Verdict::good || row.verdict == Verdict::doubtful);
       const double value = shown ? number->value : sim::kNaN;
@@ -126,14 +119,14 @@ std::string sequence_row_json(const SequenceRow& row) {
   json["decoding"] = row.decoding;
   json["verdict"] = verdict_name(row.verdict);
   json["searched"] = row.searched;
-  json["chi2_per_dof"] = number_or_null(row.chi2_per_dof);
+  json["chi2_per_dof"] = row.chi2_per_dof;
   json["values"] = row.values;
   json["numbers"] = Json::array();
   for (const SequenceNumber& n : row.numbers)
     json["numbers"].push_back({{"name", n.name},
                                {"unit", n.unit},
-                               {"value", number_or_null(n.value)},
-                               {"sigma", n.sigma ? number_or_null(*n.sigma) : Json(nullptr)}});
+                               {"value", n.value},
+                               {"sigma", n.sigma ? Json(*n.sigma) : Json(nullptr)}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

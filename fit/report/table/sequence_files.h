@@ -10,6 +10,13 @@
 
 namespace vegard::fit {
 
+/// The number of this name in a row; null if it has none.
+const SequenceNumber* find_number(const SequenceRow& row, const std::string& name);
+
+/// The numbers of all rows, each once, in the order of their first appearance: a frame that failed may lack
+/// some.
+std::vector<SequenceNumber> sequence_numbers(const std::vector<SequenceRow>& rows);
+
 /// Returns a table with a line per frame: its time and verdict, then every number with its sigma. Unknown
 /// values are empty.
 std::string sequence_csv(const std::vector<SequenceRow>& rows);
