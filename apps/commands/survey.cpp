@@ -8,15 +8,10 @@ void add_survey_command(Program& program) {
   const Command survey = program.add(
       "survey",
       "Measure every frame of a night, a winter or a network of cameras, on one machine or a cluster");
-  add_survey_plan(survey);
-  add_survey_run(survey);
-  add_survey_submit(survey);
-  add_survey_status(survey);
-  add_survey_cancel(survey);
-  add_survey_merge(survey);
-  add_survey_export(survey);
-  add_survey_smooth(survey);
-  add_survey_report(survey);
+  for (AddSurveyStep* const add :
+       {add_survey_plan, add_survey_run, add_survey_submit, add_survey_status, add_survey_cancel,
+        add_survey_merge, add_survey_export, add_survey_smooth, add_survey_report})
+    add(survey);
 }
 
 }  // namespace vegard::apps

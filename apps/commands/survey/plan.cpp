@@ -9,7 +9,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
-#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"

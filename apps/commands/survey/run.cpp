@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +12,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
-#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"

@@ -1,18 +1,13 @@
-// The steps of a survey, each a subcommand of `vegard survey` in a file of its own in this folder.
+// The steps of a survey, each a subcommand of `vegard survey`.
 #pragma once
 
 #include "apps/options/command.h"
 
 namespace vegard::apps {
 
-void add_survey_plan(const Command& survey);
-void add_survey_run(const Command& survey);
-void add_survey_submit(const Command& survey);
-void add_survey_status(const Command& survey);
-void add_survey_cancel(const Command& survey);
-void add_survey_merge(const Command& survey);
-void add_survey_export(const Command& survey);
-void add_survey_smooth(const Command& survey);
-void add_survey_report(const Command& survey);
+using AddSurveyStep = void(const Command& survey);
+AddSurveyStep add_survey_plan, add_survey_run, add_survey_submit, add_survey_status, add_survey_cancel;
+/// What is done with the database of a survey, or of one of its shards (database.cpp).
+AddSurveyStep add_survey_merge, add_survey_export, add_survey_smooth, add_survey_report;
 
 }  // namespace vegard::apps

@@ -7,8 +7,6 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "apps/commands/survey/shard_folder.h"
 #include "apps/commands/survey/slurm_job.h"
 #include "apps/commands/survey/steps.h"
