@@ -155,6 +155,50 @@ int tell_of_interruption(std::size_t finished, std::size_t frames) {
   return interrupted;
 }
 
+int list_frames(const sim::Scene& scene, const std::vector<int>& frames, double frames_per_second) {
+  json_answer()["frames"] = Json::array();
+  for (const int frame : frames) {
+    const double start_s = scene_of_frame(scene, frame, frames_per_second).time.start_s;
+    say_result(fmt::format("{} time.start_s={}\n", frame, start_s));
+    json_answer()["frames"].push_back({{"frame", frame}, {"start_s", start_s}});
+  }
+  return good;
+}
+
+/// The name of the camera's file, which is no input; the camera has matrices.
+std::string checked_camera_file(const AnimateRequest& options, const FrameNames& names,
+                                const sim::Scene& scene) {
+  const std::string camera =
+      is_movie(options.output) ? camera_json_name(options.output) : names.companion("camera.json");
+  if (same_file(camera, options.scene.file)) refuse_same_file("--camera-json", camera, "the scene");
+  if (same_file(camera, options.scene.camera_file))
+    refuse_same_file("--camera-json", camera, "the camera's file");
+  camera_json(scene);
+  return camera;
+}
+
+/// Makes the movie of the frames, which are removed.
+int encode_frames(const AnimateRequest& options, const sim::Scene& scene, const FrameNames& names,
+                  const std::vector<int>& frames, double frames_per_second) {
+  std::vector<std::string> files;
+  for (const int frame : frames) files.push_back(names.file(frame));
+  std::string codec;
+  {
+    ProgressBar bar("encoding");
+    codec = write_movie(
+        options.output, files, frames_per_second, options.overwrite,
+        [&bar](double share) { bar.update(share); }, &watch_for_interrupt(),
+        scene.camera.model == sim::LensModel::equirectangular);
+  }
+  if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
+  remove_animation(names, frames);
+  say("%s: %s\n", options.output.c_str(),
+      fmt::format("{} frames of {} x {} pixels at {} per second, {}", frames.size(), scene.camera.width,
+                  scene.camera.height, frames_per_second, codec)
+          .c_str());
+  return good;
+}
+
 int run_animate(const AnimateRequest& request) {
   AnimateRequest options = request;
   const sim::Scene scene = scene_of(options.scene);
@@ -162,15 +206,7 @@ int run_animate(const AnimateRequest& request) {
   const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
   const std::vector<int> frames = frames_of(options, scene);
   check_last_instant(scene, frames.back(), frames_per_second);
-  if (options.list) {
-    json_answer()["frames"] = Json::array();
-    for (const int frame : frames) {
-      const double start_s = scene_of_frame(scene, frame, frames_per_second).time.start_s;
-      say_result(fmt::format("{} time.start_s={}\n", frame, start_s));
-      json_answer()["frames"].push_back({{"frame", frame}, {"start_s", start_s}});
-    }
-    return good;
-  }
+  if (options.list) return list_frames(scene, frames, frames_per_second);
   if (options.output.empty())
     throw usage_error("--output", "nothing to write", "-o frames/####.exr or -o movie.mp4");
 
@@ -183,14 +219,7 @@ int run_animate(const AnimateRequest& request) {
   for (const std::string& file : fit::picture_files(scene))
     refuse_input_as_output(options, names, file, "a file that the scene reads");
   if (movie) check_movie(options, scene);
-  std::string camera;
-  if (options.camera_json) {
-    camera = movie ? camera_json_name(options.output) : names.companion("camera.json");
-    if (same_file(camera, options.scene.file)) refuse_same_file("--camera-json", camera, "the scene");
-    if (same_file(camera, options.scene.camera_file))
-      refuse_same_file("--camera-json", camera, "the camera's file");
-    camera_json(scene);
-  }
+  const std::string camera = options.camera_json ? checked_camera_file(options, names, scene) : "";
   options.threads =
       threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
                         false, options.memory_limit);
@@ -220,10 +249,9 @@ int run_animate(const AnimateRequest& request) {
     leave_no_beginning();
     if (finished.empty()) throw;
     // Of the frame that failed nothing is left behind, as its hint may say; of the others more is.
-    sim::ErrorDetails details = error.details();
-    details.hint = fmt::format("{} of {} frames are finished, and the same command goes on from there",
-                               finished.size(), frames.size());
-    throw sim::Error(error.kind(), details);
+    throw sim::Error(error).hint(
+        fmt::format("{} of {} frames are finished, and the same command goes on from there", finished.size(),
+                    frames.size()));
   } catch (...) {
     leave_no_beginning();
     throw;
@@ -241,23 +269,7 @@ int run_animate(const AnimateRequest& request) {
         names.file(frames.back()).c_str(), frames.size(), size.c_str(), before);
     return good;
   }
-
-  std::vector<std::string> files;
-  for (const int frame : frames) files.push_back(names.file(frame));
-  std::string codec;
-  {
-    ProgressBar bar("encoding");
-    codec = write_movie(
-        options.output, files, frames_per_second, options.overwrite,
-        [&bar](double share) { bar.update(share); }, &watch_for_interrupt(),
-        scene.camera.model == sim::LensModel::equirectangular);
-  }
-  if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
-  remove_animation(names, frames);
-  say("%s: %s\n", options.output.c_str(),
-      fmt::format("{} frames of {} at {} per second, {}", frames.size(), size, frames_per_second, codec)
-          .c_str());
-  return good;
+  return encode_frames(options, scene, names, frames, frames_per_second);
 }
 
 }  // namespace
@@ -278,8 +290,7 @@ void add_animate_command(Program& program) {
       .option("--fps", options->frames_per_second,
               "Frames per second (default: time.frames_per_second of the scene)")
       .range(0.001, 1000.0);
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
   command.flag("--list", options->list, "Only print each frame's time.start_s");
