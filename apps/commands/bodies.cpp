@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>

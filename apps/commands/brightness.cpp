@@ -72,8 +72,7 @@ void add_brightness_command(Program& program) {
   const Command command = program.add(
       "brightness", "Compute how bright a scene is: IBC, rayleighs, watts, luminance, what the eye sees");
   add_scene_options(command, options->scene);
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   add_memory_option(command, options->memory_limit);
   command.runs([options] { return run_brightness(*options); });
 }

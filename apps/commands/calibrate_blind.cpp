@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "apps/options/exit_code.h"
 #include "apps/options/json_answer.h"

@@ -1,7 +1,6 @@
 // `vegard calibrate --image PHOTO` without a camera to start from: recognises the stars.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"
 #include "fit/measure/direction_bins.h"
 #include "fit/measure/direction_profile.h"
-#include "fit/report/direction_plot.h"
+#include "fit/report/profile_plot.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
 

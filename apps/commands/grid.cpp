@@ -204,8 +204,7 @@ void add_grid_command(Program& program) {
                                   "Convolve with a kernel of your own, 125 numbers, the last axis fastest")
                           .type_name("FILE")
                           .repeated();
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options, command, blur, sharpen, mask] {
     options->order.clear();

@@ -21,8 +21,6 @@
 #include "fit/columns/column_maps.h"
 #include "fit/columns/line_measurement.h"
 #include "fit/photo/plane_file.h"
-#include "fit/report/columns/column_map_files.h"
-#include "fit/report/columns/inversion_plot.h"
 #include "fit/report/columns/inversion_texts.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/text.h"
@@ -414,8 +412,7 @@ void add_invert_command(Program& program) {
       .type_name("OUT.json|.fits|.nc")
       .repeated();
   command.option("--plot", options->plot, "Draw chi2 over energy and flux").type_name("OUT.svg|OUT.png");
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] {
     if (options->lines.empty() && options->maps.empty())

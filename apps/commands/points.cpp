@@ -100,8 +100,7 @@ void add_points_command(Program& program) {
               "Largest number of points: one of several neighbouring beams is kept, with the light of all")
       .range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000})
       .type_name("NUMBER");
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] { return run_points(*options); });
 }

@@ -108,8 +108,7 @@ void add_preview_command(Program& program) {
   command.flag("--bench", options->bench, "Only measure how long a frame takes");
   command.option("--save", options->save, "File into which the key p writes the current scene")
       .type_name("SCENE.toml");
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] { return run_preview(*options); });
 }

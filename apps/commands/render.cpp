@@ -18,7 +18,6 @@
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/camera_json.h"
-#include "apps/output/layers.h"
 #include "apps/output/light_outside.h"
 #include "apps/output/picture_file.h"
 #include "apps/output/progress_bar.h"
@@ -276,8 +275,7 @@ void add_render_command(Program& program) {
       .option("--layers", options->layers,
               "Write each sheet and all other parts of the picture as layers of the EXR")
       .one_of({"sheets"});
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   add_memory_option(command, options->memory_limit);
   add_picture_options(command, options->picture);
   const Option as_seen =

@@ -21,7 +21,6 @@
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
-#include "fit/answer/verdict.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
@@ -291,8 +290,7 @@ void add_sequence_command(Program& program) {
   command.option("--mask", options->mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->decoding);
   add_memory_option(command, options->memory_limit);
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command
       .option("--max-evaluations", options->max_evaluations, "Stop a frame after this number of evaluations")
       .range(1, 1000000)

@@ -19,7 +19,6 @@
 #include "apps/output/grid_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
-#include "apps/output/volume_metadata.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/grid/vdb_io.h"
 #include "sim/render/volumes/scene_grid.h"
@@ -115,8 +114,7 @@ void add_volume_command(Program& program) {
               "Program that will read it: voxel centres are at index + 1/2 in Blender (the default), at the "
               "index in Houdini")
       .one_of({"blender", "houdini"});
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] { return run_volume(*options); });
 }

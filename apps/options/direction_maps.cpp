@@ -1,7 +1,5 @@
 #include "apps/options/direction_maps.h"
 
-#include <filesystem>
-
 #include "apps/options/file_names.h"
 #include "apps/options/refusals.h"
 #include "fit/photo/direction_map_file.h"

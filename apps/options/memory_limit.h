@@ -1,7 +1,6 @@
 // The limit of a command's memory, and its messages.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "apps/options/command.h"

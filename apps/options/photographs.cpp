@@ -6,7 +6,6 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
-#include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 

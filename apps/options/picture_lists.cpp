@@ -1,12 +1,10 @@
 #include "apps/options/picture_lists.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <sstream>
 

@@ -19,8 +19,4 @@ inline sim::Error usage_error(const std::string& key, const std::string& problem
 using sim::placing_errors;
 using sim::with_place;
 
-/// Throws Error(scene), with the key's place, if the scene's points have unit weight (film.weight), so that
-/// its picture is not in rayleighs. `what` is the option that needs rayleighs: "--as-seen".
-void require_rayleighs(const sim::Scene& scene, const std::string& what);
-
 }  // namespace vegard::apps

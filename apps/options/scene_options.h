@@ -30,4 +30,8 @@ sim::Scene scene_of(const SceneOptions& options);
 /// physical blur is not applied.
 void note_inert_keys(const sim::Scene& scene);
 
+/// Throws Error(scene), with the key's place, if the scene's points have unit weight (film.weight), so that
+/// its picture is not in rayleighs. `what` is the option that needs rayleighs: "--as-seen".
+void require_rayleighs(const sim::Scene& scene, const std::string& what);
+
 }  // namespace vegard::apps

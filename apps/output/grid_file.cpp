@@ -7,6 +7,11 @@
 #include "apps/options/refusals.h"
 #include "sim/base/grid/volumegrid_text.h"
 #include "sim/base/text.h"
+#include "sim/base/version.h"
+#include "sim/light/emitter.h"
+#include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/view/colour/line_colours.h"
 
 namespace vegard::apps {
 namespace {
@@ -18,6 +23,9 @@ std::string listed(const std::vector<std::string>& names) {
 void refuse_channel(const std::string& path, const std::string& name, const std::vector<std::string>& known) {
   throw usage_error("--channel", path + " has no grid '" + name + "'", "one of its grids: " + listed(known));
 }
+
+/// Rayleighs of a unit of length of 1 photon cm^-3 s^-1.
+double rayleigh_per_unit(const sim::SceneGrid& made) { return sim::kRayleighsPerKm * made.unit_cm * 1e-5; }
 
 }  // namespace
 
@@ -75,6 +83,59 @@ std::string length_words(const sim::VdbMetadata& metadata) {
   if (km <= 0.0) km = 1e-5 * number("unit_cm");
   if (km <= 0.0) return "units";
   return km == 1.0 ? "km" : fmt::format("units of {:g} km", km);
+}
+
+bool is_of_sun(const sim::Scene& scene) {
+  const std::vector<sim::EmitterKind>& kinds = sim::emitter_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const sim::EmitterKind& kind) {
+    return sim::what_is_on_sun(kind, scene) != sim::OnSun::nothing;
+  });
+}
+
+sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made) {
+  sim::VdbMetadata out;
+  const bool of_sun = is_of_sun(scene), in_km = !of_sun && made.unit_cm == 1e5;
+  out.numbers["unit_cm"] = made.unit_cm;
+  out.numbers["voxel_km"] = made.grid.voxel * made.unit_cm * 1e-5;
+  out.numbers["rayleigh_per_unit"] = rayleigh_per_unit(made);
+  if (in_km) {
+    out.numbers["site_latitude_deg"] = scene.site.latitude_deg;
+    out.numbers["site_longitude_deg"] = scene.site.longitude_deg;
+    out.numbers["site_altitude_m"] = scene.site.altitude_m;
+  }
+  out.numbers["time_start_s"] = scene.time.start_s;
+  out.texts["creator"] = "vegard " + sim::version();
+  if (of_sun) {
+    out.numbers["unit_km"] = scene.sun.unit_km;
+    out.texts["axes"] =
+        "x to latitude 0 and longitude 0, y to longitude 90 deg (west), z to the north pole of the Sun, its "
+        "middle at the origin, in units of unit_km";
+  }
+  out.texts["frame"] =
+      of_sun  ? "sun"
+      : in_km ? "x east, y north, z up, in km, the observer at the origin"
+              : "x right, y up, z towards the observer, in the nebula's unit, its middle at the origin";
+  out.texts["density_is"] =
+      made.absorbs ? "what absorbs" : "light of all lines over that of the brightest voxel";
+  out.texts["voxel_centre"] =
+      "the number of voxel (i, j, k) holds at the transform of (i + c, j + c, k + c), "
+      "c = voxel_centre_index";
+  out.texts["scene"] = sim::write_scene(scene);
+  return out;
+}
+
+std::vector<std::array<float, 3>> colours_of_channels(const sim::Scene& scene, const sim::SceneGrid& made,
+                                                      const std::vector<int>& lines) {
+  const std::vector<sim::Vector3> per_kilorayleigh = sim::line_colours(scene);
+  std::vector<std::array<float, 3>> out;
+  for (std::size_t c = 0; c + 1 < made.grid.channels.size(); ++c) {
+    const sim::Vector3& rgb = per_kilorayleigh[lines.empty() ? c : lines[c]];
+    const double scale = rayleigh_per_unit(made) * 1e-3;
+    out.push_back({static_cast<float>(rgb[0] * scale), static_cast<float>(rgb[1] * scale),
+                   static_cast<float>(rgb[2] * scale)});
+  }
+  out.push_back({0.0f, 0.0f, 0.0f});
+  return out;
 }
 
 }  // namespace vegard::apps

@@ -1,4 +1,5 @@
-// Reads files of voxels, of the kind given by their names: OpenVDB, or pbrt's volumegrid.
+// Files of voxels, OpenVDB or pbrt's volumegrid by their names: reading them, and the metadata and colours of
+// those that hold a scene's light.
 #pragma once
 
 #include <array>
@@ -8,6 +9,8 @@
 
 #include "sim/base/grid/sparse_grid.h"
 #include "sim/base/grid/vdb_io.h"
+#include "sim/render/volumes/scene_grid.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 
@@ -37,5 +40,16 @@ std::string channel_names(const sim::SparseGrid& grid);
 
 /// The unit of lengths in a file with this metadata: "km", "units of 1000 km", "units".
 std::string length_words(const sim::VdbMetadata& metadata);
+
+/// Whether a grid of the scene's light is in the Sun's frame: grids never hold light of two frames.
+bool is_of_sun(const sim::Scene& scene);
+
+/// Returns the metadata; the entries are described in docs/openvdb.md and docs/corona/grids.md.
+sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made);
+
+/// Linear RGB of a unit of length of 1 photon cm^-3 s^-1, for the channel of each of the `lines` of the scene
+/// (empty: all) and for the density, which has no colour.
+std::vector<std::array<float, 3>> colours_of_channels(const sim::Scene& scene, const sim::SceneGrid& made,
+                                                      const std::vector<int>& lines);
 
 }  // namespace vegard::apps

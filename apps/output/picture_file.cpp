@@ -1,12 +1,15 @@
 #include "apps/output/picture_file.h"
 
+#include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"
-#include "apps/output/layers.h"
+#include "sim/base/error.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
@@ -17,6 +20,7 @@
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::apps {
+
 namespace {
 
 int bits_of(const PictureOptions& options, sim::ImageFormat format) {
@@ -58,6 +62,24 @@ sim::Image shown_picture(const PictureOptions& options, const sim::Scene& scene,
   if (options.photograph)
     return sim::encoded(scene, sim::developed(scene, raw_of(options, scene, rendering)));
   return sim::display_picture(scene, rendering);
+}
+
+constexpr std::array<const char*, 12> kOwnNames = {"aurora", "sky",    "night_sky",  "background",
+                                                   "stars",  "mask",   "foreground", "rayleigh",
+                                                   "volume", "hidden", "literal",    "ground"};
+
+sim::Image named(const std::string& layer, sim::Image image) {
+  for (std::string& name : image.channel_names) name.insert(0, layer + ".");
+  return image;
+}
+
+/// The channels from `first` on.
+sim::Image channels_of(const sim::Image& image, int first, std::vector<std::string> names) {
+  sim::Image part(image.width, image.height, std::move(names));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < part.channels(); ++c) part.at(x, y, c) = image.at(x, y, first + c);
+  return part;
 }
 
 }  // namespace
@@ -151,6 +173,42 @@ std::string encoded_lines(const std::string& path, const sim::Scene& scene, cons
   sim::ImageAttributes attributes = attributes_of(scene);
   attributes["units"] = "rayleighs, by wavelength in tenths of a nanometre";
   return sim::encode_exr({&lines}, attributes, path);
+}
+
+void check_layer_names(const sim::Scene& scene) {
+  for (const sim::Sheet& sheet : scene.sheets) {
+    if (std::find(kOwnNames.begin(), kOwnNames.end(), sheet.name) == kOwnNames.end()) continue;
+    throw with_place(
+        sim::Error(sim::ErrorKind::scene, "--layers has a layer '" + sheet.name + "' that is no sheet")
+            .key("sheet." + sheet.name + ".name")
+            .expected("another name for the sheet"),
+        scene);
+  }
+}
+
+sim::Image volume_layer(const sim::Rendering& rendering) {
+  return rendering.volume.empty() ? sim::Image() : named("volume", rendering.volume);
+}
+
+std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rendering) {
+  std::vector<sim::Image> layers;
+  for (sim::SheetLayer& sheet : rendering.sheets) {
+    layers.push_back(named(sheet.name, std::move(sheet.aurora)));
+    layers.push_back(named(sheet.name + ".rayleigh", std::move(sheet.rayleigh)));
+  }
+  layers.push_back(named("aurora", std::move(rendering.aurora)));
+  layers.push_back(named("sky", sim::sky_light(scene)));
+  if (!rendering.night_sky.empty()) layers.push_back(named("night_sky", std::move(rendering.night_sky)));
+  if (!rendering.background.empty()) layers.push_back(named("background", std::move(rendering.background)));
+  if (!rendering.stars.empty()) layers.push_back(named("stars", std::move(rendering.stars)));
+  if (!rendering.hidden.empty()) layers.push_back(named("hidden", std::move(rendering.hidden)));
+  if (!rendering.literal.empty()) layers.push_back(named("literal", std::move(rendering.literal)));
+  if (!rendering.ground.empty()) layers.push_back(named("ground", std::move(rendering.ground)));
+  if (!rendering.foreground.empty()) {
+    layers.push_back(channels_of(rendering.foreground, 0, {"foreground.R", "foreground.G", "foreground.B"}));
+    layers.push_back(channels_of(rendering.foreground, 3, {"mask"}));
+  }
+  return layers;
 }
 
 }  // namespace vegard::apps

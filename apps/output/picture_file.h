@@ -1,12 +1,13 @@
-// Encodes a rendered picture as a file, for stills and for frames of an animation.
+// Encodes a rendered picture as a file, for stills and for frames of an animation, with the layers of an EXR:
+// that of volumes, and those that `vegard render --layers sheets` adds to the picture.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/options/command.h"
-
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
@@ -40,8 +41,8 @@ double bytes_to_encode_px(const std::string& path, const PictureOptions& options
 sim::Image line_layer(const sim::Rendering& rendering);
 
 /// Returns the bytes of the picture's file, whose kind is given by the extension of `path`. `lines` is the
-/// line_layer(). With `with_layers`, an EXR also gets the layers of apps/output/layers.h, which are moved out
-/// of the rendering.
+/// line_layer(). With `with_layers`, an EXR also gets the layers of apps/output/picture_file.h, which are
+/// moved out of the rendering.
 std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers = false);
 
@@ -52,5 +53,17 @@ std::string encoded_raw(const std::string& path, const PictureOptions& options, 
 
 /// Returns the bytes of an EXR of the lines alone.
 std::string encoded_lines(const std::string& path, const sim::Scene& scene, const sim::Image& lines);
+
+/// Throws Error(scene) if a sheet has the name of another layer.
+void check_layer_names(const sim::Scene& scene);
+
+/// The layer of the volumes in the picture, "volume.R" to "volume.A"; empty if there are none. Every EXR has
+/// it.
+sim::Image volume_layer(const sim::Rendering& rendering);
+
+/// Returns the layers as images with the channel names of the file: each sheet ("main.R",
+/// "main.rayleigh.6300"), the aurora, the sky, and, as far as they exist, background, stars, the part of
+/// these that volumes hide, nebulae of the literal march, foreground (times its mask) and mask.
+std::vector<sim::Image> layers_of(const sim::Scene& scene, sim::Rendering&& rendering);
 
 }  // namespace vegard::apps

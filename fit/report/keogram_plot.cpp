@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "fit/report/plot/plot_axis.h"
-#include "fit/report/plot/time_ticks.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/utc_time.h"
 #include "sim/view/sensor/tone_curve.h"

@@ -1,6 +1,7 @@
-// A plot of a photograph's vertical profiles.
+// Plots of a photograph's vertical profiles, and of profiles by direction.
 #pragma once
 
+#include "fit/measure/direction_profile.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
 #include "fit/report/plot/plot.h"
@@ -14,5 +15,9 @@ namespace vegard::fit {
 /// six panels of neighbours, and the rows of a tall region into at most 500, which the note says.
 Plot profile_plot(const Photo& photo, const Profile& profile,
                   const ElevationOfPixel& elevation_of_pixel = {});
+
+/// Returns a plot of the light of each channel and of the ratios of red and blue to green against elevation,
+/// a line for each sector (at most fourteen of them, evenly chosen, which the note says).
+Plot direction_profile_plot(const Photo& photo, const DirectionProfile& directions);
 
 }  // namespace vegard::fit

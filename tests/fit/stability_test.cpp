@@ -8,7 +8,7 @@
 #include "fit/answer/derived.h"
 #include "fit/fit.h"
 #include "fit/report/table/result_json.h"
-#include "fit/report/table/stability_table.h"
+#include "fit/report/table/validation_table.h"
 #include "tests/support/free_paths.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/small_scene.h"

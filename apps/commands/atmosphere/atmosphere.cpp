@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "apps/commands/atmosphere/atmosphere_plot.h"
-#include "apps/commands/atmosphere/atmosphere_texts.h"
+#include <fmt/format.h>
+
 #include "apps/commands/commands.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
@@ -13,11 +16,141 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "fit/report/plot/plot.h"
+#include "sim/base/file/csv_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/utc_time.h"
+#include "sim/light/air/msis_air.h"
 
 namespace vegard::apps {
 namespace {
+
+/// The model's air at altitudes, from the bottom up.
+struct AirColumn {
+  sim::AirConditions conditions;
+  std::vector<double> altitude_km;
+  std::vector<sim::MsisAir> air;
+};
+
+/// Computes the air. Throws Error(usage) where the model is not valid.
+AirColumn air_column(const sim::AirConditions& conditions, double bottom_km, double top_km) {
+  const sim::MsisModel model = sim::sound_msis_model(conditions);
+  AirColumn column;
+  column.conditions = conditions;
+  column.altitude_km = sim::air_altitudes(bottom_km, top_km);
+  for (const double altitude : column.altitude_km) column.air.push_back(model.at(altitude));
+  return column;
+}
+
+/// CSV that sim::read_air_table() reads: conditions in comments; altitude_km, T_K, densities in cm^-3, mass.
+std::string air_csv(const AirColumn& column) {
+  std::string text = sim::csv_comment("air: NRLMSISE-00 (Picone et al. 2002)") +
+                     sim::csv_comment("conditions: " + sim::condition_words(column.conditions)) +
+                     sim::csv_comment("units: km, K, cm^-3; mass_g_cm3 without nO_anomalous");
+  text += "altitude_km,T_K,nN2,nO2,nO,nHe,nAr,nH,nN4S,nO_anomalous,mass_g_cm3\n";
+  for (std::size_t r = 0; r < column.altitude_km.size(); ++r) {
+    const sim::MsisAir& air = column.air[r];
+    text += fmt::format("{},{:.3f}", sim::csv_number(column.altitude_km[r]), air.temperature_k);
+    for (const double density : air.density_cm3) text += fmt::format(",{:.6e}", density);
+    text += fmt::format(",{:.6e},{:.6e}\n", air.hot_o_cm3, air.mass_g_cm3);
+  }
+  return text;
+}
+
+/// Lines of text: conditions, temperatures, the altitude above which O is more abundant than N2.
+std::string air_text(const AirColumn& column) {
+  const auto ratio = [&](std::size_t r) {
+    return column.air[r].of(sim::MsisGas::o) / column.air[r].of(sim::MsisGas::n2);
+  };
+  std::size_t coldest = 0, last = column.air.size() - 1;
+  for (std::size_t r = 0; r < column.air.size(); ++r)
+    if (column.air[r].temperature_k < column.air[coldest].temperature_k) coldest = r;
+  std::string text = fmt::format("air: NRLMSISE-00, {}\n", sim::condition_words(column.conditions));
+  text += fmt::format("temperature: least {:.1f} K at {:g} km, {:.1f} K at {:g} km\n",
+                      column.air[coldest].temperature_k, column.altitude_km[coldest],
+                      column.air[last].temperature_k, column.altitude_km[last]);
+  text +=
+      fmt::format("mass density: {:.3e} g cm^-3 at {:g} km, {:.3e} at {:g} km\n", column.air[0].mass_g_cm3,
+                  column.altitude_km[0], column.air[last].mass_g_cm3, column.altitude_km[last]);
+  for (std::size_t r = 1; r < column.air.size(); ++r)
+    if (ratio(r - 1) < 1.0 && ratio(r) >= 1.0)
+      return text + fmt::format("O overtakes N2 between {:g} and {:g} km\n", column.altitude_km[r - 1],
+                                column.altitude_km[r]);
+  return text + fmt::format("O to N2: {:.3g} at {:g} km\n", ratio(last), column.altitude_km[last]);
+}
+
+/// The same as JSON, with the densities of the gases at the bottom and the top.
+std::string air_json(const AirColumn& column) {
+  const auto level = [&](std::size_t r) {
+    const sim::MsisAir& air = column.air[r];
+    return Json{{"altitude_km", column.altitude_km[r]}, {"temperature_k", air.temperature_k},
+                {"n2_cm3", air.of(sim::MsisGas::n2)},   {"o2_cm3", air.of(sim::MsisGas::o2)},
+                {"o_cm3", air.of(sim::MsisGas::o)},     {"mass_g_cm3", air.mass_g_cm3}};
+  };
+  std::size_t coldest = 0;
+  for (std::size_t r = 0; r < column.air.size(); ++r)
+    if (column.air[r].temperature_k < column.air[coldest].temperature_k) coldest = r;
+  return Json{{"model", "NRLMSISE-00"},
+              {"conditions", sim::condition_words(column.conditions)},
+              {"bottom", level(0)},
+              {"coldest", level(coldest)},
+              {"top", level(column.air.size() - 1)}}
+      .dump();
+}
+
+std::string named_conditions_json() {
+  Json conditions = Json::object();
+  for (const sim::NamedConditions& named : sim::named_conditions())
+    conditions[named.name] = sim::condition_words(named.conditions);
+  return Json{{"conditions", conditions}}.dump();
+}
+
+/// The named conditions, a line each, and as JSON.
+std::string named_conditions_text() {
+  std::string text;
+  for (const sim::NamedConditions& named : sim::named_conditions())
+    text += fmt::format("{:<14} {}\n", named.name, sim::condition_words(named.conditions));
+  return text;
+}
+
+constexpr std::array<const char*, sim::kMsisGases> kGasNames = {"N2", "O2", "O", "He", "Ar", "H", "N"};
+constexpr double kMinLog = 2.0;  // 100 cm^-3: below it nothing is of interest
+
+fit::Panel altitude_panel(const char* title, const char* label) {
+  fit::Panel panel;
+  panel.title = title;
+  panel.x.label = label;
+  panel.y.label = "altitude (km)";
+  return panel;
+}
+
+/// Two panels, altitude upwards: the densities of all gases, and the temperature.
+fit::Plot air_plot(const AirColumn& column) {
+  fit::Panel densities = altitude_panel("Densities", "log10(density in cm^-3)"),
+             temperature = altitude_panel("Temperature", "temperature (K)");
+  double most = kMinLog + 1.0;
+  for (std::size_t g = 0; g < sim::kMsisGases; ++g) {
+    fit::Series series;
+    series.label = kGasNames[g];
+    series.colour = fit::distinct_colour(static_cast<int>(g));
+    series.y = column.altitude_km;
+    for (const sim::MsisAir& air : column.air) series.x.push_back(std::log10(air.density_cm3[g]));
+    most = std::max(most, *std::max_element(series.x.begin(), series.x.end()));
+    densities.series.push_back(series);
+  }
+  densities.x.min = kMinLog;
+  densities.x.max = most + 0.2;
+  fit::Series kelvin;
+  kelvin.y = column.altitude_km;
+  for (const sim::MsisAir& air : column.air) kelvin.x.push_back(air.temperature_k);
+  temperature.series.push_back(kelvin);
+  temperature.x.min = 0.0;
+  fit::Plot plot;
+  plot.title = "Neutral air, NRLMSISE-00";
+  plot.note = sim::condition_words(column.conditions);
+  plot.panels = {densities, temperature};
+  return plot;
+}
 
 constexpr std::size_t kHistory = 7;
 

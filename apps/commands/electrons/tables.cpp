@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands/commands.h"
-#include "apps/commands/electrons/air_choice.h"
+#include "apps/commands/electrons/electron_options.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
@@ -132,8 +132,7 @@ void add_tables_command(Program& program) {
               "agree with 1 within 0.3 %)")
       .finite_range(0.25, 2.0)
       .shows_default();
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace a folder of emission tables");
   command.runs([options] { return run_tables(*options); });
 }

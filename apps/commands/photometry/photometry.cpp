@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "fit/report/border/border_page.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>

@@ -12,7 +12,6 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/base/number/constants.h"
 #include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"

@@ -1,4 +1,4 @@
-// Limits, ticks and numbers of a plot's axis.
+// Limits, ticks and numbers of a plot's axis, also of one of time.
 #pragma once
 
 #include <string>
@@ -15,5 +15,14 @@ struct AxisTicks {
 
 /// At most about `most` ticks; min < max.
 AxisTicks axis_ticks(double min, double max, int most);
+
+struct TimeTicks {
+  std::vector<double> places;
+  std::vector<std::string> labels;  ///< "05:30", "05:30:15", "10-07"
+};
+
+/// Returns at most about `most` round times between two, in seconds since 1970 UTC; begin < end. Labels are
+/// month and day for ticks at whole days, else the time of day.
+TimeTicks utc_ticks(double begin_s, double end_s, int most);
 
 }  // namespace vegard::fit

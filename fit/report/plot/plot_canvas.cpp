@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 #include "fit/report/plot/plot_axis.h"

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <iterator>
 #include <string_view>
 
 #include "fit/report/plot/plot.h"

@@ -5,7 +5,6 @@
 
 #include "fit/answer/constrained_gains.h"
 #include "fit/photo/grey_light.h"
-#include "fit/report/plot/plot.h"
 #include "sim/base/file/number_text.h"
 
 namespace vegard::fit {

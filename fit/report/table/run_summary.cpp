@@ -1,6 +1,5 @@
 #include "fit/report/table/run_summary.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "fit/report/table/result_json.h"

@@ -1,10 +1,8 @@
 #include "fit/report/table/run_tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>

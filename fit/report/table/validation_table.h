@@ -1,4 +1,5 @@
-// A table in HTML that compares the error bars of a result by all requested methods.
+// Tables in HTML that validate a result: its error bars by all requested methods, and the shifts of its
+// numbers under other choices of the analysis.
 #pragma once
 
 #include <string>
@@ -12,5 +13,10 @@ namespace vegard::fit {
 /// of, that by curvature, the ratio is highlighted. Below it are notes on each method. Empty if no method was
 /// requested.
 std::string validation_table(const FitResult& result);
+
+/// Returns a row for each variation and a column for each important derived number (ratios of lines and
+/// places on the Earth are in result.json): its shift in its unit, or why there is none; last the statistical
+/// and the systematic error. Empty without FitResult::stability.
+std::string stability_table(const FitResult& result);
 
 }  // namespace vegard::fit

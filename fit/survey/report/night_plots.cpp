@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "fit/report/plot/plot_axis.h"
 #include "fit/report/plot/plot_canvas.h"
-#include "fit/report/plot/time_ticks.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "fit/report/keogram_plot.h"
-#include "fit/report/plot/time_ticks.h"
+#include "fit/report/plot/plot_axis.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/image_io.h"

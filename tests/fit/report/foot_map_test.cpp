@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "fit/report/camera_footprint.h"
 #include "fit/report/map_grid.h"
 #include "fit/report/plot/earth_map.h"
 #include "sim/base/number/constants.h"
