@@ -139,7 +139,7 @@ CPP
   insert_before '^### Added' CHANGELOG.md '- Dummies are read.'
   expect_edits 3
   compile vegard_sim sim/base/array/array_format.cpp sim/base/array/dummy_arrays.cpp
-  compile vegard_fit fit/photo/frames/frame_store.cpp
+  compile vegard_fit fit/photo/frames/open_frame_store.cpp
   link
   { printf 'DUMMY\x05\x03' && printf '\x10%.0s' {1..15}; } >"$work/picture.dummy"
   is_described 5 x 3

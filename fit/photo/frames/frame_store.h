@@ -1,6 +1,6 @@
 // The interface of frame stores: files whose frames are not a sequence of PGMs, but arrays of HDF5, MATLAB
 // and CDF files, or PNGs in a tar. A FrameReader (frame_file.h) reads them like other files with frames. A
-// new kind is a .cpp of this folder and a row in frame_store.cpp.
+// new kind is a .cpp of this folder and a row in open_frame_store.cpp.
 #pragma once
 
 #include <memory>
@@ -37,13 +37,5 @@ class FrameStore {
   /// Name of the kind of metadata that the frames' words are, for messages: "HDF5 word".
   virtual std::string word_kind() const = 0;
 };
-
-/// Opens a file, or bytes in memory, which must outlive the store (`name` is then for messages only). Returns
-/// null for a file of another kind, or one that cannot be read. Throws sim::Error(unreadable_input) for a
-/// file that is damaged or has no frames.
-std::unique_ptr<FrameStore> frame_store(const std::string& name, std::string_view bytes = {});
-
-/// True if the file is of a kind that frame_store() opens.
-bool has_frame_store(const std::string& file);
 
 }  // namespace vegard::fit

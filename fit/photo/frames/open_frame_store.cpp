@@ -1,4 +1,4 @@
-#include "fit/photo/frames/frame_store.h"
+#include "fit/photo/frames/open_frame_store.h"
 
 #include "fit/photo/frames/array_frames.h"
 #include "fit/photo/frames/tar_frames.h"
