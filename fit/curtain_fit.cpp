@@ -123,8 +123,7 @@ class CurtainFit {
     const std::vector<CostTerm> terms = cost_terms(observations, model.free, Detail::full);
     if (options_.progress)
       options_.progress(stage, log_.residuals, best_.fitted.values > 0 ? per_dof(best_) : infinite(), share);
-    std::vector<double> start;
-    for (const FreeNumber& n : model.free) start.push_back(n.value(n.coordinate(n.start)));
+    const std::vector<double> start = start_values(model.free);
     model.end = descent_of(
         recorded_step(options_.journal, stage, model.free.size(), log_, model.trace,
                       [&] {

@@ -207,8 +207,7 @@ class CurveFit {
       outcome.others.push_back(
           descent(terms, searched.others[i].values, "curve found, other end " + std::to_string(i + 1)));
     EvaluationLog ignored;
-    std::vector<double> start;
-    for (const FreeNumber& n : free_) start.push_back(n.value(n.coordinate(n.start)));
+    const std::vector<double> start = start_values(free_);
     outcome.chi2_initial = ProfileCost(free_, terms, ignored).at(start, false).chi2;
   }
 

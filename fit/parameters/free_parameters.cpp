@@ -208,6 +208,12 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
   return numbers;
 }
 
+std::vector<double> start_values(const std::vector<FreeNumber>& free) {
+  std::vector<double> start;
+  for (const FreeNumber& n : free) start.push_back(n.within_limits(n.start));
+  return start;
+}
+
 void start_from(const std::vector<FreeNumber>& free, const std::vector<double>& values, sim::Scene& scene) {
   for (sim::FreeParameter& entry : scene.fit.free) {
     if (entry.path.empty()) {

@@ -47,6 +47,7 @@ struct FreeNumber {
   std::optional<sim::ParameterScale> scale;  ///< overrides that of the parameter table
 
   bool has_path() const { return id.any(); }
+  bool has_role(sim::ParameterRole role) const { return id.role() == role; }
   const std::string& unit() const;     ///< empty if it has none
   const std::string& meaning() const;  ///< one line
   bool is_angle() const { return has_path() && id.row->scale == sim::ParameterScale::angle; }
@@ -61,6 +62,8 @@ struct FreeNumber {
   double coordinate(double value) const;
   double value(double coordinate) const;
   double slope(double coordinate) const;  ///< d value / d coordinate
+  /// The value, moved inside the limits.
+  double within_limits(double value) const { return this->value(coordinate(value)); }
   /// Whether the value is within a thousandth of the range (of its logarithm for a logarithmic parameter)
   /// from a limit that the user or the table set.
   bool at_limit(double value) const;
@@ -73,6 +76,9 @@ bool is_of_volume(const FreeNumber& number);
 /// name, in the order of the scene file. `start` is that of the (first) entry, else the scene's value. Throws
 /// sim::Error(scene) when there is none.
 std::vector<FreeNumber> free_numbers(const sim::Scene& scene);
+
+/// Returns the starts of all numbers, inside their limits.
+std::vector<double> start_values(const std::vector<FreeNumber>& free);
 
 /// Makes a fit of this scene start from `values`. For numbers without a path and those of one photograph,
 /// sets the start of the entry in fit.free. The others start from the scene's own values, which must already

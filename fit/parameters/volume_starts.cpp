@@ -55,7 +55,7 @@ std::vector<double> moved_footprints(const sim::Scene& scene, const std::vector<
       values[j] = distance * (from_centre + values[j]) - from_centre;
     }
     if (is_energy(free[j])) values[j] *= energy;
-    values[j] = free[j].value(free[j].coordinate(values[j]));
+    values[j] = free[j].within_limits(values[j]);
   }
   return values;
 }

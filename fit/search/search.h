@@ -13,15 +13,10 @@
 
 #include <vector>
 
-#include "fit/search/fit_options.h"
+#include "fit/search/coarse_search.h"
 #include "fit/search/search_outcome.h"
 
 namespace vegard::fit {
-
-/// The photographs' terms of the cost, with the coarse and with the full model.
-struct SearchModels {
-  std::vector<CostTerm> coarse, full;
-};
 
 SearchOutcome search(const sim::Scene& scene, const std::vector<FreeNumber>& free, const SearchModels& models,
                      const FitOptions& options, EvaluationLog& log, std::vector<TraceRow>& trace);

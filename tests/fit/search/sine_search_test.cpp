@@ -1,4 +1,4 @@
-#include "fit/search/sine_numbers.h"
+#include "fit/search/sine_search.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "tests/support/free_paths.h"
 #include "tests/support/small_scene.h"
 
-namespace vegard::fit::sine_numbers_test {
+namespace vegard::fit::sine_search_test {
 namespace {
 
 /// A sheet that runs east, with its sine free.
@@ -73,4 +73,4 @@ TEST(TakeSine, MovesTheLineAsideAndTheSineWithIt) {
 }
 
 }  // namespace
-}  // namespace vegard::fit::sine_numbers_test
+}  // namespace vegard::fit::sine_search_test
