@@ -68,144 +68,204 @@ double dot(const std::vector<float>& a, const std::vector<float>& b) {
   return sum;
 }
 
+/// The state of a solution and the steps of its loop, in the order of their calls.
+class MapSolver {
+ public:
+  MapSolver(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, int energies,
+            std::vector<float> start, const MapSolverOptions& options)
+      : pictures_(pictures),
+        options_(options),
+        energies_(energies),
+        cells_(static_cast<std::size_t>(grid.cells())),
+        n_(cells_ * kGroundEnergies),
+        near_(neighbourhoods(grid, options.along_km)),
+        x_(std::move(start)),
+        light_(pictures.size()),
+        residual_(pictures.size()),
+        along_(pictures.size()) {
+    for (std::size_t p = 0; p < pictures_.size(); ++p) pictures_[p].forward(x_, light_[p]);
+  }
+
+  MapSolution run() {
+    for (int it = 0; it < options_.steps; ++it) {
+      const bool revised = it % options_.held == 0;
+      if (revised) {
+        if (it >= options_.gains_from) solve_gains(pictures_, light_);
+        reweight();
+        find_scale();
+      }
+      evaluate();
+      steps_ = it;
+      if (revised && it > 2 * options_.held && has_converged()) break;
+      if (options_.progress) options_.progress(it, chi2_);
+      if (options_.stop != nullptr && *options_.stop) break;
+      add_penalties();
+      find_length(revised, it % 3 == 0 ? StepLength::longer : StepLength::shorter);
+      const double slope = project_step();
+      if (!(slope < 0.0)) {
+        if (revised) break;
+        gradient_before_.clear();
+        length_ = 1.0;
+        continue;
+      }
+      take_step(exact_share(slope));
+    }
+    return {std::move(x_), chi2_, steps_};
+  }
+
+ private:
+  enum class StepLength { longer, shorter };
+
+  /// The flux of each cell, and that of its neighbourhood. Returns the brightest neighbourhood's.
+  double smooth_flux() {
+    for (std::size_t c = 0; c < cells_; ++c) {
+      double sum = 0.0;
+      for (int k = 0; k < energies_; ++k) sum += x_[c * kGroundEnergies + k];
+      flux_[c] = static_cast<float>(sum);
+    }
+    double most = 0.0;
+    for (std::size_t c = 0; c < cells_; ++c) {
+      double sum = 0.0;
+      for (const Near& m : near_[c]) sum += m.weight * flux_[m.cell];
+      smooth_[c] = static_cast<float>(sum);
+      most = std::max(most, sum);
+    }
+    return most;
+  }
+
+  /// The weights of the sparsity and of the neighbours' mean spectrum, from the map as it is.
+  void reweight() {
+    const double epsilon = kEpsilon * smooth_flux();
+    for (std::size_t c = 0; c < cells_; ++c) {
+      linear_[c] = static_cast<float>(options_.sparsity / (smooth_[c] + epsilon));
+      if (!options_.cell_factor.empty()) linear_[c] *= options_.cell_factor[c];
+      if (options_.energy_bond <= 0.0) continue;
+      double spectrum[kGroundEnergies] = {};
+      for (const Near& m : near_[c])
+        for (int k = 0; k < energies_; ++k) spectrum[k] += m.weight * x_[m.cell * kGroundEnergies + k];
+      for (int k = 0; k < energies_; ++k) {
+        target_[c * kGroundEnergies + k] = static_cast<float>(flux_[c] * spectrum[k] / (smooth_[c] + 1e-30));
+        bond_[c * kGroundEnergies + k] =
+            static_cast<float>(options_.energy_bond / std::pow(smooth_[c] + epsilon, 2));
+      }
+    }
+  }
+
+  /// The multiplicative method's scale, x over the positive part of the gradient.
+  void find_scale() {
+    std::vector<float> positive(n_, 0.0f);
+    MapLight weighted;
+    for (std::size_t p = 0; p < pictures_.size(); ++p) {
+      const MapLight& w = pictures_[p].weight();
+      weighted.assign(w.size(), 0.0f);
+      for (std::size_t i = 0; i < w.size(); ++i) weighted[i] = w[i] * std::abs(light_[p][i]);
+      pictures_[p].add_adjoint(weighted, positive);
+    }
+    double mean = 0.0;
+    for (const float v : positive) mean += std::max(0.0f, v) / n_;
+    for (std::size_t i = 0; i < n_; ++i)
+      scale_[i] = 1.0f / (std::max(positive[i], static_cast<float>(1e-3 * mean)) +
+                          linear_[i / kGroundEnergies] + bond_[i] * x_[i]);
+  }
+
+  /// chi2 and the gradient of its half.
+  void evaluate() {
+    chi2_ = 0.0;
+    std::fill(gradient_.begin(), gradient_.end(), 0.0f);
+    for (std::size_t p = 0; p < pictures_.size(); ++p) {
+      chi2_ += pictures_[p].residual(light_[p], residual_[p]);
+      pictures_[p].add_adjoint(residual_[p], gradient_);
+    }
+  }
+
+  /// Whether chi2 / 2 with the logarithms that the weights stand for, which all steps together bring down,
+  /// has hardly fallen since it was last asked for.
+  bool has_converged() {
+    double objective = 0.5 * chi2_, most = 0.0;
+    for (const float q : smooth_) most = std::max(most, static_cast<double>(q));
+    for (const float q : smooth_) objective += options_.sparsity * std::log1p(q / (kEpsilon * most));
+    if (objective_before_ - objective < kLevel * objective) return true;
+    objective_before_ = objective;
+    return false;
+  }
+
+  void add_penalties() {
+    for (std::size_t i = 0; i < n_; ++i)
+      gradient_[i] += linear_[i / kGroundEnergies] + bond_[i] * (x_[i] - target_[i]);
+  }
+
+  /// Barzilai's and Borwein's lengths in the scaled metric; 1 after a revision.
+  void find_length(bool revised, StepLength wanted) {
+    if (revised || gradient_before_.empty()) {
+      length_ = 1.0;
+      return;
+    }
+    double sds = 0.0, sy = 0.0, yy = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double sx = static_cast<double>(x_[i]) - x_before_[i],
+                   y = static_cast<double>(gradient_[i]) - gradient_before_[i];
+      const double d = std::max(1e-30, static_cast<double>(x_[i]) * scale_[i]);
+      sds += sx * sx / d;
+      sy += sx * y;
+      yy += y * y * d;
+    }
+    if (sy > 0.0) length_ = std::clamp(wanted == StepLength::longer ? sds / sy : sy / yy, 1e-2, 1e3);
+  }
+
+  /// The step along the scaled gradient to where x >= 0. Returns the slope along it.
+  double project_step() {
+    double slope = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double d = static_cast<double>(x_[i]) * scale_[i];
+      const double to = std::max(0.0, x_[i] - length_ * d * gradient_[i]);
+      step_[i] = static_cast<float>(to - x_[i]);
+      slope += static_cast<double>(step_[i]) * gradient_[i];
+    }
+    return slope;
+  }
+
+  /// The share of the step at which the quadratic problem is least, at most 1.
+  double exact_share(double slope) {
+    double curvature = 0.0;
+    MapLight weighted;
+    for (std::size_t p = 0; p < pictures_.size(); ++p) {
+      pictures_[p].forward(step_, along_[p]);
+      pictures_[p].take_sky_away(along_[p], weighted);
+      curvature += dot(along_[p], weighted);
+    }
+    for (std::size_t i = 0; i < n_; ++i) curvature += static_cast<double>(bond_[i]) * step_[i] * step_[i];
+    return curvature > 0.0 ? std::min(1.0, -slope / curvature) : 1.0;
+  }
+
+  void take_step(double share) {
+    gradient_before_ = gradient_;
+    x_before_ = x_;
+    const auto t = static_cast<float>(share);
+    for (std::size_t i = 0; i < n_; ++i) x_[i] = std::max(0.0f, x_[i] + t * step_[i]);
+    for (std::size_t p = 0; p < pictures_.size(); ++p)
+      for (std::size_t i = 0; i < light_[p].size(); ++i) light_[p][i] += t * along_[p][i];
+  }
+
+  std::vector<MapPicture>& pictures_;
+  const MapSolverOptions& options_;
+  const int energies_;
+  const std::size_t cells_, n_;
+  const std::vector<std::vector<Near>> near_;
+  std::vector<float> x_, x_before_, step_ = std::vector<float>(n_), scale_ = std::vector<float>(n_, 0.0f);
+  std::vector<float> gradient_ = std::vector<float>(n_), gradient_before_;
+  std::vector<float> flux_ = std::vector<float>(cells_), smooth_ = std::vector<float>(cells_);
+  std::vector<float> linear_ = std::vector<float>(cells_, 0.0f);  // weights of the sparsity
+  std::vector<float> bond_ = std::vector<float>(n_, 0.0f), target_ = std::vector<float>(n_, 0.0f);
+  std::vector<MapLight> light_, residual_, along_;  // by picture; along_: the light of step_
+  double chi2_ = 0.0, length_ = 1.0, objective_before_ = std::numeric_limits<double>::infinity();
+  int steps_ = 0;
+};
+
 }  // namespace
 
 MapSolution solve_map(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, int energies,
                       std::vector<float> start, const MapSolverOptions& options) {
-  const auto cells = static_cast<std::size_t>(grid.cells());
-  const std::size_t n = cells * kGroundEnergies;
-  const auto near = neighbourhoods(grid, options.along_km);
-  MapSolution s;
-  s.map = std::move(start);
-  std::vector<float>& x = s.map;
-  std::vector<MapLight> light(pictures.size()), residual(pictures.size()), along(pictures.size());
-  for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].forward(x, light[p]);
-
-  std::vector<float> gradient(n), before, x_before, scale(n, 0.0f), step(n), linear(cells, 0.0f);
-  std::vector<float> bond(n, 0.0f), target(n, 0.0f);  // of the spectra
-  std::vector<float> flux(cells), smooth(cells);
-  double length = 1.0, last = std::numeric_limits<double>::infinity();
-  const auto revise = [&] {
-    for (std::size_t c = 0; c < cells; ++c) {
-      double sum = 0.0;
-      for (int k = 0; k < energies; ++k) sum += x[c * kGroundEnergies + k];
-      flux[c] = static_cast<float>(sum);
-    }
-    double most = 0.0;
-    for (std::size_t c = 0; c < cells; ++c) {
-      double sum = 0.0;
-      for (const Near& m : near[c]) sum += m.weight * flux[m.cell];
-      smooth[c] = static_cast<float>(sum);
-      most = std::max(most, sum);
-    }
-    const double epsilon = kEpsilon * most;
-    for (std::size_t c = 0; c < cells; ++c) {
-      linear[c] = static_cast<float>(options.sparsity / (smooth[c] + epsilon));
-      if (!options.cell_factor.empty()) linear[c] *= options.cell_factor[c];
-      if (options.energy_bond > 0.0) {
-        double of[kGroundEnergies] = {};
-        for (const Near& m : near[c])
-          for (int k = 0; k < energies; ++k) of[k] += m.weight * x[m.cell * kGroundEnergies + k];
-        for (int k = 0; k < energies; ++k) {
-          target[c * kGroundEnergies + k] = static_cast<float>(flux[c] * of[k] / (smooth[c] + 1e-30));
-          bond[c * kGroundEnergies + k] =
-              static_cast<float>(options.energy_bond / std::pow(smooth[c] + epsilon, 2));
-        }
-      }
-    }
-    // The multiplicative method's scale, x over the positive part of the gradient.
-    std::vector<float> positive(n, 0.0f);
-    MapLight weighted;
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-      const MapLight& w = pictures[p].weight();
-      weighted.assign(w.size(), 0.0f);
-      for (std::size_t i = 0; i < w.size(); ++i) weighted[i] = w[i] * std::abs(light[p][i]);
-      pictures[p].add_adjoint(weighted, positive);
-    }
-    double mean = 0.0;
-    for (const float v : positive) mean += std::max(0.0f, v) / n;
-    for (std::size_t i = 0; i < n; ++i)
-      scale[i] = 1.0f / (std::max(positive[i], static_cast<float>(1e-3 * mean)) +
-                         linear[i / kGroundEnergies] + bond[i] * x[i]);
-  };
-  // chi2 / 2 with the logarithms that the weights stand for: what all steps together bring down.
-  const auto whole = [&](double chi2) {
-    double sum = 0.5 * chi2, most = 0.0;
-    for (const float q : smooth) most = std::max(most, static_cast<double>(q));
-    for (const float q : smooth) sum += options.sparsity * std::log1p(q / (kEpsilon * most));
-    return sum;
-  };
-  for (int it = 0; it < options.steps; ++it) {
-    const bool revised = it % options.held == 0;
-    if (revised) {
-      if (it >= options.gains_from) solve_gains(pictures, light);
-      revise();
-    }
-    double chi2 = 0.0;
-    std::fill(gradient.begin(), gradient.end(), 0.0f);
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-      chi2 += pictures[p].residual(light[p], residual[p]);
-      pictures[p].add_adjoint(residual[p], gradient);
-    }
-    s.chi2 = chi2;
-    s.steps = it;
-    if (revised && it > 2 * options.held) {
-      const double now = whole(chi2);
-      if (last - now < kLevel * now) break;
-      last = now;
-    }
-    if (options.progress) options.progress(it, chi2);
-    if (options.stop != nullptr && *options.stop) break;
-    for (std::size_t i = 0; i < n; ++i)
-      gradient[i] += linear[i / kGroundEnergies] + bond[i] * (x[i] - target[i]);
-    // Barzilai's and Borwein's lengths in the scaled metric.
-    if (revised || before.empty()) {
-      length = 1.0;
-    } else {
-      double sds = 0.0, sy = 0.0, yy = 0.0;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double sx = static_cast<double>(x[i]) - x_before[i],
-                     y = static_cast<double>(gradient[i]) - before[i];
-        const double d = std::max(1e-30, static_cast<double>(x[i]) * scale[i]);
-        sds += sx * sx / d;
-        sy += sx * y;
-        yy += y * y * d;
-      }
-      if (sy > 0.0) {
-        const double longer = sds / sy, shorter = sy / yy;
-        length = std::clamp(it % 3 == 0 ? longer : shorter, 1e-2, 1e3);
-      }
-    }
-    double slope = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double d = static_cast<double>(x[i]) * scale[i];
-      const double to = std::max(0.0, x[i] - length * d * gradient[i]);
-      step[i] = static_cast<float>(to - x[i]);
-      slope += static_cast<double>(step[i]) * gradient[i];
-    }
-    if (!(slope < 0.0)) {
-      if (revised) break;
-      before.clear();
-      length = 1.0;
-      continue;
-    }
-    double curvature = 0.0;
-    MapLight weighted;
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-      pictures[p].forward(step, along[p]);
-      pictures[p].take_sky_away(along[p], weighted);
-      curvature += dot(along[p], weighted);
-    }
-    for (std::size_t i = 0; i < n; ++i) curvature += static_cast<double>(bond[i]) * step[i] * step[i];
-    const double share = curvature > 0.0 ? std::min(1.0, -slope / curvature) : 1.0;
-    before = gradient;
-    x_before = x;
-    const auto t = static_cast<float>(share);
-    for (std::size_t i = 0; i < n; ++i) x[i] = std::max(0.0f, x[i] + t * step[i]);
-    for (std::size_t p = 0; p < pictures.size(); ++p)
-      for (std::size_t i = 0; i < light[p].size(); ++i) light[p][i] += t * along[p][i];
-  }
-  return s;
+  return MapSolver(pictures, grid, energies, std::move(start), options).run();
 }
 
 }  // namespace vegard::fit
