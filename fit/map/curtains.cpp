@@ -89,65 +89,69 @@ double value_at(const MapRaster& raster, const std::vector<double>& values, sim:
   return (1.0 - w) * ((1.0 - u) * v(0, 0) + u * v(1, 0)) + w * ((1.0 - u) * v(0, 1) + u * v(1, 1));
 }
 
+/// A ridge point and the direction in which the ridge is followed from it.
+struct RidgeStep {
+  int x = -1, y = -1;
+  double dx = 0.0, dy = 0.0;
+};
+
+/// The ridge point within reach that goes on from `from` most nearly straight; none: x is -1.
+RidgeStep next_on_ridge(const RidgeField& field, const std::vector<std::uint8_t>& used, const RidgeStep& from,
+                        double low) {
+  const auto [x, y, dx, dy] = from;
+  RidgeStep best;
+  double least = 1e9;
+  for (int j = -kReach_px; j <= kReach_px; ++j)
+    for (int i = -kReach_px; i <= kReach_px; ++i) {
+      const int nx = x + i, ny = y + j;
+      if ((i == 0 && j == 0) || nx < 1 || ny < 1 || nx + 1 >= field.raster.columns ||
+          ny + 1 >= field.raster.rows)
+        continue;
+      const std::size_t n = field.index(nx, ny);
+      if (!field.is_ridge[n] || used[n] || field.smooth[n] < low) continue;
+      const double mx = field.at_x[n] - field.at_x[field.index(x, y)];
+      const double my = field.at_y[n] - field.at_y[field.index(x, y)];
+      const double step = std::hypot(mx, my);
+      if (!(step > 0.0) || mx * dx + my * dy < 0.3 * step) continue;
+      double ax = field.along_x[n], ay = field.along_y[n];
+      if (ax * dx + ay * dy < 0.0) {
+        ax = -ax;
+        ay = -ay;
+      }
+      const double cost = step + 2.0 * std::acos(std::clamp(ax * dx + ay * dy, -1.0, 1.0)) +
+                          1.0 * std::acos(std::clamp((mx * dx + my * dy) / step, -1.0, 1.0));
+      if (cost < least) {
+        least = cost;
+        best = {nx, ny, ax, ay};
+      }
+    }
+  return best;
+}
+
 /// Joins ridge points to both sides of a first one.
 std::vector<sim::EastNorth> follow(const RidgeField& field, std::vector<std::uint8_t>& used, int x0, int y0,
                                    double low) {
-  std::vector<sim::EastNorth> halves[2];
   const std::size_t first = field.index(x0, y0);
   used[first] = 1;
-  for (int side = 0; side < 2; ++side) {
-    int x = x0, y = y0;
-    double dx = field.along_x[first], dy = field.along_y[first];
-    if (side == 1) {
-      dx = -dx;
-      dy = -dy;
-    }
+  const auto half = [&](double sign) {
+    std::vector<sim::EastNorth> points;
+    RidgeStep at{x0, y0, sign * field.along_x[first], sign * field.along_y[first]};
     for (;;) {
-      int best_x = -1, best_y = -1;
-      double best = 1e9, best_dx = 0.0, best_dy = 0.0;
-      for (int j = -kReach_px; j <= kReach_px; ++j)
-        for (int i = -kReach_px; i <= kReach_px; ++i) {
-          const int nx = x + i, ny = y + j;
-          if ((i == 0 && j == 0) || nx < 1 || ny < 1 || nx + 1 >= field.raster.columns ||
-              ny + 1 >= field.raster.rows)
-            continue;
-          const std::size_t n = field.index(nx, ny);
-          if (!field.is_ridge[n] || used[n] || field.smooth[n] < low) continue;
-          const double mx = field.at_x[n] - field.at_x[field.index(x, y)];
-          const double my = field.at_y[n] - field.at_y[field.index(x, y)];
-          const double step = std::hypot(mx, my);
-          if (!(step > 0.0) || mx * dx + my * dy < 0.3 * step) continue;
-          double ax = field.along_x[n], ay = field.along_y[n];
-          if (ax * dx + ay * dy < 0.0) {
-            ax = -ax;
-            ay = -ay;
-          }
-          const double cost = step + 2.0 * std::acos(std::clamp(ax * dx + ay * dy, -1.0, 1.0)) +
-                              1.0 * std::acos(std::clamp((mx * dx + my * dy) / step, -1.0, 1.0));
-          if (cost < best) {
-            best = cost;
-            best_x = nx;
-            best_y = ny;
-            best_dx = ax;
-            best_dy = ay;
-          }
-        }
-      if (best_x < 0) break;
+      const RidgeStep next = next_on_ridge(field, used, at, low);
+      if (next.x < 0) return points;
       // What lies beside the step belongs to this ridge too.
       for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i) used[field.index(x + i, y + j)] = 1;
-      x = best_x;
-      y = best_y;
-      dx = best_dx;
-      dy = best_dy;
-      const std::size_t n = field.index(x, y);
+        for (int i = -1; i <= 1; ++i) used[field.index(at.x + i, at.y + j)] = 1;
+      at = next;
+      const std::size_t n = field.index(at.x, at.y);
       used[n] = 1;
-      halves[side].push_back(field.raster.place(field.at_x[n], field.at_y[n]));
+      points.push_back(field.raster.place(field.at_x[n], field.at_y[n]));
     }
-  }
-  std::vector<sim::EastNorth> line(halves[1].rbegin(), halves[1].rend());
+  };
+  const std::vector<sim::EastNorth> ahead = half(1.0), behind = half(-1.0);
+  std::vector<sim::EastNorth> line(behind.rbegin(), behind.rend());
   line.push_back(field.raster.place(field.at_x[first], field.at_y[first]));
-  line.insert(line.end(), halves[0].begin(), halves[0].end());
+  line.insert(line.end(), ahead.begin(), ahead.end());
   return line;
 }
 
@@ -271,134 +275,190 @@ namespace {
 
 enum class Brightness { curtain, faint };
 
-/// Faint ridges are looked for where the bright ones have left something.
-std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
-  std::vector<Curtain> curtains;
-  if (result.grid.cells() == 0) return curtains;
-  const MapRaster raster = raster_over(result);
-  const RasterFlux flux = raster_flux(result, raster, result.cells);
-  const double smooth_px = kSmooth_px;
-  RidgeField field(raster, smoothed_raster(raster, flux.flux, smooth_px));
-  std::vector<double> of_cell(result.border_in_view.begin(), result.border_in_view.end());
-  const std::vector<double> in_view = rasterised(result, raster, of_cell);
-  std::vector<std::vector<double>> smooth_replicates;
-  std::vector<RasterFlux> replicates;
-  for (const std::vector<CellFlux>& replicate : result.replicates) {
-    replicates.push_back(raster_flux(result, raster, replicate));
-    smooth_replicates.push_back(smoothed_raster(raster, replicates.back().flux, smooth_px));
+/// A map's flux on a raster, smoothed to look for ridges.
+struct SmoothedFlux {
+  RasterFlux flux;
+  std::vector<double> smooth;
+};
+
+/// Squares of the replicates' differences from the best map at one point of a curtain.
+struct SectionSquares {
+  double aside = 0.0, flux = 0.0, ln_energy = 0.0, width = 0.0;
+
+  void add(const Section& replicate, const Section& best) {
+    aside += std::pow(replicate.aside_km - best.aside_km, 2);
+    flux += std::pow(replicate.flux - best.flux, 2);
+    ln_energy += std::pow(replicate.ln_energy - best.ln_energy, 2);
+    width += std::pow(replicate.width_km - best.width_km, 2);
+  }
+};
+
+double energy_of_curtain(const Curtain& curtain) {
+  double sum = 0.0;
+  for (const CurtainPoint& p : curtain.points) sum += p.flux_mw_m2.value * p.width_km.value;
+  return sum;
+}
+
+/// Takes the ends that are out of view away: they are guesses.
+void trim_to_view(std::vector<CurtainPoint>& points) {
+  while (!points.empty() && !points.back().border_in_view) points.pop_back();
+  points.erase(points.begin(), std::find_if(points.begin(), points.end(),
+                                            [](const CurtainPoint& p) { return p.border_in_view; }));
+}
+
+class CurtainFinder {
+ public:
+  explicit CurtainFinder(const MapResult& result)
+      : result_(result),
+        raster_(raster_over(result)),
+        best_(smoothed_flux(result.cells)),
+        in_view_(rasterised(result, raster_, {result.border_in_view.begin(), result.border_in_view.end()})),
+        field_(raster_, best_.smooth) {
+    for (const std::vector<CellFlux>& replicate : result.replicates)
+      replicates_.push_back(smoothed_flux(replicate));
   }
 
-  // A ridge has two sides. Light that ends where the view ends, or at the end of the ground, has been put
-  // there for want of a better place.
-  const auto has_both_sides = [&](std::size_t i) {
-    const sim::EastNorth at = raster.place(field.at_x[i], field.at_y[i]);
-    const int cell = result.grid.cell_at(at.east, at.north);
-    const double reach = std::max(kSides_km, cell < 0 ? 0.0 : result.grid.depth_km(cell));
+  /// Faint ridges are looked for where the bright ones have left something.
+  std::vector<Curtain> find(Brightness wanted) {
+    std::vector<Curtain> curtains;
+    std::vector<std::uint8_t> used(raster_.size(), 0);
+    for (const std::size_t seed : seeds()) {
+      const bool is_bright_seed = field_.smooth[seed] >= kHigh * brightest_;
+      if (used[seed] ||
+          (!is_bright_seed && (wanted != Brightness::faint || field_.smooth[seed] < kFaintHigh * brightest_)))
+        continue;
+      const std::vector<sim::EastNorth> ridge =
+          follow(field_, used, static_cast<int>(seed % raster_.columns),
+                 static_cast<int>(seed / raster_.columns), (is_bright_seed ? kLow : kFaintLow) * brightest_);
+      if (ridge.size() < 3) continue;
+      if (std::optional<Curtain> curtain = curtain_along(ridge, is_bright_seed, wanted))
+        curtains.push_back(std::move(*curtain));
+    }
+    std::stable_sort(curtains.begin(), curtains.end(), [](const Curtain& a, const Curtain& b) {
+      return energy_of_curtain(a) > energy_of_curtain(b);
+    });
+    return curtains;
+  }
+
+ private:
+  SmoothedFlux smoothed_flux(const std::vector<CellFlux>& cells) const {
+    RasterFlux flux = raster_flux(result_, raster_, cells);
+    std::vector<double> smooth = smoothed_raster(raster_, flux.flux, kSmooth_px);
+    return {std::move(flux), std::move(smooth)};
+  }
+
+  /// A ridge has two sides. Light that ends where the view ends, or at the end of the ground, has been put
+  /// there for want of a better place.
+  bool has_both_sides(std::size_t i) const {
+    const sim::EastNorth at = raster_.place(field_.at_x[i], field_.at_y[i]);
+    const int cell = result_.grid.cell_at(at.east, at.north);
+    const double reach = std::max(kSides_km, cell < 0 ? 0.0 : result_.grid.depth_km(cell));
     for (const double side : {-reach, reach}) {
-      const sim::EastNorth beside{at.east + side * field.along_y[i], at.north - side * field.along_x[i]};
-      if (!is_border_in_view(result, beside) || !result.grid.reaches(beside.east, beside.north)) return false;
+      const sim::EastNorth beside{at.east + side * field_.along_y[i], at.north - side * field_.along_x[i]};
+      if (!is_border_in_view(result_, beside) || !result_.grid.reaches(beside.east, beside.north))
+        return false;
     }
     return true;
-  };
-  std::vector<std::size_t> order;
-  std::vector<double> heights;
-  for (std::size_t i = 0; i < raster.size(); ++i)
-    if (field.is_ridge[i] && in_view[i] > 0.5 && !has_both_sides(i)) field.is_ridge[i] = 0;
-  for (std::size_t i = 0; i < raster.size(); ++i)
-    if (field.is_ridge[i] && in_view[i] > 0.5) {
+  }
+
+  /// The ridge points in view, brightest first. Those without two sides are no ridge points any more.
+  std::vector<std::size_t> seeds() {
+    std::vector<std::size_t> order;
+    std::vector<double> heights;
+    for (std::size_t i = 0; i < raster_.size(); ++i) {
+      if (!field_.is_ridge[i] || in_view_[i] <= 0.5) continue;
+      if (!has_both_sides(i)) {
+        field_.is_ridge[i] = 0;
+        continue;
+      }
       order.push_back(i);
-      heights.push_back(field.smooth[i]);
+      heights.push_back(field_.smooth[i]);
     }
-  if (order.empty()) return curtains;
-  std::sort(heights.begin(), heights.end());
-  const double most = heights[heights.size() - 1 - heights.size() / 100];
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return field.smooth[a] > field.smooth[b]; });
-  std::vector<std::uint8_t> used(raster.size(), 0);
-  for (const std::size_t seed : order) {
-    const bool is_bright_seed = field.smooth[seed] >= kHigh * most;
-    if (used[seed] ||
-        (!is_bright_seed && (wanted != Brightness::faint || field.smooth[seed] < kFaintHigh * most)))
-      continue;
-    const std::vector<sim::EastNorth> line =
-        follow(field, used, static_cast<int>(seed % raster.columns), static_cast<int>(seed / raster.columns),
-               (is_bright_seed ? kLow : kFaintLow) * most);
-    if (line.size() < 3) continue;
+    if (order.empty()) return order;
+    std::sort(heights.begin(), heights.end());
+    brightest_ = heights[heights.size() - 1 - heights.size() / 100];
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return field_.smooth[a] > field_.smooth[b]; });
+    return order;
+  }
+
+  std::optional<Curtain> curtain_along(const std::vector<sim::EastNorth>& ridge, bool is_bright_seed,
+                                       Brightness wanted) const {
     Curtain curtain;
-    const std::vector<sim::EastNorth> feet = evenly(line, curtain.length_km);
-    if (curtain.length_km < kMinLength_km) continue;
+    const std::vector<sim::EastNorth> feet = evenly(ridge, curtain.length_km);
+    if (curtain.length_km < kMinLength_km) return {};
     double mean = 0.0;
-    for (const sim::EastNorth& foot : feet) mean += value_at(raster, field.smooth, foot) / feet.size();
-    const bool is_curtain = is_bright_seed && mean >= kMinMean * most;
-    if (is_curtain != (wanted == Brightness::curtain) || mean < kMinFaintMean * most) continue;
+    for (const sim::EastNorth& foot : feet) mean += value_at(raster_, field_.smooth, foot) / feet.size();
+    const bool is_curtain = is_bright_seed && mean >= kMinMean * brightest_;
+    if (is_curtain != (wanted == Brightness::curtain) || mean < kMinFaintMean * brightest_) return {};
     double whole = 0.0;  // flux, over length and width
-    std::vector<double> whole_of(replicates.size(), 0.0);
+    std::vector<double> whole_of_replicates(replicates_.size(), 0.0);
     for (std::size_t i = 0; i < feet.size(); ++i) {
       const sim::EastNorth before = feet[i > 0 ? i - 1 : 0], after = feet[std::min(i + 1, feet.size() - 1)];
       const double length = std::hypot(after.east - before.east, after.north - before.north);
       const sim::EastNorth across{-(after.north - before.north) / length,
                                   (after.east - before.east) / length};
-      const Section best = section(raster, field.smooth, flux, feet[i], across);
+      const Section best = section(raster_, best_.smooth, best_.flux, feet[i], across);
       whole += best.flux * best.width_km;
-      CurtainPoint p;
-      p.foot_km = feet[i];
-      p.distance_km = std::hypot(feet[i].east, feet[i].north);
-      p.azimuth_deg = std::atan2(feet[i].east, feet[i].north) / sim::kRadiansPerDegree;
-      if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
-      p.border_in_view = value_at(raster, in_view, feet[i]) > 0.5;
-      double aside = 0.0, of_flux = 0.0, of_energy = 0.0, of_width = 0.0;
-      for (std::size_t r = 0; r < replicates.size(); ++r) {
-        const Section other = section(raster, smooth_replicates[r], replicates[r], feet[i], across);
-        whole_of[r] += other.flux * other.width_km;
-        aside += std::pow(other.aside_km - best.aside_km, 2);
-        of_flux += std::pow(other.flux - best.flux, 2);
-        of_energy += std::pow(other.ln_energy - best.ln_energy, 2);
-        of_width += std::pow(other.width_km - best.width_km, 2);
+      SectionSquares squares;
+      for (std::size_t r = 0; r < replicates_.size(); ++r) {
+        const Section other = section(raster_, replicates_[r].smooth, replicates_[r].flux, feet[i], across);
+        whole_of_replicates[r] += other.flux * other.width_km;
+        squares.add(other, best);
       }
-      const auto count = static_cast<double>(replicates.size());
-      const auto spread = [&](double squares) {
-        return count > 0.0 ? std::sqrt(squares / count) : sim::kNaN;
-      };
-      // A ridge's place is not known better than a part of the cells it is made of.
-      const int cell = result.grid.cell_at(feet[i].east, feet[i].north);
-      const double cell_km = cell < 0 ? raster.step_km : result.grid.depth_km(cell);
-      p.lateral_error_km = std::hypot(spread(aside), cell_km / std::sqrt(12.0));
-      const double towards = p.distance_km > 0.0
-                                 ? (across.east * feet[i].east + across.north * feet[i].north) / p.distance_km
-                                 : 1.0;
-      p.distance_error_km = p.lateral_error_km * std::max(0.3, std::abs(towards));
-      p.flux_mw_m2 = {best.flux, spread(of_flux)};
-      const double ln_error = kEnergyInflation * spread(of_energy);
-      p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
-      // What is narrower than a part of a pixel has no width of its own.
-      p.width_km = {std::max(best.width_km, 0.25 * raster.step_km), spread(of_width)};
-      LowerBorder border = lower_border(result.scene, p.energy_kev.value);
-      border.altitude_km *= result.altitude_scale;
-      border.by_ln_energy *= result.altitude_scale;
-      p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
-      // A border that is higher is farther away at the same elevation.
-      p.distance_error_km =
-          std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
-      curtain.points.push_back(p);
+      curtain.points.push_back(point_at(feet[i], across, best, squares));
     }
-    if (!is_in_all(whole, whole_of)) continue;
-    // Ends that are out of view are guesses.
-    std::vector<CurtainPoint>& points = curtain.points;
-    while (!points.empty() && !points.back().border_in_view) points.pop_back();
-    points.erase(points.begin(), std::find_if(points.begin(), points.end(),
-                                              [](const CurtainPoint& p) { return p.border_in_view; }));
-    if (points.size() < 3) continue;
-    curtain.length_km *= (points.size() - 1.0) / (feet.size() - 1.0);
-    curtains.push_back(std::move(curtain));
+    if (!is_in_all(whole, whole_of_replicates)) return {};
+    trim_to_view(curtain.points);
+    if (curtain.points.size() < 3) return {};
+    curtain.length_km *= (curtain.points.size() - 1.0) / (feet.size() - 1.0);
+    return curtain;
   }
-  const auto carries = [](const Curtain& curtain) {
-    double sum = 0.0;
-    for (const CurtainPoint& p : curtain.points) sum += p.flux_mw_m2.value * p.width_km.value;
-    return sum;
-  };
-  std::stable_sort(curtains.begin(), curtains.end(),
-                   [&](const Curtain& a, const Curtain& b) { return carries(a) > carries(b); });
-  return curtains;
+
+  CurtainPoint point_at(sim::EastNorth foot, sim::EastNorth across, const Section& best,
+                        const SectionSquares& squares) const {
+    const auto count = static_cast<double>(replicates_.size());
+    const auto spread = [&](double sum) { return count > 0.0 ? std::sqrt(sum / count) : sim::kNaN; };
+    CurtainPoint p;
+    p.foot_km = foot;
+    p.distance_km = std::hypot(foot.east, foot.north);
+    p.azimuth_deg = std::atan2(foot.east, foot.north) / sim::kRadiansPerDegree;
+    if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
+    p.border_in_view = value_at(raster_, in_view_, foot) > 0.5;
+    // A ridge's place is not known better than a part of the cells it is made of.
+    const int cell = result_.grid.cell_at(foot.east, foot.north);
+    const double cell_km = cell < 0 ? raster_.step_km : result_.grid.depth_km(cell);
+    p.lateral_error_km = std::hypot(spread(squares.aside), cell_km / std::sqrt(12.0));
+    const double towards =
+        p.distance_km > 0.0 ? (across.east * foot.east + across.north * foot.north) / p.distance_km : 1.0;
+    p.distance_error_km = p.lateral_error_km * std::max(0.3, std::abs(towards));
+    p.flux_mw_m2 = {best.flux, spread(squares.flux)};
+    const double ln_error = kEnergyInflation * spread(squares.ln_energy);
+    p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
+    // What is narrower than a part of a pixel has no width of its own.
+    p.width_km = {std::max(best.width_km, 0.25 * raster_.step_km), spread(squares.width)};
+    LowerBorder border = lower_border(result_.scene, p.energy_kev.value);
+    border.altitude_km *= result_.altitude_scale;
+    border.by_ln_energy *= result_.altitude_scale;
+    p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
+    // A border that is higher is farther away at the same elevation.
+    p.distance_error_km =
+        std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
+    return p;
+  }
+
+  const MapResult& result_;
+  const MapRaster raster_;
+  const SmoothedFlux best_;
+  const std::vector<double> in_view_;
+  std::vector<SmoothedFlux> replicates_;
+  RidgeField field_;
+  double brightest_ = 0.0;  // ridge, its upper hundredth
+};
+
+std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
+  if (result.grid.cells() == 0) return {};
+  return CurtainFinder(result).find(wanted);
 }
 
 }  // namespace
