@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "fit/answer/answer.h"
 #include "fit/answer/derived.h"
@@ -201,6 +202,204 @@ void put_derived(const std::vector<Observation>& observations, const std::vector
     if (!d.why_no_sigma.empty()) d.why_no_sigma = "the fit was interrupted";
 }
 
+/// One fit: its state, and its steps in the order of run().
+class FitRun {
+ public:
+  FitRun(const sim::Scene& scene, const std::vector<FreeNumber>& free,
+         const std::vector<Observation>& observations, const FitOptions& asked, const FoundCurve* curve,
+         const FinishedSearch* done)
+      : scene_(scene),
+        free_(free),
+        observations_(observations),
+        asked_(asked),
+        options_(with_validation_progress(asked, free.size())),
+        curve_(curve),
+        done_(done),
+        full_(cost_terms(observations, free, Detail::full)),
+        journal_(options_.journal != nullptr ? *options_.journal : nowhere_) {
+    r_.seed = scene.seed;
+  }
+
+  FitResult run() {
+    count_unknowns();
+    const SearchOutcome outcome = find_minimum();
+    settle_priors(outcome);
+    evaluate_answer();
+    const Uncertainty u = find_error_bars();
+    put_answer(u);
+    judge(outcome);
+    if (r_.verdict == Verdict::good || r_.verdict == Verdict::doubtful)
+      validate_error_bars({scene_, free_, observations_, values_, settled_.prior, r_.error_inflation, u},
+                          asked_, journal_, r_);
+    return std::move(r_);
+  }
+
+ private:
+  /// Throws if there are not more data than unknowns.
+  void count_unknowns() {
+    unknowns_ = static_cast<int>(free_.size());
+    if (curve_ != nullptr) unknowns_ += static_cast<int>(curve_->covariance.size());
+    for (const Observation& o : observations_) {
+      unknowns_ += o.full->coefficients();
+      residuals_ += o.full->residuals();
+    }
+    if (residuals_ > unknowns_) return;
+    throw sim::Error(sim::ErrorKind::unreadable_input,
+                     "only " + std::to_string(residuals_) + " usable values in the region of interest")
+        .file(observations_.front().photo->file_name)
+        .key("fit.roi_px")
+        .expected("more than " + std::to_string(unknowns_))
+        .hint("is everything masked or clipped?");
+  }
+
+  SearchOutcome find_minimum() {
+    log_.limit = options_.max_evaluations;
+    log_.stop = options_.stop;
+    if (curve_ != nullptr) {
+      log_ = curve_->log;
+      r_.trace = curve_->trace;
+    }
+    if (done_ != nullptr) {
+      log_ = done_->log;
+      r_.trace = done_->trace;
+    }
+    if (curve_ != nullptr) return curve_->outcome;
+    if (done_ != nullptr) return done_->outcome;
+    return search_outcome_of(
+        recorded_step(options_.journal, "the whole search", free_.size(), log_, r_.trace,
+                      [&] {
+                        return output_of(search(scene_, free_,
+                                                {cost_terms(observations_, free_, Detail::coarse), full_},
+                                                options_, log_, r_.trace));
+                      }),
+        free_.size());
+  }
+
+  /// Repeats descents where priors depend on the misfit; sets the answer's values.
+  void settle_priors(const SearchOutcome& outcome) {
+    r_.chi2_initial = outcome.chi2_initial;
+    Descent best = outcome.best;
+    if (PriorRows(free_).count() > 0 || !spline_lines(scene_, free_).empty()) {
+      settled_ = settle(scene_, free_, full_, best, log_, r_.trace, options_.journal);
+      best = settled_.descent;
+    }
+    evidence_.converged = best.converged;
+    evidence_.stopped = options_.stop != nullptr && options_.stop->load();
+    r_.termination = evidence_.stopped ? words_for_stop(log_) : best.termination;
+    evidence_.out_of_evaluations =
+        log_.residuals >= log_.limit && (!evidence_.converged || (done_ != nullptr && done_->cut_short));
+    values_ = best.values;
+    if (!std::isfinite(best.chi2) && !log_.best_values.empty()) values_ = log_.best_values;
+    r_.evaluations = log_.residuals;
+    r_.jacobian_evaluations = log_.jacobians;
+  }
+
+  /// Evaluates the full model and its exact Jacobian, whatever the limit on evaluations says.
+  void evaluate_answer() {
+    sim::Scene there = scene_;
+    ParameterMap(scene_, free_).put(values_, there);
+    anchors_ = phase_anchors(there, free_, values_);
+    cost_.emplace(free_, full_, closing_log_,
+                  ProfileCost::Options{{}, {}, settled_.prior, settled_.inflation, anchors_});
+    point_ = cost_->at(values_, true);
+    evidence_.chi2_without_aurora = chi2_without_aurora(observations_, point_);
+    r_.chi2 = chi2_of_priors(free_, values_);
+    for (const Comparison::Point& p : point_.of_photo) r_.chi2 += p.chi2;
+    const int held = held_gains(observations_, point_);
+    r_.dof = residuals_ + static_cast<int>(PriorRows(free_).count()) - unknowns_ + held;
+    const Inflation inflation = joint_inflation(*cost_, point_, unknowns_);
+    r_.error_inflation = inflation.factor();
+    r_.correlated_residuals = inflation.together;
+    r_.statistics = compared_statistics(observations_, point_);
+    r_.compared = compared_values(observations_, unknowns_ - held);
+    r_.gradient_cosine = gradient_cosine(*cost_, values_);
+  }
+
+  Uncertainty find_error_bars() {
+    if (evidence_.stopped) return no_uncertainty(free_.size(), r_.error_inflation);
+    if (options_.progress)
+      options_.progress("error bars", log_.residuals, r_.chi2 / std::max(1, r_.dof), kShareBeforeErrorBars);
+    return uncertainty_of(journal_.step("error bars", [&] { return output_of(error_bars()); }), free_.size());
+  }
+
+  Uncertainty error_bars() const {
+    Uncertainty u = sampled_uncertainty(observations_, free_, values_, settled_.prior, anchors_,
+                                        r_.error_inflation, options_.threads);
+    drop_flat_directions(
+        [&](const std::vector<double>& step) {
+          std::vector<double> moved = cost_->coordinates(values_);
+          for (std::size_t k = 0; k < free_.size(); ++k) moved[k] += step[k];
+          moved = cost_->values(moved.data());
+          return (cost_->at(moved, false).chi2 - point_.chi2) / (r_.error_inflation * r_.error_inflation) -
+                 2.0 * log_of_limits(free_, values_, step);
+        },
+        bounded_by_prior(settled_.prior, free_.size()), u);
+    without_anchors(anchors_, free_, values_, u);
+    if (curve_ != nullptr) widen(*curve_, u);
+    return u;
+  }
+
+  void put_answer(const Uncertainty& u) {
+    const ValueUncertainty known = put_parameters(scene_, free_, values_, u, evidence_.stopped, r_);
+    std::vector<double> tidied;
+    for (const FittedParameter& p : r_.parameters) tidied.push_back(p.value);
+    r_.best = scene_;
+    const ParameterMap shared(scene_, free_);
+    shared.put(tidied, r_.best);
+    r_.tied = tied_numbers(shared, tidied, r_.best, known);
+    start_from(free_, tidied, r_.best);
+    put_photos(observations_, full_, free_, tidied, point_, known, r_);
+    if (observations_.size() == 1 && r_.photos.front().name.empty()) {
+      start_from(free_, tidied, r_.photos.front().best);
+      r_.best = with_pixels_of(scene_, r_.photos.front().best);
+    }
+    put_derived(observations_, free_, tidied, known, evidence_.stopped, r_);
+    if (curve_ != nullptr) put_curve();
+    if (!settled_.prior.any()) return;
+    evidence_.unknowns = settled_.determined;
+    r_.profiles = free_profiles(r_.best, settled_.prior, known);
+  }
+
+  void put_curve() {
+    r_.curve = curve_->fitted;
+    for (const FittedCurve::Exponent& e : curve_->fitted.exponents) r_.derived.push_back(exponent_of(e));
+    evidence_.curve_words = curve_->fitted.words;
+    evidence_.against_curve = curve_->against;
+  }
+
+  void judge(const SearchOutcome& outcome) {
+    evidence_.aurora_in_view =
+        std::any_of(point_.of_photo.begin(), point_.of_photo.end(), [](const Comparison::Point& p) {
+          return std::any_of(p.aurora.value.begin(), p.aurora.value.end(), [](double x) { return x > 0.0; });
+        });
+    look_for_second_mode(free_, values_, outcome, r_, evidence_);
+    if (evidence_.second_mode) put_second_mode(scene_, free_, evidence_.second_mode_values, r_);
+    assess_fit(evidence_, r_);
+    assess_quantities(r_);
+  }
+
+  const sim::Scene& scene_;
+  const std::vector<FreeNumber>& free_;
+  const std::vector<Observation>& observations_;
+  const FitOptions& asked_;
+  const FitOptions options_;
+  const FoundCurve* curve_;
+  const FinishedSearch* done_;
+  const std::vector<CostTerm> full_;
+  NullJournal nowhere_;
+  Journal& journal_;
+
+  int unknowns_ = 0, residuals_ = 0;
+  EvaluationLog log_, closing_log_;
+  Settled settled_;
+  std::vector<double> values_;  // of the free numbers, at the answer
+  std::vector<PhaseAnchor> anchors_;
+  std::optional<ProfileCost> cost_;
+  ProfileCost::Point point_;
+  Evidence evidence_;
+  FitResult r_;
+};
+
 }  // namespace
 
 sim::Scene with_ties(const sim::Scene& given, const std::vector<FreeNumber>& free, const PhotoFrame& frame) {
@@ -243,147 +442,7 @@ FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber
                            const std::vector<Observation>& observations, const FitOptions& asked,
                            const FoundCurve* curve, const FinishedSearch* done) {
   sim::require_earth(scene, "a fit");
-  const FitOptions options = with_validation_progress(asked, free.size());
-  const std::vector<CostTerm> full = cost_terms(observations, free, Detail::full);
-
-  FitResult r;
-  r.seed = scene.seed;
-  int unknowns = static_cast<int>(free.size()), residuals = 0;
-  if (curve != nullptr) unknowns += static_cast<int>(curve->covariance.size());
-  for (const Observation& o : observations) {
-    unknowns += o.full->coefficients();
-    residuals += o.full->residuals();
-  }
-  if (residuals <= unknowns)
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"only " + std::to_string(residuals) + " usable values in the region of interest",
-                      observations.front().photo->file_name, 0, "fit.roi_px",
-                      "more than " + std::to_string(unknowns), "is everything masked or clipped?"});
-
-  EvaluationLog log;
-  log.limit = options.max_evaluations;
-  log.stop = options.stop;
-  if (curve != nullptr) {
-    log = curve->log;
-    r.trace = curve->trace;
-  }
-  if (done != nullptr) {
-    log = done->log;
-    r.trace = done->trace;
-  }
-
-  Evidence evidence;
-  const SearchOutcome outcome =
-      curve != nullptr ? curve->outcome
-      : done != nullptr
-          ? done->outcome
-          : search_outcome_of(
-                recorded_step(options.journal, "the whole search", free.size(), log, r.trace,
-                              [&] {
-                                return output_of(search(
-                                    scene, free, {cost_terms(observations, free, Detail::coarse), full},
-                                    options, log, r.trace));
-                              }),
-                free.size());
-  r.chi2_initial = outcome.chi2_initial;
-  r.termination = outcome.best.termination;
-  Descent best = outcome.best;
-  Settled settled;
-  if (PriorRows(free).count() > 0 || !spline_lines(scene, free).empty()) {
-    settled = settle(scene, free, full, best, log, r.trace, options.journal);
-    best = settled.descent;
-    r.termination = best.termination;
-  }
-  evidence.converged = best.converged;
-  evidence.stopped = options.stop != nullptr && options.stop->load();
-  if (evidence.stopped) r.termination = words_for_stop(log);
-  evidence.out_of_evaluations =
-      log.residuals >= log.limit && (!evidence.converged || (done != nullptr && done->cut_short));
-  std::vector<double> values = best.values;
-  if (!std::isfinite(best.chi2) && !log.best_values.empty()) values = log.best_values;
-
-  // The last word: full model, exact Jacobian, whatever the limit on evaluations says.
-  r.evaluations = log.residuals;
-  r.jacobian_evaluations = log.jacobians;
-  EvaluationLog closing;
-  sim::Scene there = scene;
-  ParameterMap(scene, free).put(values, there);
-  const std::vector<PhaseAnchor> anchors = phase_anchors(there, free, values);
-  const ProfileCost cost(free, full, closing, {{}, {}, settled.prior, settled.inflation, anchors});
-  const ProfileCost::Point point = cost.at(values, true);
-  evidence.chi2_without_aurora = chi2_without_aurora(observations, point);
-  r.chi2 = chi2_of_priors(free, values);
-  for (const Comparison::Point& p : point.of_photo) r.chi2 += p.chi2;
-  r.dof = residuals + static_cast<int>(PriorRows(free).count()) - unknowns + held_gains(observations, point);
-  const Inflation inflation = joint_inflation(cost, point, unknowns);
-  r.error_inflation = inflation.factor();
-  r.correlated_residuals = inflation.together;
-  r.statistics = compared_statistics(observations, point);
-
-  r.compared = compared_values(observations, unknowns - held_gains(observations, point));
-  r.gradient_cosine = gradient_cosine(cost, values);
-
-  const std::size_t n = free.size();
-  const auto error_bars = [&] {
-    Uncertainty u = sampled_uncertainty(observations, free, values, settled.prior, anchors, r.error_inflation,
-                                        options.threads);
-    drop_flat_directions(
-        [&](const std::vector<double>& step) {
-          std::vector<double> moved = cost.coordinates(values);
-          for (std::size_t k = 0; k < n; ++k) moved[k] += step[k];
-          moved = cost.values(moved.data());
-          return (cost.at(moved, false).chi2 - point.chi2) / (r.error_inflation * r.error_inflation) -
-                 2.0 * log_of_limits(free, values, step);
-        },
-        bounded_by_prior(settled.prior, n), u);
-    without_anchors(anchors, free, values, u);
-    if (curve != nullptr) widen(*curve, u);
-    return output_of(u);
-  };
-  if (options.progress && !evidence.stopped)
-    options.progress("error bars", log.residuals, r.chi2 / std::max(1, r.dof), kShareBeforeErrorBars);
-  NullJournal nowhere;
-  Journal& journal = options.journal != nullptr ? *options.journal : nowhere;
-  const Uncertainty u = evidence.stopped ? no_uncertainty(n, r.error_inflation)
-                                         : uncertainty_of(journal.step("error bars", error_bars), n);
-
-  const ValueUncertainty known = put_parameters(scene, free, values, u, evidence.stopped, r);
-  std::vector<double> tidied;
-  for (const FittedParameter& p : r.parameters) tidied.push_back(p.value);
-  r.best = scene;
-  const ParameterMap shared(scene, free);
-  shared.put(tidied, r.best);
-  r.tied = tied_numbers(shared, tidied, r.best, known);
-  start_from(free, tidied, r.best);
-  put_photos(observations, full, free, tidied, point, known, r);
-  if (observations.size() == 1 && r.photos.front().name.empty()) {
-    start_from(free, tidied, r.photos.front().best);
-    r.best = with_pixels_of(scene, r.photos.front().best);
-  }
-  put_derived(observations, free, tidied, known, evidence.stopped, r);
-  if (curve != nullptr) {
-    r.curve = curve->fitted;
-    for (const FittedCurve::Exponent& e : curve->fitted.exponents) r.derived.push_back(exponent_of(e));
-    evidence.curve_words = curve->fitted.words;
-    evidence.against_curve = curve->against;
-  }
-
-  if (settled.prior.any()) {
-    evidence.unknowns = settled.determined;
-    r.profiles = free_profiles(r.best, settled.prior, known);
-  }
-  evidence.aurora_in_view =
-      std::any_of(point.of_photo.begin(), point.of_photo.end(), [](const Comparison::Point& p) {
-        return std::any_of(p.aurora.value.begin(), p.aurora.value.end(), [](double x) { return x > 0.0; });
-      });
-  look_for_second_mode(free, values, outcome, r, evidence);
-  if (evidence.second_mode) put_second_mode(scene, free, evidence.second_mode_values, r);
-  assess_fit(evidence, r);
-  assess_quantities(r);
-  if (r.verdict == Verdict::good || r.verdict == Verdict::doubtful)
-    validate_error_bars({scene, free, observations, values, settled.prior, r.error_inflation, u}, asked,
-                        journal, r);
-  return r;
+  return FitRun(scene, free, observations, asked, curve, done).run();
 }
 
 }  // namespace vegard::fit
