@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
-#include "sim/base/large_vector.h"
 #include "sim/base/parallel.h"
-#include "sim/light/sheet_profile.h"
-#include "sim/render/air_on_film.h"
 #include "sim/render/film.h"
 #include "sim/render/picture.h"
+#include "sim/render/profile_light.h"
 #include "sim/render/spread_runs.h"
-#include "sim/scene/table/same_values.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/film/blur.h"
 #include "sim/view/sky/night_sky.h"
@@ -22,53 +18,6 @@ namespace vegard::sim {
 namespace {
 
 constexpr std::size_t kMeansPerTask = 64, kFilmRowsPerTask = 16;
-
-/// The light of a line grows with a parameter as that of a height profile, a row of SheetShapers::rates.
-struct Shaper {
-  int parameter = 0, line = 0;
-  std::size_t rate = 0;
-};
-struct SheetShapers {
-  std::vector<std::vector<float>> rates;  // each once: lines share their splines' basis
-  std::vector<Shaper> shapers;
-};
-struct ProfileShapers {
-  std::vector<SheetShapers> of_sheet;
-  std::vector<bool> alone;  // by parameter: it does nothing but shape a profile
-};
-
-/// What the free numbers do to the height profiles. The energy flux scales the light too, which the kernel
-/// has.
-ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId>& free,
-                               const Exposer& exposer) {
-  ProfileShapers result;
-  result.of_sheet.resize(scene.sheets.size());
-  result.alone.assign(free.size(), false);
-  for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
-    SheetShapers& of_sheet = result.of_sheet[s];
-    for (std::size_t j = 0; j < free.size(); ++j) {
-      const std::vector<std::vector<float>> slopes =
-          profile_slopes(scene.emission.lines, scene, static_cast<int>(s), free[j]);
-      if (slopes.empty()) continue;
-      // Of these two there is more: the kernel's share, and the volumes'.
-      result.alone[j] =
-          free[j].role() != ParameterRole::energy_flux && free[j].role() != ParameterRole::oxygen_factor;
-      const std::size_t stride = slopes.front().size() / HeightProfile::kAltitudes;
-      for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
-        std::vector<float> rate;  // of one rung of the sheet's ladder of energies after the other
-        for (const std::vector<float>& slope : slopes)
-          for (int a = 0; a < HeightProfile::kAltitudes; ++a) rate.push_back(slope[a * stride + l]);
-        if (std::all_of(rate.begin(), rate.end(), [](float x) { return x == 0.0f; })) continue;
-        rate = exposer.split_by_age(static_cast<int>(s), scene.emission.lines[l], rate);
-        const auto found = std::find(of_sheet.rates.begin(), of_sheet.rates.end(), rate);
-        of_sheet.shapers.push_back({static_cast<int>(j), static_cast<int>(l),
-                                    static_cast<std::size_t>(found - of_sheet.rates.begin())});
-        if (found == of_sheet.rates.end()) of_sheet.rates.push_back(std::move(rate));
-      }
-    }
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -89,58 +38,7 @@ struct PictureModel::Workspace {
   std::vector<double> slopes;   // [run][channel][stride]
   std::vector<Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
 
-  // Blurred light of the profiles' slopes, by sheet: [line][rate][row][column]. Coefficients of splines do
-  // not change it, so it stays as long as nothing else in the scene changes.
-  std::vector<LargeVector<float>> shaped;
-  std::vector<SheetShapers> shaped_by;
-  std::optional<Scene> shaped_in;
-  // The coefficients that the model was made with. The scale on which the slopes' light is rounded goes by
-  // these, not by those at which it happens to be asked for first: it is to be the same after a resumption.
-  std::vector<std::vector<double>> first_rates;
-
-  void shape(const Scene& scene, const ProfileShapers& shapers) {
-    if (std::all_of(shapers.of_sheet.begin(), shapers.of_sheet.end(),
-                    [](const SheetShapers& of_sheet) { return of_sheet.rates.empty(); }))
-      return;
-    Scene rest = scene;
-    for (std::size_t s = 0; s < rest.sheets.size(); ++s) rest.sheets[s].spline_rate = first_rates[s];
-    const auto same = [](const SheetShapers& a, const SheetShapers& b) { return a.rates == b.rates; };
-    if (shaped_in && same_values(*shaped_in, rest, {"fit"}) &&
-        std::equal(shaped_by.begin(), shaped_by.end(), shapers.of_sheet.begin(), shapers.of_sheet.end(),
-                   same))
-      return;
-    shaped_by = shapers.of_sheet;
-    shaped.resize(scene.sheets.size());
-    const std::vector<float> kept = transmission_on_film(scene, film, threads);
-    Exposure light;
-    std::vector<float> dimmed;
-    for (std::size_t s = 0; s < shaped.size(); ++s) {
-      const auto& rates = shapers.of_sheet[s].rates;
-      if (rates.empty()) continue;
-      if (!exposer->spreads()) exposer->expose_profiles(rest, static_cast<int>(s), rates, light);
-      const std::size_t cells = static_cast<std::size_t>(film.rows) * film.columns,
-                        lines_count = scene.emission.lines.size();
-      shaped[s].resize(cells * lines_count * rates.size());
-      down.resize(cells);
-      for (std::size_t l = 0; l < lines_count; ++l) {
-        if (exposer->spreads())
-          exposer->expose_profiles(rest, static_cast<int>(s), rates, light, static_cast<int>(l));
-        const PlaneBlur blur = line_blur(scene, film, static_cast<int>(l));
-        for (std::size_t i = 0; i < rates.size(); ++i) {
-          const float* plane = light.rayleigh.data() + i * cells;
-          if (!kept.empty()) {
-            dimmed.assign(plane, plane + cells);
-            for (std::size_t cell = 0; cell < cells; ++cell) dimmed[cell] *= kept[l * cells + cell];
-            plane = dimmed.data();
-          }
-          blur_down(plane, down.data(), film.rows, film.columns, 1, blur.down, threads);
-          blur_across(down.data(), shaped[s].data() + (l * rates.size() + i) * cells, film.rows, film.columns,
-                      1, blur.across, threads);
-        }
-      }
-    }
-    shaped_in = std::move(rest);
-  }
+  std::unique_ptr<ProfileLight> profile_light;
 
   /// Calls body(mean) for every mean, on all threads.
   template <class Body>
@@ -269,10 +167,31 @@ struct PictureModel::Workspace {
     });
   }
 
+  /// Adds the sums over a row's runs of derivatives of line `l` to `slopes`. `wide` is blurred down only:
+  /// `spread` blurs across.
+  void add_row(std::size_t row, int l, const std::vector<float>& wide, SpreadRuns& spread) {
+    const auto stride = static_cast<std::size_t>(exposure.free_stride);
+    for (std::size_t i = 0; i < runs_of_row[row].size(); ++i) {
+      const std::size_t index = runs_of_row[row][i];
+      const CellWeights::Run& run = weights.runs[index];
+      const float* channel = &shown[run.first_pixels];
+      const float *before = nullptr, *sum = nullptr;
+      for (int c = 0; c < 3; ++c, channel += run.columns) {
+        // Two channels often show the same cells.
+        if (before == nullptr || !std::equal(channel, channel + run.columns, before))
+          sum = spread.sum(i * 3 + c, run, channel, wide.data(), stride);
+        before = channel;
+        if (sum == nullptr) continue;
+        double* to = slopes.data() + (index * 3 + c) * stride;
+        for (std::size_t j = 0; j < stride; ++j) to[j] += colour[l][c] * sum[j];
+      }
+    }
+  }
+
   /// Blurs the exposure's derivatives and adds their means to those of `parameters`. The blur along a row
   /// and the sum over a run's cells are one sum with other weights, and there are fewer runs than cells.
   void add_exposed(const Scene& scene, const std::vector<int>& parameters, PictureMeans& out) {
-    const std::size_t cells = exposure.cells(), stride = static_cast<std::size_t>(exposure.free_stride);
+    const auto stride = static_cast<std::size_t>(exposure.free_stride);
     std::vector<PlaneBlur> blurs;
     for (int l = 0; l < exposure.lines; ++l) blurs.push_back(line_blur(scene, film, l));
     slopes.assign(weights.runs.size() * 3 * stride, 0.0);
@@ -281,26 +200,12 @@ struct PictureModel::Workspace {
       std::vector<float> wide(film.columns * stride);
       for (int l = 0; l < exposure.lines; ++l) {
         SpreadRuns spread(blurs[l].across, film.columns);
-        for (std::size_t row = task * kFilmRowsPerTask;
-             row < std::min<std::size_t>(film.rows, (task + 1) * kFilmRowsPerTask); ++row) {
+        const std::size_t end = std::min<std::size_t>(film.rows, (task + 1) * kFilmRowsPerTask);
+        for (std::size_t row = task * kFilmRowsPerTask; row < end; ++row) {
           if (runs_of_row[row].empty()) continue;
-          blur_down_row(exposure.derivative.data() + l * cells * stride, wide.data(), film.rows, film.columns,
-                        static_cast<int>(stride), blurs[l].down, static_cast<int>(row));
-          for (std::size_t i = 0; i < runs_of_row[row].size(); ++i) {
-            const std::size_t index = runs_of_row[row][i];
-            const CellWeights::Run& run = weights.runs[index];
-            const float* of_run = &shown[run.first_pixels];
-            const float *before = nullptr, *sum = nullptr;
-            for (int c = 0; c < 3; ++c, of_run += run.columns) {
-              // Two channels often show the same cells.
-              if (before == nullptr || !std::equal(of_run, of_run + run.columns, before))
-                sum = spread.sum(i * 3 + c, run, of_run, wide.data(), stride);
-              before = of_run;
-              if (sum == nullptr) continue;
-              double* to = slopes.data() + (index * 3 + c) * stride;
-              for (std::size_t j = 0; j < stride; ++j) to[j] += colour[l][c] * sum[j];
-            }
-          }
+          blur_down_row(exposure.derivative.data() + l * exposure.cells() * stride, wide.data(), film.rows,
+                        film.columns, static_cast<int>(stride), blurs[l].down, static_cast<int>(row));
+          add_row(row, l, wide, spread);
         }
       }
     });
@@ -355,8 +260,8 @@ PictureModel::PictureModel(const Scene& scene, const FilmGeometry& film, CellWei
   w.weights = std::move(weights);
   w.runs_of_row.resize(film.rows);
   for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
-  for (const Sheet& sheet : scene.sheets) w.first_rates.push_back(sheet.spline_rate);
   w.exposer = std::make_unique<Exposer>(scene, film, options.threads, options.beyond, options.sampling);
+  w.profile_light = std::make_unique<ProfileLight>(scene, film, w.threads, *w.exposer);
 }
 
 PictureModel::~PictureModel() = default;
@@ -402,12 +307,10 @@ void PictureModel::evaluate_with_derivatives(const Scene& scene, const std::vect
   w.add_offset(scene, free, out);
   if (!of_kernel.empty()) w.add_exposed(scene, kernel_parameters, out);
   w.add_blur_widths(scene, free, out);
-  w.shape(scene, shapers);
-  for (std::size_t s = 0; s < shapers.of_sheet.size(); ++s)
-    for (const Shaper& shaper : shapers.of_sheet[s].shapers)
-      w.add_plane(w.shaped[s].data() +
-                      (shaper.line * shapers.of_sheet[s].rates.size() + shaper.rate) * w.exposure.cells(),
-                  shaper.parameter, shaper.line, out);
+  w.profile_light->expose(scene, shapers);
+  for (std::size_t s = 0; s < shapers.sheets.size(); ++s)
+    for (const Shaper& shaper : shapers.sheets[s].shapers)
+      w.add_plane(w.profile_light->plane(s, shaper), shaper.parameter, shaper.line, out);
 }
 
 }  // namespace vegard::sim
