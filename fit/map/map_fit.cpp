@@ -196,6 +196,22 @@ class CellReader {
   std::vector<std::vector<std::pair<int, float>>> near_;
 };
 
+/// A coarse map on a finer grid, with a little light everywhere.
+std::vector<float> refined(const std::vector<float>& rough, const sim::GroundGrid& coarse,
+                           const sim::GroundGrid& fine) {
+  std::vector<float> map(static_cast<std::size_t>(fine.cells()) * kGroundEnergies, 0.0f);
+  float brightest = 0.0f;
+  for (const float x : rough) brightest = std::max(brightest, x);
+  for (int c = 0; c < fine.cells(); ++c) {
+    const sim::EastNorth middle = fine.middle_km(c);
+    const int under = coarse.cell_at(middle.east, middle.north);
+    for (int k = 0; k < kGroundEnergies; ++k)
+      map[static_cast<std::size_t>(c) * kGroundEnergies + k] =
+          rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
+  }
+  return map;
+}
+
 /// Which share of all work is behind at the end of each stage, as far as can be said before.
 struct WorkShares {
   double prior = 0.0, coarse = 0.0, map = 0.0;
@@ -224,6 +240,12 @@ class Mapping {
   MapResult run();
 
  private:
+  /// Throws if light explains next to nothing of the pictures.
+  void require_light(std::vector<MapPicture>& pictures, const std::vector<float>& start, double chi2) const;
+  /// Keeps the fine cells near coarse ones that have light.
+  void keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& rough, sim::GroundGrid& fine) const;
+  void put_photos(std::vector<MapPicture>& pictures, MapResult& result) const;
+  void add_replicates(std::vector<MapPicture>& fine, MapResult& result);
   std::vector<MapPicture> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
   std::vector<MapPicture> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
                                    const std::vector<MapPicture>* like = nullptr) const;
@@ -237,9 +259,16 @@ class Mapping {
                          const std::vector<float>& start, MapResult& result);
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
-  std::vector<CellFlux> replicate(std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
-                                  const MapResult& best, const std::vector<MapLight>& truth, int number,
-                                  double from, double to);
+  std::vector<CellFlux> replicate(std::vector<MapPicture>& fine, const MapResult& best,
+                                  const std::vector<MapLight>& truth, std::uint32_t number, double from,
+                                  double to);
+  /// The pictures for numbers beside the map that are drawn from what is known of them.
+  std::vector<MapPicture> pictures_drawn(const std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
+                                         std::uint32_t number) const;
+  void set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
+                      MapPicture& picture) const;
+  MapSolution solve_drawn(std::vector<MapPicture>& pictures, const MapResult& best, std::uint32_t number,
+                          double from, double to) const;
   void tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const;
   bool stopped() const { return options_.stop != nullptr && *options_.stop; }
 
@@ -476,66 +505,74 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
   return blurred;
 }
 
-std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
-                                         const MapResult& best, const std::vector<MapLight>& truth,
-                                         int number, double from, double to) {
-  const auto work = [&] {
-    // The numbers beside the map are drawn from what is known of them.
-    std::vector<MapPicture> drawn;
-    if (!numbers_.empty()) {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < numbers_.size(); ++i) {
-        const double drawn_number =
-            normal(scene_.seed, static_cast<std::uint32_t>(number), 0xffe0u, static_cast<std::uint32_t>(i));
-        values.push_back(numbers_[i].value + numbers_[i].error * drawn_number);
-      }
-      drawn = this->pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
-      look(drawn, grid);
+std::vector<MapPicture> Mapping::pictures_drawn(const std::vector<MapPicture>& fine,
+                                                const sim::GroundGrid& grid, std::uint32_t number) const {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const double drawn = normal(scene_.seed, number, 0xffe0u, static_cast<std::uint32_t>(i));
+    values.push_back(numbers_[i].value + numbers_[i].error * drawn);
+  }
+  std::vector<MapPicture> all = pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
+  look(all, grid);
+  return all;
+}
+
+void Mapping::set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
+                             MapPicture& picture) const {
+  const std::vector<float> shared = smooth_error(picture.film(), scene_.seed, static_cast<int>(number),
+                                                 static_cast<int>(p), options_.threads);
+  MapLight data = truth;
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const double sigma = picture.sigma()[i], noise = picture.noise()[i];
+    if (sigma == 0.0) continue;
+    const double model_error = std::sqrt(std::max(0.0, sigma * sigma - noise * noise));
+    data[i] +=
+        static_cast<float>(noise * normal(scene_.seed, number, p * 4u + static_cast<std::uint32_t>(i % 3),
+                                          static_cast<std::uint32_t>(i / 3)) +
+                           model_error * shared[i / 3]);
+  }
+  picture.set_data(std::move(data));
+}
+
+MapSolution Mapping::solve_drawn(std::vector<MapPicture>& pictures, const MapResult& best,
+                                 std::uint32_t number, double from, double to) const {
+  const double spread = kPriorSpread * normal(scene_.seed, number, 0xffffu, 0u);
+  // A little light everywhere, so that what the prior has put out may come back.
+  // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
+  std::vector<float> start = best.map, factor(static_cast<std::size_t>(best.grid.cells()));
+  double most = 0.0;
+  for (const float x : start) most = std::max(most, static_cast<double>(x));
+  const auto draw = [&](std::size_t c, std::uint32_t what) {
+    return normal(scene_.seed, number, 0xfff0u + what, static_cast<std::uint32_t>(c));
+  };
+  for (std::size_t c = 0; c < factor.size(); ++c) {
+    factor[c] = static_cast<float>(std::exp(kCellPriorSpread * draw(c, 0u)));
+    const double flux = kFluxSpread * draw(c, 1u), tilt = kTiltSpread * draw(c, 2u);
+    for (std::size_t k = 0; k < energies_.size(); ++k) {
+      float& x = start[c * kGroundEnergies + k];
+      x += static_cast<float>(1e-4 * most);
+      x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - best.cells[c].ln_energy)));
     }
+  }
+  return solve(pictures, best.grid, std::move(start), best.sparsity * std::exp(spread), kReplicateSteps,
+               "error bars", from, to, std::move(factor));
+}
+
+std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const MapResult& best,
+                                         const std::vector<MapLight>& truth, std::uint32_t number,
+                                         double from, double to) {
+  const auto work = [&] {
+    std::vector<MapPicture> drawn;
+    if (!numbers_.empty()) drawn = pictures_drawn(fine, best.grid, number);
     std::vector<MapPicture>& pictures = drawn.empty() ? fine : drawn;
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
-    for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].gain = best.photos[p].gain;
     for (std::size_t p = 0; p < pictures.size(); ++p) {
-      MapPicture& picture = pictures[p];
-      const std::vector<float> shared =
-          smooth_error(picture.film(), scene_.seed, number, static_cast<int>(p), options_.threads);
-      MapLight data = truth[p];
-      for (std::size_t i = 0; i < data.size(); ++i) {
-        const double sigma = picture.sigma()[i], noise = picture.noise()[i];
-        if (sigma == 0.0) continue;
-        const double of_model = std::sqrt(std::max(0.0, sigma * sigma - noise * noise));
-        data[i] += static_cast<float>(
-            noise * normal(scene_.seed, static_cast<std::uint32_t>(number),
-                           static_cast<std::uint32_t>(p) * 4u + static_cast<std::uint32_t>(i % 3),
-                           static_cast<std::uint32_t>(i / 3)) +
-            of_model * shared[i / 3]);
-      }
-      picture.set_data(std::move(data));
+      pictures[p].gain = best.photos[p].gain;
+      set_drawn_data(truth[p], number, static_cast<std::uint32_t>(p), pictures[p]);
     }
-    const double spread = kPriorSpread * normal(scene_.seed, static_cast<std::uint32_t>(number), 0xffffu, 0u);
-    // A little light everywhere, so that what the prior has put out may come back.
-    // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
-    std::vector<float> start = best.map, factor(static_cast<std::size_t>(grid.cells()));
-    double most = 0.0;
-    for (const float x : start) most = std::max(most, static_cast<double>(x));
-    const auto of_cell = [&](std::size_t c, std::uint32_t what) {
-      return normal(scene_.seed, static_cast<std::uint32_t>(number), 0xfff0u + what,
-                    static_cast<std::uint32_t>(c));
-    };
-    for (std::size_t c = 0; c < factor.size(); ++c) {
-      factor[c] = static_cast<float>(std::exp(kCellPriorSpread * of_cell(c, 0u)));
-      const double flux = kFluxSpread * of_cell(c, 1u), tilt = kTiltSpread * of_cell(c, 2u);
-      for (std::size_t k = 0; k < energies_.size(); ++k) {
-        float& x = start[c * kGroundEnergies + k];
-        x += static_cast<float>(1e-4 * most);
-        x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - best.cells[c].ln_energy)));
-      }
-    }
-    const MapSolution s = solve(pictures, grid, std::move(start), best.sparsity * std::exp(spread),
-                                kReplicateSteps, "error bars", from, to, std::move(factor));
-    const std::vector<CellFlux> cells = CellReader(grid, energies_).cells(s.map);
+    const MapSolution s = solve_drawn(pictures, best, number, from, to);
     StepOutput out;
-    for (const CellFlux& cell : cells) {
+    for (const CellFlux& cell : CellReader(best.grid, energies_).cells(s.map)) {
       out.numbers["flux"].push_back(cell.flux_mw_m2);
       out.numbers["ln_energy"].push_back(cell.ln_energy);
     }
@@ -545,7 +582,7 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const si
   const StepOutput out = options_.journal != nullptr
                              ? options_.journal->step("replicate " + std::to_string(number), work)
                              : work();
-  std::vector<CellFlux> cells(static_cast<std::size_t>(grid.cells()));
+  std::vector<CellFlux> cells(static_cast<std::size_t>(best.grid.cells()));
   const std::vector<double>& flux = out.numbers_at("flux", cells.size());
   const std::vector<double>& ln_energy = out.numbers_at("ln_energy", cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
@@ -574,82 +611,47 @@ void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResu
   }
 }
 
-MapResult Mapping::run() {
-  std::vector<MapPicture> coarse = pictures(2);
-  const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : reach_km(coarse);
-  sim::GroundGrid coarse_grid = grid_for(coarse, scene_.site, farthest, 2.0);
-  look(coarse, coarse_grid);
-  keep_seen(coarse, coarse_grid);
-  const std::vector<float> start = flat_start(coarse, coarse_grid);
-  MapResult result{scene_,      numbers_,  options_.altitude_scale,
-                   coarse_grid, energies_, {},
-                   {},          {},        {},
-                   {},          {},        0.0,
-                   {},          0.0,       0.0,
-                   0,           {},        false};
-  result.sparsity =
-      options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
-  double chi2 = 0.0;
-  const std::vector<float> rough = recorded("coarse map", coarse_grid.cells(), coarse, chi2, [&] {
-    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", share_.prior,
-                 share_.coarse);
-  });
+void Mapping::require_light(std::vector<MapPicture>& pictures, const std::vector<float>& start,
+                            double chi2) const {
   double dark = 0.0;
-  for (MapPicture& picture : coarse) {
+  for (MapPicture& picture : pictures) {
     MapLight none(picture.cells() * 3, 0.0f), residual;
     dark += picture.residual(none, residual);
   }
   constexpr double kMinGain = 0.05;  // of chi2 per value, that light explains
-  if (!stopped() && (start[0] == 0.0f || dark - chi2 < kMinGain * static_cast<double>(all_values(coarse))))
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"no light is above the noise and the sky", photos_.front().file_name, 0, "",
-                      "a photograph with aurora",
-                      "check the mask and fit.roi_px; a smooth sky explains all of the picture"});
+  if (stopped() ||
+      (start[0] != 0.0f && !(dark - chi2 < kMinGain * static_cast<double>(all_values(pictures)))))
+    return;
+  throw sim::Error(sim::ErrorKind::unreadable_input, "no light is above the noise and the sky")
+      .file(photos_.front().file_name)
+      .expected("a photograph with aurora")
+      .hint("check the mask and fit.roi_px; a smooth sky explains all of the picture");
+}
 
-  // Fine cells where the coarse ones near them have light.
-  std::vector<MapPicture> fine = pictures(1);
-  for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
-  result.grid = grid_for(fine, scene_.site, farthest, 1.0);
-  const std::vector<CellFlux> rough_cells = CellReader(coarse_grid, energies_).cells(rough);
-  std::vector<std::uint8_t> lit(rough_cells.size(), 0);
+void Mapping::keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& rough,
+                       sim::GroundGrid& fine) const {
+  const std::vector<CellFlux> cells = CellReader(coarse, energies_).cells(rough);
+  std::vector<std::uint8_t> lit(cells.size(), 0);
   float most = 0.0f;
-  for (const CellFlux& cell : rough_cells) most = std::max(most, cell.flux_mw_m2);
+  for (const CellFlux& cell : cells) most = std::max(most, cell.flux_mw_m2);
   for (std::size_t c = 0; c < lit.size(); ++c)
-    if (rough_cells[c].flux_mw_m2 > kKeptShare * most)
-      for (const auto& near : coarse_grid.near(
-               static_cast<int>(c), std::max(kKeptReach_km, 2.5 * coarse_grid.depth_km(static_cast<int>(c)))))
+    if (cells[c].flux_mw_m2 > kKeptShare * most)
+      for (const auto& near : coarse.near(
+               static_cast<int>(c), std::max(kKeptReach_km, 2.5 * coarse.depth_km(static_cast<int>(c)))))
         lit[near.cell] = 1;
-  std::vector<bool> kept(result.grid.cells(), false);
-  for (int c = 0; c < result.grid.cells(); ++c) {
-    const sim::EastNorth middle = result.grid.middle_km(c);
-    const int under = coarse_grid.cell_at(middle.east, middle.north);
+  std::vector<bool> kept(fine.cells(), false);
+  for (int c = 0; c < fine.cells(); ++c) {
+    const sim::EastNorth middle = fine.middle_km(c);
+    const int under = coarse.cell_at(middle.east, middle.north);
     kept[c] = under >= 0 && lit[under] != 0;
   }
-  result.grid.keep(kept);
-  look(fine, result.grid);
-  std::vector<float> fine_start(static_cast<std::size_t>(result.grid.cells()) * kGroundEnergies, 0.0f);
-  float brightest = 0.0f;
-  for (const float x : rough) brightest = std::max(brightest, x);
-  for (int c = 0; c < result.grid.cells(); ++c) {
-    const sim::EastNorth middle = result.grid.middle_km(c);
-    const int under = coarse_grid.cell_at(middle.east, middle.north);
-    for (int k = 0; k < kGroundEnergies; ++k)
-      fine_start[static_cast<std::size_t>(c) * kGroundEnergies + k] =
-          rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
-  }
-  result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
-    return solve(fine, result.grid, std::move(fine_start), result.sparsity, kFineSteps, "map", share_.coarse,
-                 share_.map);
-  });
-  result.cells = CellReader(result.grid, energies_).cells(result.map);
-  for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
-    result.ln_energy_around.push_back(cell.ln_energy);
-  result.values = all_values(fine);
+  fine.keep(kept);
+}
 
-  std::vector<MapLight> truth;
+void Mapping::put_photos(std::vector<MapPicture>& pictures, MapResult& result) const {
   result.chi2 = 0.0;
-  for (std::size_t p = 0; p < fine.size(); ++p) {
-    MapPicture& picture = fine[p];
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    MapPicture& picture = pictures[p];
     MappedPhoto photo;
     photo.name = scene_.fit.photos.empty() ? "" : scene_.fit.photos[p].name;
     photo.scene = scenes_[p];
@@ -664,17 +666,60 @@ MapResult Mapping::run() {
     photo.chi2 = picture.residual(photo.model, residual);
     photo.sky = picture.sky();
     result.chi2 += photo.chi2;
-    truth.push_back(photo.model);
-    for (std::size_t i = 0; i < truth.back().size(); ++i) truth.back()[i] += photo.sky[i];
     result.photos.push_back(std::move(photo));
   }
-  tell_what_is_seen(fine, result);
+}
+
+void Mapping::add_replicates(std::vector<MapPicture>& fine, MapResult& result) {
+  std::vector<MapLight> truth;  // of each picture, with its sky
+  for (const MappedPhoto& photo : result.photos) {
+    truth.push_back(photo.model);
+    for (std::size_t i = 0; i < truth.back().size(); ++i) truth.back()[i] += photo.sky[i];
+  }
   for (int r = 0; r < options_.replicates && !stopped(); ++r) {
-    std::vector<CellFlux> cells = replicate(fine, result.grid, result, truth, r,
+    std::vector<CellFlux> cells = replicate(fine, result, truth, static_cast<std::uint32_t>(r),
                                             share_.map + (1.0 - share_.map) * r / options_.replicates,
                                             share_.map + (1.0 - share_.map) * (r + 1) / options_.replicates);
     if (!stopped()) result.replicates.push_back(std::move(cells));
   }
+}
+
+MapResult Mapping::run() {
+  std::vector<MapPicture> coarse = pictures(2);
+  const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : reach_km(coarse);
+  sim::GroundGrid coarse_grid = grid_for(coarse, scene_.site, farthest, 2.0);
+  look(coarse, coarse_grid);
+  keep_seen(coarse, coarse_grid);
+  const std::vector<float> start = flat_start(coarse, coarse_grid);
+  MapResult result(scene_, coarse_grid);
+  result.numbers = numbers_;
+  result.altitude_scale = options_.altitude_scale;
+  result.energies_kev = energies_;
+  result.sparsity =
+      options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
+  double chi2 = 0.0;
+  const std::vector<float> rough = recorded("coarse map", coarse_grid.cells(), coarse, chi2, [&] {
+    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", share_.prior,
+                 share_.coarse);
+  });
+  require_light(coarse, start, chi2);
+
+  std::vector<MapPicture> fine = pictures(1);
+  for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
+  result.grid = grid_for(fine, scene_.site, farthest, 1.0);
+  keep_lit(coarse_grid, rough, result.grid);
+  look(fine, result.grid);
+  result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
+    return solve(fine, result.grid, refined(rough, coarse_grid, result.grid), result.sparsity, kFineSteps,
+                 "map", share_.coarse, share_.map);
+  });
+  result.cells = CellReader(result.grid, energies_).cells(result.map);
+  for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
+    result.ln_energy_around.push_back(cell.ln_energy);
+  result.values = all_values(fine);
+  put_photos(fine, result);
+  tell_what_is_seen(fine, result);
+  add_replicates(fine, result);
   result.interrupted = stopped();
   return result;
 }

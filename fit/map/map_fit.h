@@ -10,6 +10,7 @@
 #include <atomic>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/map/map_numbers.h"
@@ -58,6 +59,9 @@ struct MapTrial {
 };
 
 struct MapResult {
+  MapResult(sim::Scene mapped, sim::GroundGrid cells_of_map)
+      : scene(std::move(mapped)), grid(std::move(cells_of_map)) {}
+
   sim::Scene scene;
   std::vector<MapNumber> numbers;  ///< numbers for which each replicate has its own values
   double altitude_scale = 1.0;     ///< factor on the altitudes of light in the tables
