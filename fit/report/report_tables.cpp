@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/answer/light_source_names.h"
+#include "fit/answer/result_numbers.h"
 #include "fit/version.h"
 #include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
@@ -79,6 +80,21 @@ std::string card_class(Trust trust) {
       return "unconstrained";
   }
   return "";
+}
+
+std::string shown_number(const ResultNumber& number, const std::optional<double>& value) {
+  if (!value) return "\u2013";
+  switch (number.form) {
+    case ResultForm::count:
+      return fmt::format("{:.0f}", *value);
+    case ResultForm::share:
+      return percent(*value);
+    case ResultForm::factor:
+      return "\u00d7&#160;" + sim::html_text(sim::short_number(*value, 3));
+    case ResultForm::number:
+      break;
+  }
+  return sim::html_text(sim::short_number(*value, 3));
 }
 
 }  // namespace
@@ -251,16 +267,9 @@ std::string statistics_table(const FitResult& result) {
           row("\u03c7\u00b2 of the " + sim::html_text(s.name), sim::html_text(sim::short_number(s.chi2, 6)),
               fmt::format("From {} residuals, with the weight {}.", s.residuals,
                           sim::html_text(sim::short_number(s.weight, 3))));
-  html += row("Degrees of freedom", std::to_string(result.dof),
-              "Residuals, less the numbers that were fitted or solved for.");
-  html += row(
-      "rms / peak", percent(result.rms_over_peak),
-      "Root mean square of the residuals over all rows, bands and channels, as a share of the profile\u2019s "
-      "peak above the sky.");
-  html +=
-      row("Error inflation", "\u00d7&#160;" + sim::html_text(sim::short_number(result.error_inflation, 3)),
-          "Error bars are those of independent residuals with the errors assumed, times this: residuals in "
-          "neighbouring rows and bands are alike, and as large as \u03c7\u00b2 says.");
+  for (const ResultNumber& number : result_numbers())
+    if (number.title != nullptr)
+      html += row(number.title, shown_number(number, number.value(result)), number.explanation);
   for (const FittedPhoto& photo : result.photos)
     if (photo.model_error)
       html += row("Model error" + (photo.name.empty() ? "" : " of " + sim::html_text(photo.name)),

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
+#include "fit/answer/result_numbers.h"
 #include "fit/answer/trust.h"
 #include "fit/report/netcdf/map_dataset.h"
 #include "fit/report/netcdf/record_json.h"
@@ -98,16 +100,11 @@ class RunDataset {
       dataset_.flags("check_passed", "whether the answer supports the fit", {"no", "yes"}, {"check"}, passed);
       dataset_.text("check_words", "the answer", {"check"}, words);
     }
-    const struct {
-      const char *key, *long_name;
-    } kNumbers[] = {{"chi2", "chi2 of the full model"},
-                    {"chi2_initial", "chi2 at the start"},
-                    {"dof", "degrees of freedom"},
-                    {"error_inflation", "factor that the standard errors contain"},
-                    {"model_error", "share of the light that the model misses"},
-                    {"rms_over_peak", "rms residual over the peak of the profile"}};
-    for (const auto& number : kNumbers)
-      dataset_.real(number.key, number.long_name, "1", {}, {record_number(json_, number.key)});
+    std::map<std::string, const char*> long_names;  // alphabetical
+    for (const ResultNumber& number : result_numbers())
+      if (number.long_name != nullptr) long_names[number.key] = number.long_name;
+    for (const auto& [key, long_name] : long_names)
+      dataset_.real(key, long_name, "1", {}, {record_number(json_, key)});
   }
 
   void take_parameters() {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "fit/answer/result_numbers.h"
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
@@ -193,6 +194,17 @@ Json curve_steps(const FitResult& result) {
   return json;
 }
 
+void put_numbers(const FitResult& result, ResultGroup group, Json& json) {
+  for (const ResultNumber& row : result_numbers()) {
+    if (row.group != group || (row.applies != nullptr && !row.applies(result))) continue;
+    const std::optional<double> value = row.value(result);
+    if (row.form == ResultForm::count && value)
+      json[row.key] = static_cast<int>(*value);
+    else
+      json[row.key] = number(value);
+  }
+}
+
 }  // namespace
 
 std::string result_json(const FitResult& result) {
@@ -239,9 +251,7 @@ std::string result_json(const FitResult& result) {
   if (result.stability) json["stability"] = stability(result);
   if (result.validation_interrupted) json["validation_interrupted"] = true;
   if (!result.curve_steps.empty()) json["curve_steps"] = curve_steps(result);
-  json["chi2"] = number(result.chi2);
-  json["chi2_initial"] = number(result.chi2_initial);
-  json["dof"] = result.dof;
+  put_numbers(result, ResultGroup::misfit, json);
   json["compared"] = {
       {"regions_px", result.compared.regions_px},
       {"values", result.compared.values},
@@ -249,20 +259,16 @@ std::string result_json(const FitResult& result) {
       {"sampling_error", number(result.compared.sampling_error)},
       {"model", sim::word_of(result.compared.draws ? sim::FitModel::draws : sim::FitModel::expected)},
       {"unknowns", result.compared.unknowns}};
-  json["gradient_cosine"] = number(result.gradient_cosine);
+  put_numbers(result, ResultGroup::convergence, json);
   json["statistics"] = Json::array();
   for (const ComparedStatistic& s : result.statistics)
     json["statistics"].push_back({{"name", s.name},
                                   {"weight", number(s.weight)},
                                   {"residuals", s.residuals},
                                   {"chi2", number(s.chi2)}});
-  json["rms_over_peak"] = number(result.rms_over_peak);
-  if (!several && !result.photos.empty()) json["model_error"] = number(result.photos.front().model_error);
-  json["error_inflation"] = number(result.error_inflation);
-  json["correlated_residuals"] = number(result.correlated_residuals);
+  put_numbers(result, ResultGroup::errors, json);
   json["termination"] = result.termination;
-  json["evaluations"] = result.evaluations;
-  json["jacobian_evaluations"] = result.jacobian_evaluations;
+  put_numbers(result, ResultGroup::effort, json);
   json["seed"] = result.seed;
   json["version"] = sim::version();
   json["libraries"] = {
