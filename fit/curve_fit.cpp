@@ -41,15 +41,11 @@ sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
 void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                      const FitOptions& options) {
   const sim::Fit& f = scene.fit;
-  if (f.profile_weight <= 0.0)
+  if (f.weight[sim::StatisticKind::profile] <= 0.0)
     refuse_unknown_curve(scene, "fit.profile_weight", "nothing would be compared", "above 0");
-  const std::pair<const char*, double> others[] = {{"fit.colour_weight", f.colour_weight},
-                                                   {"fit.horizontal_weight", f.horizontal_weight},
-                                                   {"fit.border_weight", f.border_weight},
-                                                   {"fit.image_weight", f.image_weight},
-                                                   {"fit.texture_weight", f.texture_weight}};
-  for (const auto& [key, weight] : others)
-    if (weight > 0.0) refuse_unknown_curve(scene, key, "profiles alone can be compared", "0");
+  for (const sim::StatisticFacts& facts : sim::kStatistics)
+    if (facts.kind != sim::StatisticKind::profile && f.weight[facts.kind] > 0.0)
+      refuse_unknown_curve(scene, weight_key(facts.kind), "profiles alone can be compared", "0");
   if (f.photo_noise != sim::PhotoNoise::estimated)
     refuse_unknown_curve(scene, "fit.photo_noise", "the sensor's noise is no guide", "\"estimated\"");
   if (!spline_lines(scene, free).empty())
@@ -156,7 +152,7 @@ class CurveFit {
     double chi2 = 0.0;
     int dof = 0;
     result.together = together_at(observations.front(), end.values, static_cast<int>(at.size()), &chi2, &dof);
-    const double weight = scene_.fit.profile_weight;
+    const double weight = scene_.fit.weight[sim::StatisticKind::profile];
     const std::vector<double> slopes = mean_slopes(as_srgb_, bent, full.data().grid, kProfileSmoothing_px);
     result.value = scaled_chi2(chi2, dof) + weight * log_determinant(full.sigma(), slopes) +
                    result.together * of_priors(end.values);

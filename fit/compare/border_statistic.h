@@ -27,7 +27,6 @@ class BorderStatistic : public Statistic {
   /// `sigma`: of the profile's values (fit/measure/noise_model.h). `weight` multiplies chi2.
   BorderStatistic(const Profile& data, const std::vector<double>& sigma, double weight);
 
-  std::string name() const override { return "border"; }
   std::size_t residuals() const override { return bands_.size(); }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
 

@@ -24,7 +24,6 @@ class ColourStatistic : public Statistic {
   /// `sigma`: of the profile's values (fit/measure/noise_model.h). `weight` multiplies chi2.
   ColourStatistic(const Profile& data, const std::vector<double>& sigma, double weight);
 
-  std::string name() const override { return "colour"; }
   std::size_t residuals() const override { return ratios_.size(); }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;
 

@@ -163,7 +163,7 @@ std::vector<Comparison::Share> Comparison::shares(const Point& point) const {
   std::vector<Share> all;
   const std::vector<std::size_t>& used = linear().used();
   for (const Statistics::Linear& one : statistics_->linear_ones()) {
-    Share share{one.name, one.weight};
+    Share share{facts_of(one.kind).name, one.weight};
     for (std::size_t k = 0; k < used.size(); ++k) {
       if (used[k] < one.first || used[k] >= one.first + one.values) continue;
       ++share.residuals;
@@ -173,7 +173,7 @@ std::vector<Comparison::Share> Comparison::shares(const Point& point) const {
   }
   std::size_t k = statistics_->linear_counts() ? used.size() : 0;
   for (const Statistics::Other& other : statistics_->others()) {
-    Share share{other.statistic->name(), other.weight, static_cast<int>(other.statistic->residuals())};
+    Share share{facts_of(other.kind).name, other.weight, static_cast<int>(other.statistic->residuals())};
     for (const std::size_t end = k + other.statistic->residuals(); k < end; ++k)
       share.chi2 += point.whitened[k] * point.whitened[k];
     all.push_back(share);

@@ -41,7 +41,6 @@ class GranulationStatistic : public Statistic {
   GranulationStatistic(const sim::Scene& scene, const Photo& photo, const Region& region, double weight,
                        double model_error, int threads);
 
-  std::string name() const override { return "granulation"; }
   std::size_t residuals() const override { return bands_.size(); }
   bool is_of_the_profile() const override { return false; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;

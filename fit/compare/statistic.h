@@ -37,7 +37,6 @@ struct StatisticInput {
 class Statistic {
  public:
   virtual ~Statistic() = default;
-  virtual std::string name() const = 0;
   /// Number of residuals. It depends on the photograph only, never on the model.
   virtual std::size_t residuals() const = 0;
   /// Writes (data - model) / sigma, which has a standard deviation of 1 where the model is right. If

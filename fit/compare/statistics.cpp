@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -25,14 +26,72 @@ std::vector<double> weighted(std::vector<double> sigma, double weight) {
   return sigma;
 }
 
+using sim::StatisticKind;
+
+/// Statistics that are mean light in bins of their own, beside the profile.
+constexpr struct {
+  StatisticKind kind;
+  BinGrid (*bins)(const BinGrid& profile, const sim::Fit& fit);
+} kBinned[] = {
+    {StatisticKind::horizontal,
+     [](const BinGrid& profile, const sim::Fit& fit) {
+       return horizontal_bins(profile, fit.horizontal_strips);
+     }},
+    {StatisticKind::image,
+     [](const BinGrid& profile, const sim::Fit& fit) { return image_bins(profile, fit.image_cell_px); }},
+};
+
+/// Of what the others are computed.
+struct StatisticSource {
+  const sim::Scene& scene;
+  const Photo& photo;
+  const Profile& profile;
+  const std::vector<double>& sigma;
+  double weight = 1.0;
+  double model_error = 0.0;
+  int threads = 0;
+};
+
+template <class Made, class... Arguments>
+std::unique_ptr<const Statistic> made(const Arguments&... arguments) {
+  return std::make_unique<const Made>(arguments...);
+}
+
+constexpr struct {
+  StatisticKind kind;
+  std::unique_ptr<const Statistic> (*make)(const StatisticSource& s);
+} kOthers[] = {
+    {StatisticKind::colour,
+     [](const StatisticSource& s) { return made<ColourStatistic>(s.profile, s.sigma, s.weight); }},
+    {StatisticKind::border,
+     [](const StatisticSource& s) { return made<BorderStatistic>(s.profile, s.sigma, s.weight); }},
+    {StatisticKind::texture,
+     [](const StatisticSource& s) {
+       return made<TextureStatistic>(s.scene, s.photo, s.profile.region, s.weight);
+     }},
+    {StatisticKind::granulation,
+     [](const StatisticSource& s) {
+       return made<GranulationStatistic>(s.scene, s.photo, s.profile.region, s.weight, s.model_error,
+                                         s.threads);
+     }},
+};
+static_assert(1 + std::size(kBinned) + std::size(kOthers) == sim::kStatistics.size(),
+              "every statistic but the profile has bins or a class");
+
+bool has_binned(const sim::Fit& fit) {
+  return std::any_of(std::begin(kBinned), std::end(kBinned),
+                     [&](const auto& one) { return fit.weight[one.kind] > 0.0; });
+}
+
 /// What does not run along the bands has no place in their skies.
 void check_band_sky(const sim::Scene& scene) {
-  const sim::Fit& fit = scene.fit;
-  if (!fit.band_sky || (fit.horizontal_weight == 0.0 && fit.image_weight == 0.0)) return;
-  throw sim::Error(
-      sim::ErrorKind::scene,
-      {"bands have skies along their own profiles, which strips and cells do not run along", scene.file, 0,
-       "fit.band_sky", "false, or profiles alone", "set fit.horizontal_weight = 0 and fit.image_weight = 0"});
+  if (!scene.fit.band_sky || !has_binned(scene.fit)) return;
+  throw sim::Error(sim::ErrorKind::scene,
+                   "bands have skies along their own profiles, which strips and cells do not run along")
+      .file(scene.file)
+      .key("fit.band_sky")
+      .expected("false, or profiles alone")
+      .hint("set fit.horizontal_weight = 0 and fit.image_weight = 0");
 }
 
 /// What goes by the picture's columns means nothing where profiles run across a loop or away from the limb,
@@ -40,27 +99,23 @@ void check_band_sky(const sim::Scene& scene) {
 void check_what_goes_together(const sim::Scene& scene) {
   const sim::Fit& fit = scene.fit;
   const auto refuse = [&](const std::string& key, const std::string& problem, const std::string& other) {
-    throw sim::Error(sim::ErrorKind::scene,
-                     {problem, scene.file, 0, key, "0", "set " + key + " = 0, or " + other});
+    throw sim::Error(sim::ErrorKind::scene, problem)
+        .file(scene.file)
+        .key(key)
+        .expected("0")
+        .hint("set " + key + " = 0, or " + other);
   };
-  if (fit.colour_weight > 0.0 && sim::response_kind(scene.sensor.response) == sim::ResponseKind::grey)
-    refuse("fit.colour_weight", "a grey sensor has no colours to compare", "choose another sensor.response");
+  if (fit.weight[StatisticKind::colour] > 0.0 &&
+      sim::response_kind(scene.sensor.response) == sim::ResponseKind::grey)
+    refuse(weight_key(StatisticKind::colour), "a grey sensor has no colours to compare",
+           "choose another sensor.response");
   if (fit.profile_along != sim::ProfileAlong::loop && fit.profile_along != sim::ProfileAlong::limb) return;
   const std::string beside = fit.profile_along == sim::ProfileAlong::loop
-                                 ? "beside profiles across a loop"
-                                 : "beside profiles away from the limb";
-  const struct {
-    const char* key;
-    double weight;
-    const char* problem;
-  } others[] = {
-      {"fit.colour_weight", fit.colour_weight, "colours of an aurora's heights mean nothing "},
-      {"fit.horizontal_weight", fit.horizontal_weight, "strips along the picture's rows mean nothing "},
-      {"fit.border_weight", fit.border_weight, "lower borders, sought down the columns, mean nothing "},
-      {"fit.image_weight", fit.image_weight, "cells with gains of the picture's columns mean nothing "},
-      {"fit.texture_weight", fit.texture_weight, "texture along the picture's rows means nothing "}};
-  for (const auto& other : others)
-    if (other.weight > 0.0) refuse(other.key, other.problem + beside, "choose another fit.profile_along");
+                                 ? " beside profiles across a loop"
+                                 : " beside profiles away from the limb";
+  for (const sim::StatisticFacts& facts : sim::kStatistics)
+    if (facts.nonsense != nullptr && fit.weight[facts.kind] > 0.0)
+      refuse(weight_key(facts.kind), facts.nonsense + beside, "choose another fit.profile_along");
 }
 
 }  // namespace
@@ -77,47 +132,40 @@ Statistics::Statistics(const sim::Scene& scene, const Photo& photo, Profile data
   check_band_sky(scene);
   if (profile_.grid == nullptr)
     profile_.grid = std::make_shared<const BinGrid>(column_bins(profile_.region, profile_.bands));
-  profile_counts_ = fit.profile_weight > 0.0;
-  linear_counts_ = profile_counts_ || fit.horizontal_weight > 0.0 || fit.image_weight > 0.0;
+  const double profile_weight = fit.weight[StatisticKind::profile];
+  profile_counts_ = profile_weight > 0.0;
+  linear_counts_ = profile_counts_ || has_binned(fit);
 
   const int height = photo.linear.height;
   LinearBins bins;
-  const std::vector<double> in_profile = weighted(sigma_, linear_counts_ ? fit.profile_weight : 1.0);
+  const std::vector<double> in_profile = weighted(sigma_, linear_counts_ ? profile_weight : 1.0);
   if (fit.band_sky)
     bins.append_with_skies(profile_, in_profile);
   else
     bins.append(profile_, in_profile, height);
   grids_.push_back(profile_.grid);
-  if (profile_counts_) linear_ones_.push_back({"profile", fit.profile_weight, 0, bins.mean.size()});
-  const auto add = [&](const char* name, double weight, BinGrid grid) {
-    grids_.push_back(std::make_shared<const BinGrid>(std::move(grid)));
+  if (profile_counts_) linear_ones_.push_back({StatisticKind::profile, profile_weight, 0, bins.mean.size()});
+  for (const auto& [kind, bins_of] : kBinned) {
+    const double weight = fit.weight[kind];
+    if (weight <= 0.0) continue;
+    grids_.push_back(std::make_shared<const BinGrid>(bins_of(*profile_.grid, fit)));
     const Profile in_bins = smoothed_by_px(measured_profile(scene, photo, grids_.back()), smooth_px);
     const std::size_t first = bins.mean.size();
     bins.append(in_bins,
                 weighted(fit::profile_sigma(in_bins, model_error.share, model_error.peak_share), weight),
                 height);
-    linear_ones_.push_back({name, weight, first, bins.mean.size() - first});
-  };
-  if (fit.horizontal_weight > 0.0)
-    add("horizontal", fit.horizontal_weight, horizontal_bins(*profile_.grid, fit.horizontal_strips));
-  if (fit.image_weight > 0.0) add("image", fit.image_weight, image_bins(*profile_.grid, fit.image_cell_px));
+    linear_ones_.push_back({kind, weight, first, bins.mean.size() - first});
+  }
   linear_ = std::make_unique<const LinearPart>(std::move(bins), gain_layout(scene), fit.sky_terms);
   if (linear_counts_) residuals_ = linear_->residuals();
 
-  if (fit.colour_weight > 0.0)
+  for (const auto& [kind, make] : kOthers) {
+    const double weight = fit.weight[kind];
+    if (weight <= 0.0) continue;
     others_.push_back(
-        {fit.colour_weight, std::make_unique<const ColourStatistic>(profile_, sigma_, fit.colour_weight)});
-  if (fit.border_weight > 0.0)
-    others_.push_back(
-        {fit.border_weight, std::make_unique<const BorderStatistic>(profile_, sigma_, fit.border_weight)});
-  if (fit.texture_weight > 0.0)
-    others_.push_back({fit.texture_weight, std::make_unique<const TextureStatistic>(
-                                               scene, photo, profile_.region, fit.texture_weight)});
-  if (fit.granulation_weight > 0.0)
-    others_.push_back({fit.granulation_weight, std::make_unique<const GranulationStatistic>(
-                                                   scene, photo, profile_.region, fit.granulation_weight,
-                                                   model_error.share, threads)});
-  for (const Other& other : others_) residuals_ += static_cast<int>(other.statistic->residuals());
+        {kind, weight, make({scene, photo, profile_, sigma_, weight, model_error.share, threads})});
+    residuals_ += static_cast<int>(others_.back().statistic->residuals());
+  }
 }
 
 bool Statistics::looks_at_the_profile() const {

@@ -42,13 +42,14 @@ class Statistics {
 
   /// A statistic that consists of mean light in bins: `values` values of the bins, from `first` on.
   struct Linear {
-    std::string name;
+    sim::StatisticKind kind;
     double weight = 1.0;
     std::size_t first = 0, values = 0;
   };
   const std::vector<Linear>& linear_ones() const { return linear_ones_; }
 
   struct Other {
+    sim::StatisticKind kind;
     double weight = 1.0;
     std::unique_ptr<const Statistic> statistic;
   };

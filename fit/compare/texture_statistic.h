@@ -38,7 +38,6 @@ class TextureStatistic : public Statistic {
   /// `scene` gives the sheet and [fit]. `weight` multiplies chi2.
   TextureStatistic(const sim::Scene& scene, const Photo& photo, const Region& region, double weight);
 
-  std::string name() const override { return "texture"; }
   /// Number of residuals: 0 if the light along the bands is as even as its noise and the model error allow.
   std::size_t residuals() const override { return residuals_; }
   void evaluate(const StatisticInput& input, double* residual, double* jacobian) const override;

@@ -149,9 +149,8 @@ bool is_drawn(const sim::Scene& scene) {
 bool has_smooth_bands(const sim::Scene& scene) {
   const sim::Fit& fit = scene.fit;
   return !is_drawn(scene) && scene.blur.model == sim::BlurModel::angle && !sim::has_volumes(scene) &&
-         fit.profile_along == sim::ProfileAlong::columns && fit.colour_weight == 0.0 &&
-         fit.horizontal_weight == 0.0 && fit.border_weight == 0.0 && fit.image_weight == 0.0 &&
-         fit.texture_weight == 0.0 && fit.granulation_weight == 0.0;
+         fit.profile_along == sim::ProfileAlong::columns &&
+         !fit.weight.any_beside_profile([](const sim::StatisticFacts&) { return true; });
 }
 
 ProfileModel::ProfileModel(const sim::Scene& scene, const Photo& photo, const Region& region, int bands,

@@ -21,7 +21,8 @@ constexpr int kRowsAtOnce = 64;        // that are decoded while those before ar
 bool asks_for_pixels(const sim::Scene& scene) {
   const sim::Fit& fit = scene.fit;
   return fit.profile_along == sim::ProfileAlong::loop || fit.profile_along == sim::ProfileAlong::limb ||
-         fit.texture_weight > 0.0 || fit.granulation_weight > 0.0 || !scene.march.depth.empty();
+         fit.weight.any_beside_profile([](const sim::StatisticFacts& facts) { return facts.needs_pixels; }) ||
+         !scene.march.depth.empty();
 }
 
 using Span = BlockAverager::Span;
@@ -126,10 +127,12 @@ Averaging averaging_for_fit(const sim::Scene& scene) {
                columns = fit.roi_px[2] > 0 ? fit.roi_px[2] : camera.width;
   double block = std::floor(rows / fit.average_rows);
   block = std::min(block, std::floor(columns / (std::max(1, fit.bands) * kPixelsOfBand)));
-  if (fit.image_weight > 0.0)
+  if (fit.weight[sim::StatisticKind::image] > 0.0)
     block = std::min(block, static_cast<double>(fit.image_cell_px / kPixelsOfImageCell));
   // A cell of the coarse image is to be a whole number of blocks.
-  while (fit.image_weight > 0.0 && block > 1.0 && std::fmod(fit.image_cell_px, block) != 0.0) block -= 1.0;
+  while (fit.weight[sim::StatisticKind::image] > 0.0 && block > 1.0 &&
+         std::fmod(fit.image_cell_px, block) != 0.0)
+    block -= 1.0;
   if (block < 2.0) return averaging;
   averaging.to = {static_cast<int>(std::lround(camera.width / block)),
                   static_cast<int>(std::lround(camera.height / block))};

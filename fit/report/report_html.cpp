@@ -143,7 +143,7 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
         " downwards and bands to the right: \u22124<span class=\"scale\"></span>+4. Speckle is noise; a "
         "pattern is something that the model does not have. Grey was not used.</p>\n</div>\n";
   const std::string compared =
-      fitted.best.fit.profile_weight > 0.0
+      fitted.best.fit.weight[sim::StatisticKind::profile] > 0.0
           ? "This is what was fitted: "
           : "To look at; they were not compared (<code>fit.profile_weight</code> is 0): ";
   return section(

@@ -133,7 +133,7 @@ TEST(CurveFit, RefusesWhatItCannotWeigh) {
   };
   const sim::Scene start = start_of(true_scene());
   sim::Scene scene = start;
-  scene.fit.colour_weight = 1.0;
+  scene.fit.weight[sim::StatisticKind::colour] = 1.0;
   refused(scene, {}, "fit.colour_weight");
   scene = start;
   scene.fit.photo_noise = sim::PhotoNoise::sensor;

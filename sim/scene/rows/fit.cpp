@@ -12,7 +12,7 @@ std::string name_by_point(const Scene&, int index) { return std::to_string(index
 
 std::vector<Declaration> fit_rows() {
   // clang-format off
-  return {
+  std::vector<Declaration> rows = {
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
           .means("region of interest; all zero: the whole image"),
       Row("fit", "bands", &Scene::fit, &Fit::bands).within(1, 65535)
@@ -49,20 +49,12 @@ std::vector<Declaration> fit_rows() {
           .means("smoothing of profiles in the search, relative to the region's height"),
       Row("fit", "model", &Scene::fit, &Fit::model).one_of<FitModel>({{"expected", FitModel::expected}, {"draws", FitModel::draws}})
           .means("picture that is compared: the mean over random beams, or one draw (as always with folds, curls, undulating borders)"),
-      Row("fit", "profile_weight", &Scene::fit, &Fit::profile_weight).within(0, 100)
-          .means("weight of intensity profiles in chi2; 0: not used"),
-      Row("fit", "colour_weight", &Scene::fit, &Fit::colour_weight).within(0, 100)
-          .means("weight of colour profiles, ln(red / green) and ln(blue / green)"),
-      Row("fit", "horizontal_weight", &Scene::fit, &Fit::horizontal_weight).within(0, 100)
-          .means("weight of intensity profiles across the picture"),
-      Row("fit", "border_weight", &Scene::fit, &Fit::border_weight).within(0, 100)
-          .means("weight of the lower border from band to band"),
-      Row("fit", "image_weight", &Scene::fit, &Fit::image_weight).within(0, 100)
-          .means("weight of a picture of low resolution"),
-      Row("fit", "texture_weight", &Scene::fit, &Fit::texture_weight).within(0, 100)
-          .means("weight of the autocovariance along the arc"),
-      Row("fit", "granulation_weight", &Scene::fit, &Fit::granulation_weight).within(0, 100)
-          .means("weight of the angular power spectrum of the Sun's disc"),
+  };
+  for (const StatisticFacts& facts : kStatistics)
+    rows.push_back(Row("fit", facts.name + std::string("_weight"),
+                       [kind = facts.kind](Scene& scene) -> double& { return scene.fit.weight[kind]; })
+                       .within(0, 100).means(facts.meaning));
+  const std::vector<Declaration> others = {
       Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
           .means("direction of profiles: columns, elevation, field lines, across a loop, or away from the Sun's limb"),
       Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
@@ -89,6 +81,8 @@ std::vector<Declaration> fit_rows() {
           .means("standard deviations beyond which a residual counts less"),
   };
   // clang-format on
+  rows.insert(rows.end(), others.begin(), others.end());
+  return rows;
 }
 
 }  // namespace vegard::sim

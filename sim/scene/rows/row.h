@@ -109,6 +109,14 @@ class Row {
     }
   }
 
+  /// A scalar key; in(scene) returns a reference to it.
+  template <class In, class = std::enable_if_t<std::is_invocable_v<In, Scene&>>>
+  Row(std::string table, std::string key, const In& in) {
+    d_.table = std::move(table);
+    d_.key = std::move(key);
+    d_.at = [=](Scene& scene, int, int c) { return component_of(in(scene), c); };
+  }
+
   template <class Value>
   Row(std::string key, Value Sheet::*value) : Row(sheet_table, std::move(key), &Scene::sheets, value) {}
 

@@ -2,6 +2,10 @@
 
 namespace vegard::sim {
 
+StatisticWeights::StatisticWeights() {
+  for (const StatisticFacts& facts : kStatistics) weights_.push_back(facts.usual_weight);
+}
+
 Scene::Scene() = default;
 Scene::Scene(const Scene& other) = default;
 Scene::Scene(Scene&& other) noexcept = default;

@@ -18,6 +18,7 @@
 #include "sim/scene/structs/own_line.h"
 #include "sim/scene/structs/sheet_kinds.h"
 #include "sim/scene/structs/site.h"
+#include "sim/scene/structs/statistic_kinds.h"
 #include "sim/scene/structs/sun_of_scene.h"
 #include "sim/scene/structs/table_folder.h"
 #include "sim/scene/structs/volumes_of_scene.h"
@@ -525,14 +526,7 @@ struct Fit {
   double search_beams = 0.25;  ///< share of the beams in the search
   double search_smoothing = 0.025;  ///< of profiles in the search, fraction of the region's height
 
-  // Weights of the statistics in chi2 (fit/compare/statistic.h); 0: not compared.
-  double profile_weight = 1.0;      ///< intensity along columns, elevation or the field line
-  double colour_weight = 0.0;       ///< logarithms of channel ratios along the same profiles
-  double horizontal_weight = 0.0;   ///< intensity across the picture in a few strips
-  double border_weight = 0.0;       ///< position of the lower border in each band
-  double image_weight = 0.0;        ///< a low-resolution image
-  double texture_weight = 0.0;      ///< autocovariance along the arc: ray spacing and contrast
-  double granulation_weight = 0.0;  ///< angular power spectrum of the light on a disc
+  StatisticWeights weight;
   FitModel model = FitModel::expected;
   ProfileAlong profile_along = ProfileAlong::columns;
   std::vector<double> guide_x_px, guide_y_px;     ///< for profiles across a loop: points along the loop

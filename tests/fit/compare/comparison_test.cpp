@@ -117,26 +117,26 @@ void expect_jacobian(const sim::Scene& scene, double smooth_rows, double toleran
 
 sim::Scene with(const std::function<void(sim::Fit&)>& change) {
   sim::Scene scene = scene_of_few();
-  scene.fit.profile_weight = 0.0;
+  scene.fit.weight[sim::StatisticKind::profile] = 0.0;
   change(scene.fit);
   return scene;
 }
 
 TEST(Comparison, JacobianOfEachStatisticAgreesWithDifferences) {
-  expect_jacobian(with([](sim::Fit& fit) { fit.colour_weight = 1.0; }), 0.0, 0.03);
-  expect_jacobian(with([](sim::Fit& fit) { fit.border_weight = 1.0; }), 0.0, 0.03);
-  expect_jacobian(with([](sim::Fit& fit) { fit.horizontal_weight = 1.0; }), 0.0, 0.03);
-  expect_jacobian(with([](sim::Fit& fit) { fit.image_weight = 1.0; }), 0.0, 0.03);
+  expect_jacobian(with([](sim::Fit& fit) { fit.weight[sim::StatisticKind::colour] = 1.0; }), 0.0, 0.03);
+  expect_jacobian(with([](sim::Fit& fit) { fit.weight[sim::StatisticKind::border] = 1.0; }), 0.0, 0.03);
+  expect_jacobian(with([](sim::Fit& fit) { fit.weight[sim::StatisticKind::horizontal] = 1.0; }), 0.0, 0.03);
+  expect_jacobian(with([](sim::Fit& fit) { fit.weight[sim::StatisticKind::image] = 1.0; }), 0.0, 0.03);
 }
 
 TEST(Comparison, JacobianOfAMixAgreesWithDifferences) {
   for (const double smooth_rows : {0.0, 3.0})
     expect_jacobian(with([](sim::Fit& fit) {
-                      fit.profile_weight = 1.0;
-                      fit.colour_weight = 0.5;
-                      fit.horizontal_weight = 0.3;
-                      fit.border_weight = 2.0;
-                      fit.image_weight = 0.4;
+                      fit.weight[sim::StatisticKind::profile] = 1.0;
+                      fit.weight[sim::StatisticKind::colour] = 0.5;
+                      fit.weight[sim::StatisticKind::horizontal] = 0.3;
+                      fit.weight[sim::StatisticKind::border] = 2.0;
+                      fit.weight[sim::StatisticKind::image] = 0.4;
                     }),
                     smooth_rows, 0.03);
 }
@@ -144,14 +144,14 @@ TEST(Comparison, JacobianOfAMixAgreesWithDifferences) {
 TEST(Comparison, JacobianOfProfilesAlongElevationAndFieldAgreesWithDifferences) {
   for (const char* along : {"elevation", "field"})
     expect_jacobian(with([&](sim::Fit& fit) {
-                      fit.profile_weight = 1.0;
+                      fit.weight[sim::StatisticKind::profile] = 1.0;
                       fit.profile_along = tests::kind_named<sim::ProfileAlong>(along);
                     }),
                     0.0, 0.03);
 }
 
 TEST(Comparison, ProfileAloneIsTheLinearPart) {
-  const sim::Scene scene = with([](sim::Fit& fit) { fit.profile_weight = 1.0; });
+  const sim::Scene scene = with([](sim::Fit& fit) { fit.weight[sim::StatisticKind::profile] = 1.0; });
   const std::unique_ptr<Comparison> comparison = compared(scene, photo_of_elsewhere());
   const Comparison::Point point = comparison->at(scene);
   EXPECT_EQ(point.residual(), point.solution.residual);
@@ -168,14 +168,14 @@ TEST(Comparison, ProfileAloneIsTheLinearPart) {
 TEST(Comparison, ProfilePartIsThatOfAMix) {
   // A draw has the same film for either; the mean has wide cells where profiles alone are compared.
   const auto alone = with([](sim::Fit& fit) {
-    fit.profile_weight = 1.0;
+    fit.weight[sim::StatisticKind::profile] = 1.0;
     fit.model = sim::FitModel::draws;
   });
   const auto mixed = with([](sim::Fit& fit) {
-    fit.profile_weight = 1.0;
+    fit.weight[sim::StatisticKind::profile] = 1.0;
     fit.model = sim::FitModel::draws;
-    fit.image_weight = 1e-9;
-    fit.colour_weight = 1e-9;
+    fit.weight[sim::StatisticKind::image] = 1e-9;
+    fit.weight[sim::StatisticKind::colour] = 1e-9;
   });
   const std::unique_ptr<Comparison> one = compared(alone, photo_of_elsewhere()),
                                     both = compared(mixed, photo_of_elsewhere());
@@ -192,7 +192,7 @@ TEST(Comparison, ProfilePartIsThatOfAMix) {
 /// nothing is left. Cells of the film one pixel wide, as the photograph's are.
 TEST(Comparison, BorderMovesWithTheSheet) {
   sim::Scene scene = with([](sim::Fit& fit) {
-    fit.border_weight = 1.0;
+    fit.weight[sim::StatisticKind::border] = 1.0;
     fit.bands = 14;
   });
   scene.sheets[0].spacing_jitter = 0.0;

@@ -228,11 +228,12 @@ TEST(Statistics, SlopesCountTheChangeOfGainsAndSky) {
   sim::Scene scene = tests::small_scene();
   scene.fit.bands = kBands;
   scene.fit.sky_terms = 2;
-  scene.fit.colour_weight = 0.5;
-  scene.fit.border_weight = 2.0;
+  scene.fit.weight[sim::StatisticKind::colour] = 0.5;
+  scene.fit.weight[sim::StatisticKind::border] = 2.0;
   for (const bool linear : {true, false}) {
-    scene.fit.profile_weight = linear ? 1.0 : 0.0;
-    scene.fit.horizontal_weight = scene.fit.image_weight = linear ? 0.5 : 0.0;
+    scene.fit.weight[sim::StatisticKind::profile] = linear ? 1.0 : 0.0;
+    scene.fit.weight[sim::StatisticKind::horizontal] = scene.fit.weight[sim::StatisticKind::image] =
+        linear ? 0.5 : 0.0;
     const Profile data = extract_profile(photo, {10, 4, 200, 110}, kBands);
     const Statistics statistics(scene, photo, data, profile_sigma(data, 0.02), 0.0, {0.02});
     ASSERT_EQ(statistics.linear_counts(), linear);
@@ -280,17 +281,18 @@ TEST(Statistics, RefuseWhatMeansNothingBesideALoopALimbOrAGreySensor) {
   const auto build = [&](const sim::Scene& scene) {
     Statistics(scene, photo, data, profile_sigma(data, 0.02), 0.0, {0.02});
   };
-  const std::pair<const char*, double sim::Fit::*> weights[] = {
-      {"fit.colour_weight", &sim::Fit::colour_weight},
-      {"fit.horizontal_weight", &sim::Fit::horizontal_weight},
-      {"fit.border_weight", &sim::Fit::border_weight},
-      {"fit.image_weight", &sim::Fit::image_weight},
-      {"fit.texture_weight", &sim::Fit::texture_weight}};
-  for (const auto& [key, weight] : weights)
+  using sim::StatisticKind;
+  const std::pair<const char*, StatisticKind> refused[] = {
+      {"fit.colour_weight", StatisticKind::colour},
+      {"fit.horizontal_weight", StatisticKind::horizontal},
+      {"fit.border_weight", StatisticKind::border},
+      {"fit.image_weight", StatisticKind::image},
+      {"fit.texture_weight", StatisticKind::texture}};
+  for (const auto& [key, kind] : refused)
     for (const char* along : {"loop", "limb"}) {
       sim::Scene scene = tests::small_scene();
       scene.fit.bands = kBands;
-      scene.fit.*weight = 0.5;
+      scene.fit.weight[kind] = 0.5;
       EXPECT_NO_THROW(build(scene)) << key;
       scene.fit.profile_along = tests::kind_named<sim::ProfileAlong>(along);
       const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { build(scene); });
@@ -301,7 +303,7 @@ TEST(Statistics, RefuseWhatMeansNothingBesideALoopALimbOrAGreySensor) {
   grey.fit.bands = kBands;
   grey.sensor.response = "grey";
   EXPECT_NO_THROW(build(grey));
-  grey.fit.colour_weight = 0.5;
+  grey.fit.weight[sim::StatisticKind::colour] = 0.5;
   const std::string text = tests::expect_error(sim::ErrorKind::scene, [&] { build(grey); });
   EXPECT_NE(text.find("fit.colour_weight"), std::string::npos) << text;
   EXPECT_NE(text.find("grey"), std::string::npos) << text;

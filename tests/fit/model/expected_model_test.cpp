@@ -61,7 +61,7 @@ TEST(ExpectedModel, IsADrawWhereAskedForAndWhereThereIsNoMean) {
   scene.sheets[0].fold_spacing_km = 30.0;
   EXPECT_TRUE(is_drawn(scene));
   scene = scene_of_bands();
-  scene.fit.horizontal_weight = 0.5;
+  scene.fit.weight[sim::StatisticKind::horizontal] = 0.5;
   EXPECT_FALSE(is_drawn(scene));
   EXPECT_FALSE(has_smooth_bands(scene));
 }
@@ -70,7 +70,7 @@ TEST(ExpectedModel, IsADrawWhereAskedForAndWhereThereIsNoMean) {
 TEST(ExpectedModel, WideCellsHaveTheMeansOfNarrowOnes) {
   sim::Scene scene = scene_of_bands();
   const ModelProfile wide = model_of(scene, 1);
-  scene.fit.image_weight = 1e-9;
+  scene.fit.weight[sim::StatisticKind::image] = 1e-9;
   const ModelProfile narrow = model_of(scene, 1);
   // Cells of 4 pixels spread light by 1.6 across; ramps between cells of 20 do so by the blur's own width.
   EXPECT_LT(apart(wide.value, narrow.value), 0.004);

@@ -149,9 +149,9 @@ TEST(Averaging, LeavesAFitTheRowsThatItAsksFor) {
   scene.fit.bands = 120;  // of 50 pixels each, which keep a dozen
   EXPECT_EQ(averaging_for_fit(scene).to.width, 1500);
   scene.fit.bands = 24;
-  scene.fit.texture_weight = 1.0;
+  scene.fit.weight[sim::StatisticKind::texture] = 1.0;
   EXPECT_FALSE(averaging_for_fit(scene).any());
-  scene.fit.texture_weight = 0.0;
+  scene.fit.weight[sim::StatisticKind::texture] = 0.0;
   scene.fit.average_rows = 0;
   EXPECT_FALSE(averaging_for_fit(scene).any());
 }

@@ -67,7 +67,7 @@ TEST(ReportHtml, SaysWhetherProfilesWereCompared) {
   const char* const kFitted = "This is what was fitted";
   EXPECT_TRUE(Page(small_result()).has(kFitted));
   FitResult result = small_result();
-  result.photos[0].best.fit.profile_weight = 0.0;
+  result.photos[0].best.fit.weight[sim::StatisticKind::profile] = 0.0;
   const Page page(result);
   EXPECT_FALSE(page.has(kFitted));
   EXPECT_TRUE(page.has("not compared"));
