@@ -27,7 +27,7 @@ constexpr int kMaxAdded = 6;    // faint curtains that are tried
 constexpr double kShareOfStart = 0.4, kShareOfAll = 0.85;
 
 /// Some curves, all that is free of them, and where they have settled.
-struct CurveModel {
+struct CurtainModel {
   sim::Scene scene;  ///< with the values that were found
   std::vector<FreeNumber> free;
   Descent end;
@@ -58,7 +58,7 @@ class CurtainFit {
                                     best_.fitted.parameters, best_.fitted.name),
                         photos_.front().file_name, 0, "fit.bands", "more values than unknowns",
                         "more bands, a larger region, or a map with fewer curtains"});
-    record(CurveStep::Change::start, "", best_, true, 0.0);
+    record(CurtainStep::Change::start, "", best_, true, 0.0);
     drop_what_is_not_needed();
     // A curve may have stood in for one that was missing.
     if (add_what_is_missing(faint)) drop_what_is_not_needed();
@@ -115,8 +115,8 @@ class CurtainFit {
   }
 
   /// A descent of everything from where a scene has it.
-  CurveModel settled(const sim::Scene& scene, const std::string& stage, double share) {
-    CurveModel model;
+  CurtainModel settled(const sim::Scene& scene, const std::string& stage, double share) {
+    CurtainModel model;
     model.free = free_numbers(scene);
     model.scene = scene;
     const std::vector<Observation> observations = seen_with(scene, model.free);
@@ -148,27 +148,28 @@ class CurtainFit {
       fitted.parameters +=
           observations[o].full->coefficients() - observations[o].full->held_gains(point.of_photo[o]);
     }
-    if (is_overdetermined(fitted)) fitted.together = joint_inflation(cost, point, fitted.parameters).together;
+    if (is_overdetermined(fitted))
+      fitted.correlated = joint_inflation(cost, point, fitted.parameters).correlated;
     return model;
   }
 
   static bool is_overdetermined(const FittedModel& fitted) { return fitted.values > fitted.parameters; }
   static double infinite() { return std::numeric_limits<double>::infinity(); }
-  static double per_dof(const CurveModel& model) {
+  static double per_dof(const CurtainModel& model) {
     return model.fitted.chi2 / std::max(1, model.fitted.values - model.fitted.parameters);
   }
 
   /// By how much BIC is lower of the second model; the richer one says how far errors are to be believed.
-  static double bic_gain(const CurveModel& before, const CurveModel& after) {
+  static double bic_gain(const CurtainModel& before, const CurtainModel& after) {
     const bool richer = after.fitted.parameters > before.fitted.parameters;
     const ChiSquareScaling believed = chi2_scaling_of(richer ? after.fitted : before.fitted);
     return information_criteria(before.fitted, believed).bic -
            information_criteria(after.fitted, believed).bic;
   }
 
-  void record(CurveStep::Change change, const std::string& curve, const CurveModel& model, bool kept,
+  void record(CurtainStep::Change change, const std::string& curve, const CurtainModel& model, bool kept,
               double gain) {
-    CurveStep step;
+    CurtainStep step;
     step.change = change;
     step.curve = curve;
     step.curves = static_cast<int>(model.scene.sheets.size());
@@ -181,12 +182,12 @@ class CurtainFit {
   }
 
   /// Whether the change has been kept.
-  bool tried(const sim::Scene& scene, CurveStep::Change change, const std::string& curve) {
-    const bool adds = change == CurveStep::Change::add;
+  bool tried(const sim::Scene& scene, CurtainStep::Change change, const std::string& curve) {
+    const bool adds = change == CurtainStep::Change::add;
     const double share = std::min(kShareOfAll, kShareOfStart + 0.05 * static_cast<double>(steps_.size()));
     const std::string stage =
         fmt::format("{} {} {}", steps_.size(), adds ? "with" : "without", curve);  // its name in the journal
-    CurveModel model = settled(scene, stage, share);
+    CurtainModel model = settled(scene, stage, share);
     if (stopped()) {  // it has not settled
       cut_short_ = true;
       return false;
@@ -215,7 +216,7 @@ class CurtainFit {
       if (stopped()) return;
       sim::Scene fewer = best_.scene;
       drop_curve(fewer, name);
-      refused = tried(fewer, CurveStep::Change::drop, name) ? 0 : refused + 1;
+      refused = tried(fewer, CurtainStep::Change::drop, name) ? 0 : refused + 1;
     }
   }
 
@@ -229,7 +230,7 @@ class CurtainFit {
       if (stopped()) break;
       sim::Scene more = best_.scene;
       add_curve(more, ridge);
-      const bool kept = tried(more, CurveStep::Change::add, ridge.name);
+      const bool kept = tried(more, CurtainStep::Change::add, ridge.name);
       any = any || kept;
       refused = kept ? 0 : refused + 1;
     }
@@ -244,7 +245,7 @@ class CurtainFit {
     const FinishedSearch search{outcome, log_, best_.trace, cut_short_};
     const std::vector<Observation> observations = seen_with(best_.scene, best_.free);
     FitResult result = fit_observations(best_.scene, best_.free, observations, options_, nullptr, &search);
-    result.curve_steps = std::move(steps_);
+    result.curtain_steps = std::move(steps_);
     return result;
   }
 
@@ -253,8 +254,8 @@ class CurtainFit {
   const FitOptions& options_;
   std::vector<Observation> first_;
   EvaluationLog log_;
-  CurveModel best_;
-  std::vector<CurveStep> steps_;
+  CurtainModel best_;
+  std::vector<CurtainStep> steps_;
   bool cut_short_ = false;  ///< whether a curve was not tried, or not to its end
 };
 

@@ -13,8 +13,8 @@ namespace vegard::fit {
 /// Fits scene.fit.free to `photo`, by the statistics that have a weight in scene.fit. The photograph must
 /// have the camera's size. Throws sim::Error for input that cannot be used (no free parameter, sizes that
 /// differ, nothing usable in the region). Numerical trouble never throws: it leads to a verdict, and so does
-/// a sheet that is out of view (failed). An unknown transfer curve is taken as sRGB; fit/curve_fit.h finds
-/// it.
+/// a sheet that is out of view (failed). An unknown transfer curve is taken as sRGB; fit/transfer_curve_fit.h
+/// finds it.
 FitResult fit_photo(const sim::Scene& scene, const Photo& photo, const FitOptions& options);
 
 /// Fits scene.fit.free to several photographs at once: those of scene.fit.photos, in their order. A free

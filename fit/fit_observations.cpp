@@ -179,7 +179,7 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
   }
 }
 
-DerivedNumber exponent_of(const FittedCurve::Exponent& e) {
+DerivedNumber exponent_of(const FittedTransferCurve::Exponent& e) {
   DerivedNumber number;
   number.name = "exponent of the transfer curve over sRGB " + e.name;
   number.value = e.value;
@@ -206,8 +206,8 @@ void put_derived(const std::vector<Observation>& observations, const std::vector
 class FitRun {
  public:
   FitRun(const sim::Scene& scene, const std::vector<FreeNumber>& free,
-         const std::vector<Observation>& observations, const FitOptions& asked, const FoundCurve* curve,
-         const FinishedSearch* done)
+         const std::vector<Observation>& observations, const FitOptions& asked,
+         const FoundTransferCurve* curve, const FinishedSearch* done)
       : scene_(scene),
         free_(free),
         observations_(observations),
@@ -309,7 +309,7 @@ class FitRun {
     r_.dof = residuals_ + static_cast<int>(PriorRows(free_).count()) - unknowns_ + held;
     const Inflation inflation = joint_inflation(*cost_, point_, unknowns_);
     r_.error_inflation = inflation.factor();
-    r_.correlated_residuals = inflation.together;
+    r_.correlated_residuals = inflation.correlated;
     r_.statistics = compared_statistics(observations_, point_);
     r_.compared = compared_values(observations_, unknowns_ - held);
     r_.gradient_cosine = gradient_cosine(*cost_, values_);
@@ -362,7 +362,8 @@ class FitRun {
 
   void put_curve() {
     r_.curve = curve_->fitted;
-    for (const FittedCurve::Exponent& e : curve_->fitted.exponents) r_.derived.push_back(exponent_of(e));
+    for (const FittedTransferCurve::Exponent& e : curve_->fitted.exponents)
+      r_.derived.push_back(exponent_of(e));
     evidence_.curve_words = curve_->fitted.words;
     evidence_.against_curve = curve_->against;
   }
@@ -383,7 +384,7 @@ class FitRun {
   const std::vector<Observation>& observations_;
   const FitOptions& asked_;
   const FitOptions options_;
-  const FoundCurve* curve_;
+  const FoundTransferCurve* curve_;
   const FinishedSearch* done_;
   const std::vector<CostTerm> full_;
   NullJournal nowhere_;
@@ -440,7 +441,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
 
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
-                           const FoundCurve* curve, const FinishedSearch* done) {
+                           const FoundTransferCurve* curve, const FinishedSearch* done) {
   sim::require_earth(scene, "a fit");
   return FitRun(scene, free, observations, asked, curve, done).run();
 }

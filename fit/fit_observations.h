@@ -1,5 +1,5 @@
 // The steps of a fit between reading the photographs and returning the result; used by fit/fit.cpp and
-// fit/curve_fit.cpp.
+// fit/transfer_curve_fit.cpp.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@
 namespace vegard::fit {
 
 /// Results of the search for a photograph's transfer curve.
-struct FoundCurve {
-  FittedCurve fitted;
+struct FoundTransferCurve {
+  FittedTransferCurve fitted;
   std::vector<std::string> against;             ///< reasons to doubt the curve
   std::vector<std::vector<double>> covariance;  ///< of the curve's numbers
   std::vector<std::vector<double>> slopes;      ///< [number of the curve][coordinate]
@@ -34,7 +34,7 @@ struct FinishedSearch {
 /// Adds the uncertainty of the curve to the error bars: covariance += slopes^T (covariance of the curve)
 /// slopes, as if every other number followed the curve along the valley of chi2. A number without an error
 /// bar gets none.
-void widen(const FoundCurve& curve, Uncertainty& u);
+void widen(const FoundTransferCurve& curve, Uncertainty& u);
 
 /// Returns the scene with tied numbers computed from the start values of the free ones, whatever values the
 /// scene has for them: the beams are laid out from this scene.
@@ -51,6 +51,6 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
 /// search. Throws as fit_photo() does.
 FitResult fit_observations(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                            const std::vector<Observation>& observations, const FitOptions& asked,
-                           const FoundCurve* curve = nullptr, const FinishedSearch* done = nullptr);
+                           const FoundTransferCurve* curve = nullptr, const FinishedSearch* done = nullptr);
 
 }  // namespace vegard::fit

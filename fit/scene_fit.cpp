@@ -1,9 +1,9 @@
 #include "fit/scene_fit.h"
 
 #include "fit/curtain_fit.h"
-#include "fit/curve_fit.h"
 #include "fit/fit.h"
 #include "fit/stability.h"
+#include "fit/transfer_curve_fit.h"
 
 namespace vegard::fit {
 namespace {
@@ -12,7 +12,7 @@ FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const
                       const FitOptions& options) {
   if (map != nullptr) return fit_curtains(scene, photos, map->curtains, map->faint, options);
   if (!scene.fit.photos.empty()) return fit_photos(scene, photos, options);
-  return photos.front().unknowns > 0 ? fit_photo_and_curve(scene, photos.front(), options)
+  return photos.front().unknowns > 0 ? fit_photo_and_transfer_curve(scene, photos.front(), options)
                                      : fit_photo(scene, photos.front(), options);
 }
 

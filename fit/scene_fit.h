@@ -16,7 +16,7 @@ struct SceneFitOptions : FitOptions {
 };
 
 /// Calls fit_curtains() if there is a map, fit_photos() where the scene names its photographs, and else
-/// fit_photo() or, where the transfer curve is unknown, fit_photo_and_curve(). The latter leaves the
+/// fit_photo() or, where the transfer curve is unknown, fit_photo_and_transfer_curve(). The latter leaves the
 /// photograph decoded by the curve that was found. Throws as these functions do.
 FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
                     const SceneFitOptions& options);

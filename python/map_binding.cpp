@@ -3,7 +3,7 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_image.h"
+#include "fit/map/map_raster.h"
 #include "fit/map/map_verdicts.h"
 #include "fit/report/map_run.h"
 #include "python/arrays.h"

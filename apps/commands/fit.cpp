@@ -224,7 +224,7 @@ fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::v
 
 /// A number of a map's curtain, of which there are too many to be read one by one.
 bool is_of_curve(const fit::FitResult& result, const std::string& path) {
-  if (result.curve_steps.empty()) return false;
+  if (result.curtain_steps.empty()) return false;
   for (const sim::Sheet& sheet : result.best.sheets)
     for (const std::string& beginning : {"sheet." + sheet.name + ".", sheet.name + "_across_km_"})
       if (path.compare(0, beginning.size(), beginning) == 0) return true;
@@ -244,7 +244,7 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
               : result.verdict == fit::Verdict::failed ? Tone::bad
                                                        : Tone::doubtful,
               result.verdict_line);
-  for (const fit::CurveStep& step : result.curve_steps) say("%s\n", fit::curve_step_in_words(step).c_str());
+  for (const fit::CurtainStep& step : result.curtain_steps) say("%s\n", fit::curve_step_in_words(step).c_str());
   std::size_t widest = 0;
   std::size_t coefficients = 0, of_curves = 0;
   for (const fit::FittedParameter& p : result.parameters) {

@@ -20,7 +20,7 @@
 namespace vegard::fit {
 
 /// A step in the refinement of a map's curtains: one of the models that were compared (fit/curtain_fit.h).
-struct CurveStep {
+struct CurtainStep {
   enum class Change { start, drop, add } change = Change::start;
   std::string curve;  ///< the sheet that was left out or added; empty for the start
   int curves = 0;     ///< number of curves in this model
@@ -69,9 +69,9 @@ struct TiedNumber {
   std::optional<double> sigma;  ///< to first order; none if it depends on a number without an error bar
 };
 
-/// A transfer curve that was unknown, found together with the scene (fit/curve_fit.h): exponents over sRGB's
-/// light (sim/view/sensor/tone_curve.h).
-struct FittedCurve {
+/// A transfer curve that was unknown, found together with the scene (fit/transfer_curve_fit.h): exponents
+/// over sRGB's light (sim/view/sensor/transfer_curve.h).
+struct FittedTransferCurve {
   struct Exponent {
     std::string name;  ///< "of all light", "at black", "at white"
     double value = 1.0;
@@ -197,7 +197,7 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
-  std::optional<FittedCurve> curve;              ///< of a photograph whose transfer curve was unknown
+  std::optional<FittedTransferCurve> curve;      ///< of a photograph whose transfer curve was unknown
   std::vector<sim::FootBand> foot_bands;         ///< one per sheet
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
@@ -208,7 +208,7 @@ struct FitResult {
   std::vector<ProfiledInterval> profile_intervals;
   std::optional<BootstrapErrors> bootstrap;
   std::optional<ChainErrors> chain;
-  std::vector<CurveStep> curve_steps;  ///< of a fit that started from a map's curtains; else empty
+  std::vector<CurtainStep> curtain_steps;  ///< of a fit that started from a map's curtains; else empty
 
   std::optional<std::vector<StabilityRow>> stability;  ///< where it was requested
 

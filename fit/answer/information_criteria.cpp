@@ -22,8 +22,8 @@ std::string amount(double difference) { return sim::short_number(difference, dif
 ChiSquareScaling chi2_scaling_of(const FittedModel& richest) {
   ChiSquareScaling b;
   const double reduced = richest.chi2 / std::max(1, richest.values - richest.parameters);
-  b.together = std::max(1.0, richest.together);
-  b.chi2_divisor = b.together * std::max(1.0, reduced);
+  b.correlated = std::max(1.0, richest.correlated);
+  b.chi2_divisor = b.correlated * std::max(1.0, reduced);
   return b;
 }
 
@@ -31,7 +31,7 @@ InformationCriteria information_criteria(const FittedModel& model, const ChiSqua
   InformationCriteria c;
   const double k = model.parameters;
   c.chi2 = model.chi2 / scaling.chi2_divisor;
-  c.values = std::max(1.0, model.values / scaling.together);
+  c.values = std::max(1.0, model.values / scaling.correlated);
   c.aic = c.chi2 + 2.0 * k;
   const double left = c.values - k - 1.0;
   c.aicc = left > 0.0 ? c.aic + 2.0 * k * (k + 1.0) / left : std::numeric_limits<double>::infinity();

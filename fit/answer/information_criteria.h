@@ -15,9 +15,9 @@ namespace vegard::fit {
 struct FittedModel {
   std::string name;  ///< as in a sentence: "two sheets"
   double chi2 = 0.0;
-  int values = 0;         ///< number of compared values
-  int parameters = 0;     ///< number of free and solved parameters
-  double together = 1.0;  ///< correlated residuals per independent one: FitResult::correlated_residuals
+  int values = 0;           ///< number of compared values
+  int parameters = 0;       ///< number of free and solved parameters
+  double correlated = 1.0;  ///< correlated residuals per independent one: FitResult::correlated_residuals
 };
 
 /// The scaling of chi2 for correlated residuals and underestimated errors; one for all models that are
@@ -31,7 +31,7 @@ struct FittedModel {
 /// of correlated values per independent one.
 struct ChiSquareScaling {
   double chi2_divisor = 1.0;
-  double together = 1.0;  ///< correlated values per independent one
+  double correlated = 1.0;  ///< correlated values per independent one
 };
 ChiSquareScaling chi2_scaling_of(const FittedModel& richest);
 

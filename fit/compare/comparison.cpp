@@ -118,7 +118,7 @@ Inflation Comparison::error_inflation(const Point& point, int dof) const {
   const ProfilePart part = profile_part(point);
   if (part.used.size() == point.whitened.size())
     return fit::error_inflation(data(), part.used, part.residual, dof);
-  // How many go together is the profile's to say, compared or not.
+  // The correlation of residuals is the profile's to say, compared or not.
   std::vector<std::size_t> used;
   std::vector<double> residual;
   const std::vector<double> model = profile_model(point);
@@ -127,8 +127,8 @@ Inflation Comparison::error_inflation(const Point& point, int dof) const {
     used.push_back(i);
     residual.push_back((data().mean[i] - model[i]) / sigma()[i]);
   }
-  const double together = correlated_residuals(data(), used, residual);
-  return {residual_scale(point.chi2, dof, count, together), together};
+  const double correlated = correlated_residuals(data(), used, residual);
+  return {residual_scale(point.chi2, dof, count, correlated), correlated};
 }
 
 std::vector<double> Comparison::profile_model(const Point& point) const {

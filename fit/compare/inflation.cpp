@@ -52,21 +52,21 @@ double correlated_residuals(const Profile& data, const std::vector<std::size_t>&
          (1.0 + 2.0 * std::max(0.0, correlation(0, 0, 1)));
 }
 
-double residual_scale(double chi2, int dof, double residuals, double together) {
+double residual_scale(double chi2, int dof, double residuals, double correlated) {
   constexpr double kMinScale = 0.01;
   const double of_data =
-      chi2 / std::max(1, dof) * (1.0 + std::sqrt(2.0 * together / std::max(1.0, residuals)));
+      chi2 / std::max(1, dof) * (1.0 + std::sqrt(2.0 * correlated / std::max(1.0, residuals)));
   return std::max(kMinScale, of_data);
 }
 
-double Inflation::factor() const { return std::sqrt(scale * together); }
+double Inflation::factor() const { return std::sqrt(scale * correlated); }
 
 Inflation error_inflation(const Profile& data, const std::vector<std::size_t>& used,
                           const std::vector<double>& residual, int dof) {
   double chi2 = 0.0;
   for (const double r : residual) chi2 += r * r;
-  const double together = correlated_residuals(data, used, residual);
-  return {residual_scale(chi2, dof, static_cast<double>(used.size()), together), together};
+  const double correlated = correlated_residuals(data, used, residual);
+  return {residual_scale(chi2, dof, static_cast<double>(used.size()), correlated), correlated};
 }
 
 }  // namespace vegard::fit

@@ -76,7 +76,7 @@ std::vector<double> steps_between(double least, double most, double step) {
 /// A cell's own mean over points in it.
 class CellMean {
  public:
-  void add(const MapPlanes& map, std::size_t at) {
+  void add(const PrecipitationPlanes& map, std::size_t at) {
     const double q = map.energy_flux_mw_m2[at];
     if (!std::isfinite(q)) return;
     ++constrained_;
@@ -124,10 +124,10 @@ LongitudeLatitude geographic_of(EarthFrame frame, LongitudeLatitude place) {
   return place_of(r);
 }
 
-GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, double step_deg) {
+GeographicGrid grid_over(const std::vector<PrecipitationPlanes>& maps, EarthFrame frame, double step_deg) {
   double west = std::numeric_limits<double>::infinity(), east = -west, south = west, north = -west;
   double about_deg = sim::kNaN;  // longitudes are those nearest to the first map's site
-  for (const MapPlanes& map : maps) {
+  for (const PrecipitationPlanes& map : maps) {
     sim::Scene scene;
     scene.site = map.site;
     for (int row = 0; row < map.rows; ++row)
@@ -173,7 +173,7 @@ GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, d
   return grid;
 }
 
-GeographicMap on_grid(const MapPlanes& map, const GeographicGrid& grid) {
+GeographicMap on_grid(const PrecipitationPlanes& map, const GeographicGrid& grid) {
   const double latitude_step = grid.latitude_deg[1] - grid.latitude_deg[0],
                longitude_step = grid.longitude_deg[1] - grid.longitude_deg[0];
   // Points half a step of the map apart.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/map/map_planes.h"
+#include "fit/map/precipitation_planes.h"
 
 namespace vegard::fit {
 
@@ -37,7 +37,7 @@ struct GeographicGrid {
 /// that make cells about square. Throws sim::Error(usage) with key "--step-deg" for a grid of more than
 /// 4194304 cells or fewer than two along either axis. If maps cover a pole, the grid has each longitude once,
 /// and no latitude beyond the pole.
-GeographicGrid grid_over(const std::vector<MapPlanes>& maps, EarthFrame frame, double step_deg);
+GeographicGrid grid_over(const std::vector<PrecipitationPlanes>& maps, EarthFrame frame, double step_deg);
 
 /// A map on such a grid, [latitude * longitudes + longitude]. NaN where less than half of a cell has values;
 /// the energy is also NaN where there is no flux.
@@ -47,6 +47,6 @@ struct GeographicMap {
   std::vector<double> relative_flux_error,
       ln_energy_error;  ///< means weighted with flux: errors are taken as fully correlated
 };
-GeographicMap on_grid(const MapPlanes& map, const GeographicGrid& grid);
+GeographicMap on_grid(const PrecipitationPlanes& map, const GeographicGrid& grid);
 
 }  // namespace vegard::fit

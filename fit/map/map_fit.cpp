@@ -97,9 +97,9 @@ double resolution_rad(const sim::Camera& camera, int pixels_per_cell) {
 }
 
 /// The distance on the ground of a border seen at the lowest elevation of a picture.
-double reach_km(const std::vector<MapPicture>& pictures) {
+double reach_km(const std::vector<MapObservation>& pictures) {
   double lowest = 1.0;
-  for (const MapPicture& picture : pictures) {
+  for (const MapObservation& picture : pictures) {
     const sim::CameraView<double> view = sim::camera_view(picture.scene().camera);
     const sim::FilmGeometry& film = picture.film();
     for (int row = 0; row < film.rows; ++row)
@@ -117,13 +117,13 @@ double reach_km(const std::vector<MapPicture>& pictures) {
 }
 
 /// The grid about the site, and for several stations about all of them.
-sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Site& home, double farthest_km,
-                         double coarseness) {
+sim::GroundGrid grid_for(const std::vector<MapObservation>& pictures, const sim::Site& home,
+                         double farthest_km, double coarseness) {
   double finest = 1e9;
-  for (const MapPicture& picture : pictures)
+  for (const MapObservation& picture : pictures)
     finest = std::min(finest,
                       resolution_rad(picture.scene().camera, static_cast<int>(picture.film().cell_width_px)));
-  const bool elsewhere = std::any_of(pictures.begin(), pictures.end(), [&](const MapPicture& p) {
+  const bool elsewhere = std::any_of(pictures.begin(), pictures.end(), [&](const MapObservation& p) {
     return p.scene().site.latitude_deg != home.latitude_deg ||
            p.scene().site.longitude_deg != home.longitude_deg;
   });
@@ -131,7 +131,7 @@ sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Sit
     return sim::GroundGrid(
         sim::rings_resolved(kCellsPerResolution * finest, kMinCell_km * coarseness, farthest_km));
   double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
-  for (const MapPicture& picture : pictures) {
+  for (const MapObservation& picture : pictures) {
     const sim::SiteTurn to_home = sim::turn_between(picture.scene().site, home);
     west = std::min(west, to_home.shift_km[0]);
     east = std::max(east, to_home.shift_km[0]);
@@ -147,9 +147,9 @@ sim::GroundGrid grid_for(const std::vector<MapPicture>& pictures, const sim::Sit
                                           static_cast<int>(high / step) + 1});
 }
 
-std::size_t all_values(const std::vector<MapPicture>& pictures) {
+std::size_t all_values(const std::vector<MapObservation>& pictures) {
   std::size_t sum = 0;
-  for (const MapPicture& p : pictures) sum += p.values();
+  for (const MapObservation& p : pictures) sum += p.values();
   return sum;
 }
 
@@ -241,35 +241,36 @@ class Mapping {
 
  private:
   /// Throws if light explains next to nothing of the pictures.
-  void require_light(std::vector<MapPicture>& pictures, const std::vector<float>& start, double chi2) const;
+  void require_light(std::vector<MapObservation>& pictures, const std::vector<float>& start,
+                     double chi2) const;
   /// Keeps the fine cells near coarse ones that have light.
   void keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& rough, sim::GroundGrid& fine) const;
-  void put_photos(std::vector<MapPicture>& pictures, MapResult& result) const;
-  void add_replicates(std::vector<MapPicture>& fine, MapResult& result);
-  std::vector<MapPicture> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
-  std::vector<MapPicture> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
-                                   const std::vector<MapPicture>* like = nullptr) const;
-  void look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
-  std::vector<float> flat_start(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const;
-  void keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const;
-  MapSolution solve(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, std::vector<float> start,
-                    double sparsity, int steps, const std::string& stage, double from, double to,
-                    std::vector<float> cell_factor = {}) const;
-  double choose_sparsity(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+  void put_photos(std::vector<MapObservation>& pictures, MapResult& result) const;
+  void add_replicates(std::vector<MapObservation>& fine, MapResult& result);
+  std::vector<MapObservation> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
+  std::vector<MapObservation> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
+                                       const std::vector<MapObservation>* like = nullptr) const;
+  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
+  std::vector<float> flat_start(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
+  void keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const;
+  MapSolution solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
+                    std::vector<float> start, double sparsity, int steps, const std::string& stage,
+                    double from, double to, std::vector<float> cell_factor = {}) const;
+  double choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                          const std::vector<float>& start, MapResult& result);
-  std::vector<float> recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
+  std::vector<float> recorded(const std::string& name, int cells, std::vector<MapObservation>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
-  std::vector<CellFlux> replicate(std::vector<MapPicture>& fine, const MapResult& best,
+  std::vector<CellFlux> replicate(std::vector<MapObservation>& fine, const MapResult& best,
                                   const std::vector<MapLight>& truth, std::uint32_t number, double from,
                                   double to);
   /// The pictures for numbers beside the map that are drawn from what is known of them.
-  std::vector<MapPicture> pictures_drawn(const std::vector<MapPicture>& fine, const sim::GroundGrid& grid,
-                                         std::uint32_t number) const;
+  std::vector<MapObservation> pictures_drawn(const std::vector<MapObservation>& fine,
+                                             const sim::GroundGrid& grid, std::uint32_t number) const;
   void set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
-                      MapPicture& picture) const;
-  MapSolution solve_drawn(std::vector<MapPicture>& pictures, const MapResult& best, std::uint32_t number,
+                      MapObservation& picture) const;
+  MapSolution solve_drawn(std::vector<MapObservation>& pictures, const MapResult& best, std::uint32_t number,
                           double from, double to) const;
-  void tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const;
+  void tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const;
   bool stopped() const { return options_.stop != nullptr && *options_.stop; }
 
   const sim::Scene& scene_;
@@ -282,11 +283,11 @@ class Mapping {
 };
 
 /// With films of the sizes that those of `like` have.
-std::vector<MapPicture> Mapping::pictures(int coarseness, const std::vector<sim::Scene>& scenes,
-                                          const std::vector<MapPicture>* like) const {
-  std::vector<MapPicture> all;
+std::vector<MapObservation> Mapping::pictures(int coarseness, const std::vector<sim::Scene>& scenes,
+                                              const std::vector<MapObservation>* like) const {
+  std::vector<MapObservation> all;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    MapPictureOptions o;
+    MapObservationOptions o;
     o.pixels_per_cell = coarseness * (options_.pixels_per_cell > 0 ? options_.pixels_per_cell
                                                                    : fine_pixels(scenes[i].camera));
     o.model_error = scenes[i].fit.model_error;
@@ -305,14 +306,14 @@ std::vector<MapPicture> Mapping::pictures(int coarseness, const std::vector<sim:
   return all;
 }
 
-void Mapping::look(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const {
-  for (MapPicture& picture : pictures)
+void Mapping::look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const {
+  for (MapObservation& picture : pictures)
     picture.look_at(scene_.site, grid, energies_, kFluxOfRates, options_.altitude_scale);
 }
 
-void Mapping::keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid) const {
+void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const {
   std::vector<std::vector<bool>> seen;
-  for (const MapPicture& picture : pictures) {
+  for (const MapObservation& picture : pictures) {
     seen.emplace_back(grid.cells(), false);
     for (const sim::SightStretch& stretch : picture.light().sight().stretch) seen.back()[stretch.cell] = true;
   }
@@ -332,11 +333,12 @@ void Mapping::keep_seen(std::vector<MapPicture>& pictures, sim::GroundGrid& grid
   look(pictures, grid);
 }
 
-std::vector<float> Mapping::flat_start(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid) const {
+std::vector<float> Mapping::flat_start(std::vector<MapObservation>& pictures,
+                                       const sim::GroundGrid& grid) const {
   std::vector<float> map(static_cast<std::size_t>(grid.cells()) * kGroundEnergies,
                          1.0f / static_cast<float>(energies_.size()));
   double by = 0.0, square = 0.0;
-  for (MapPicture& picture : pictures) {
+  for (MapObservation& picture : pictures) {
     MapLight light;
     picture.forward(map, light);
     for (std::size_t i = 0; i < light.size(); ++i) {
@@ -351,7 +353,7 @@ std::vector<float> Mapping::flat_start(std::vector<MapPicture>& pictures, const 
   return map;
 }
 
-MapSolution Mapping::solve(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+MapSolution Mapping::solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                            std::vector<float> start, double sparsity, int steps, const std::string& stage,
                            double from, double to, std::vector<float> cell_factor) const {
   MapSolverOptions o;
@@ -367,8 +369,9 @@ MapSolution Mapping::solve(std::vector<MapPicture>& pictures, const sim::GroundG
   return solve_map(pictures, grid, static_cast<int>(energies_.size()), std::move(start), o);
 }
 
-std::vector<float> Mapping::recorded(const std::string& name, int cells, std::vector<MapPicture>& pictures,
-                                     double& chi2, const std::function<MapSolution()>& work) {
+std::vector<float> Mapping::recorded(const std::string& name, int cells,
+                                     std::vector<MapObservation>& pictures, double& chi2,
+                                     const std::function<MapSolution()>& work) {
   const auto step = [&] {
     const MapSolution solution = work();
     StepOutput out;
@@ -381,7 +384,7 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells, std::ve
       }
     out.numbers["chi2"] = {solution.chi2};
     out.numbers["size"] = {static_cast<double>(solution.map.size())};
-    for (const MapPicture& picture : pictures)
+    for (const MapObservation& picture : pictures)
       for (const double g : picture.gain) out.numbers["gain"].push_back(g);
     out.whole = !stopped();
     return out;
@@ -402,7 +405,7 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells, std::ve
   return map;
 }
 
-double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid,
+double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                                 const std::vector<float>& start, MapResult& result) {
   const auto try_all = [&] {
     // Squares of the film's cells, one in ten by chance.
@@ -452,7 +455,7 @@ double Mapping::choose_sparsity(std::vector<MapPicture>& pictures, const sim::Gr
       worse = sum / n > least ? worse + 1 : 0;
       least = std::min(least, sum / n);
     }
-    for (MapPicture& picture : pictures) {
+    for (MapObservation& picture : pictures) {
       picture.leave_out({});
       picture.gain = {1.0, 1.0, 1.0};
     }
@@ -505,20 +508,21 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
   return blurred;
 }
 
-std::vector<MapPicture> Mapping::pictures_drawn(const std::vector<MapPicture>& fine,
-                                                const sim::GroundGrid& grid, std::uint32_t number) const {
+std::vector<MapObservation> Mapping::pictures_drawn(const std::vector<MapObservation>& fine,
+                                                    const sim::GroundGrid& grid, std::uint32_t number) const {
   std::vector<double> values;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
     const double drawn = normal(scene_.seed, number, 0xffe0u, static_cast<std::uint32_t>(i));
     values.push_back(numbers_[i].value + numbers_[i].error * drawn);
   }
-  std::vector<MapPicture> all = pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
+  std::vector<MapObservation> all =
+      pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
   look(all, grid);
   return all;
 }
 
 void Mapping::set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
-                             MapPicture& picture) const {
+                             MapObservation& picture) const {
   const std::vector<float> shared = smooth_error(picture.film(), scene_.seed, static_cast<int>(number),
                                                  static_cast<int>(p), options_.threads);
   MapLight data = truth;
@@ -534,7 +538,7 @@ void Mapping::set_drawn_data(const MapLight& truth, std::uint32_t number, std::u
   picture.set_data(std::move(data));
 }
 
-MapSolution Mapping::solve_drawn(std::vector<MapPicture>& pictures, const MapResult& best,
+MapSolution Mapping::solve_drawn(std::vector<MapObservation>& pictures, const MapResult& best,
                                  std::uint32_t number, double from, double to) const {
   const double spread = kPriorSpread * normal(scene_.seed, number, 0xffffu, 0u);
   // A little light everywhere, so that what the prior has put out may come back.
@@ -558,13 +562,13 @@ MapSolution Mapping::solve_drawn(std::vector<MapPicture>& pictures, const MapRes
                "error bars", from, to, std::move(factor));
 }
 
-std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const MapResult& best,
+std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, const MapResult& best,
                                          const std::vector<MapLight>& truth, std::uint32_t number,
                                          double from, double to) {
   const auto work = [&] {
-    std::vector<MapPicture> drawn;
+    std::vector<MapObservation> drawn;
     if (!numbers_.empty()) drawn = pictures_drawn(fine, best.grid, number);
-    std::vector<MapPicture>& pictures = drawn.empty() ? fine : drawn;
+    std::vector<MapObservation>& pictures = drawn.empty() ? fine : drawn;
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
     for (std::size_t p = 0; p < pictures.size(); ++p) {
       pictures[p].gain = best.photos[p].gain;
@@ -590,7 +594,7 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapPicture>& fine, const Ma
   return cells;
 }
 
-void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResult& result) const {
+void Mapping::tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const {
   const auto cells = static_cast<std::size_t>(result.grid.cells());
   result.border_in_view.assign(cells, 0);
   for (std::size_t c = 0; c < cells; ++c)
@@ -598,7 +602,7 @@ void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResu
   // Signal over noise of a cell by itself, at the median of the flux-weighted energies: sqrt(a' W a), where a
   // and W are taken as if a cell's light fell on pixels of like weight.
   result.sensitivity.assign(cells, 0.0f);
-  for (const MapPicture& picture : pictures) {
+  for (const MapObservation& picture : pictures) {
     MapLight weighted = picture.weight();
     std::vector<float> back(cells * kGroundEnergies, 0.0f);
     std::vector<float> ones(cells * kGroundEnergies, 1.0f);
@@ -611,10 +615,10 @@ void Mapping::tell_what_is_seen(const std::vector<MapPicture>& pictures, MapResu
   }
 }
 
-void Mapping::require_light(std::vector<MapPicture>& pictures, const std::vector<float>& start,
+void Mapping::require_light(std::vector<MapObservation>& pictures, const std::vector<float>& start,
                             double chi2) const {
   double dark = 0.0;
-  for (MapPicture& picture : pictures) {
+  for (MapObservation& picture : pictures) {
     MapLight none(picture.cells() * 3, 0.0f), residual;
     dark += picture.residual(none, residual);
   }
@@ -648,10 +652,10 @@ void Mapping::keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& 
   fine.keep(kept);
 }
 
-void Mapping::put_photos(std::vector<MapPicture>& pictures, MapResult& result) const {
+void Mapping::put_photos(std::vector<MapObservation>& pictures, MapResult& result) const {
   result.chi2 = 0.0;
   for (std::size_t p = 0; p < pictures.size(); ++p) {
-    MapPicture& picture = pictures[p];
+    MapObservation& picture = pictures[p];
     MappedPhoto photo;
     photo.name = scene_.fit.photos.empty() ? "" : scene_.fit.photos[p].name;
     photo.scene = scenes_[p];
@@ -670,7 +674,7 @@ void Mapping::put_photos(std::vector<MapPicture>& pictures, MapResult& result) c
   }
 }
 
-void Mapping::add_replicates(std::vector<MapPicture>& fine, MapResult& result) {
+void Mapping::add_replicates(std::vector<MapObservation>& fine, MapResult& result) {
   std::vector<MapLight> truth;  // of each picture, with its sky
   for (const MappedPhoto& photo : result.photos) {
     truth.push_back(photo.model);
@@ -685,7 +689,7 @@ void Mapping::add_replicates(std::vector<MapPicture>& fine, MapResult& result) {
 }
 
 MapResult Mapping::run() {
-  std::vector<MapPicture> coarse = pictures(2);
+  std::vector<MapObservation> coarse = pictures(2);
   const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : reach_km(coarse);
   sim::GroundGrid coarse_grid = grid_for(coarse, scene_.site, farthest, 2.0);
   look(coarse, coarse_grid);
@@ -704,7 +708,7 @@ MapResult Mapping::run() {
   });
   require_light(coarse, start, chi2);
 
-  std::vector<MapPicture> fine = pictures(1);
+  std::vector<MapObservation> fine = pictures(1);
   for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
   result.grid = grid_for(fine, scene_.site, farthest, 1.0);
   keep_lit(coarse_grid, rough, result.grid);

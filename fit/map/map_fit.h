@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fit/map/map_numbers.h"
-#include "fit/map/map_picture.h"
+#include "fit/map/map_observation.h"
 #include "fit/photo/photo.h"
 #include "fit/search/journal.h"
 #include "sim/render/ground/ground_grid.h"

@@ -36,9 +36,9 @@ constexpr double kLevel = 5e-4;    // relative fall from revision to revision th
 
 /// Gains that are not known, by least squares with the skies solved for: those of R and B beside G where the
 /// white balance is unknown, and of every photograph but the first, whose scale is the map's.
-void solve_gains(std::vector<MapPicture>& pictures, std::vector<MapLight>& light) {
+void solve_gains(std::vector<MapObservation>& pictures, std::vector<MapLight>& light) {
   for (std::size_t p = 0; p < pictures.size(); ++p) {
-    MapPicture& picture = pictures[p];
+    MapObservation& picture = pictures[p];
     const bool balanced = picture.scene().fit.white_balance_known;
     if (p == 0 && balanced) continue;
     MapLight weighted;
@@ -71,7 +71,7 @@ double dot(const std::vector<float>& a, const std::vector<float>& b) {
 /// The state of a solution and the steps of its loop, in the order of their calls.
 class MapSolver {
  public:
-  MapSolver(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, int energies,
+  MapSolver(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
             std::vector<float> start, const MapSolverOptions& options)
       : pictures_(pictures),
         options_(options),
@@ -246,7 +246,7 @@ class MapSolver {
       for (std::size_t i = 0; i < light_[p].size(); ++i) light_[p][i] += t * along_[p][i];
   }
 
-  std::vector<MapPicture>& pictures_;
+  std::vector<MapObservation>& pictures_;
   const MapSolverOptions& options_;
   const int energies_;
   const std::size_t cells_, n_;
@@ -263,7 +263,7 @@ class MapSolver {
 
 }  // namespace
 
-MapSolution solve_map(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, int energies,
+MapSolution solve_map(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
                       std::vector<float> start, const MapSolverOptions& options) {
   return MapSolver(pictures, grid, energies, std::move(start), options).run();
 }

@@ -18,7 +18,7 @@
 #include <functional>
 #include <vector>
 
-#include "fit/map/map_picture.h"
+#include "fit/map/map_observation.h"
 #include "sim/render/ground/ground_grid.h"
 
 namespace vegard::fit {
@@ -41,9 +41,9 @@ struct MapSolution {
   int steps = 0;
 };
 
-/// Solves for the map from the initial one, `start`. MapPicture::look_at() must have been called for the
+/// Solves for the map from the initial one, `start`. MapObservation::look_at() must have been called for the
 /// grid.
-MapSolution solve_map(std::vector<MapPicture>& pictures, const sim::GroundGrid& grid, int energies,
+MapSolution solve_map(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
                       std::vector<float> start, const MapSolverOptions& options);
 
 }  // namespace vegard::fit

@@ -18,8 +18,8 @@ double depth_km2(const sim::Sheet& sheet) {
   std::complex<double> sum = 0.0;
   for (int layer = 0; layer < sheet.layers; ++layer)
     sum += std::polar(1.0, sheet.layers > 1 ? sheet.phase_shift_rad * layer / (sheet.layers - 1) : 0.0);
-  const double together = std::norm(sum / static_cast<double>(std::max(1, sheet.layers)));
-  return sheet.width_km * sheet.width_km + 0.5 * sheet.thickness_km * sheet.thickness_km * (1.0 - together);
+  const double resultant = std::norm(sum / static_cast<double>(std::max(1, sheet.layers)));
+  return sheet.width_km * sheet.width_km + 0.5 * sheet.thickness_km * sheet.thickness_km * (1.0 - resultant);
 }
 
 }  // namespace

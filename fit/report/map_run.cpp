@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "fit/map/map_image.h"
 #include "fit/map/map_raster.h"
 #include "fit/map/map_record.h"
 #include "fit/report/netcdf/map_dataset.h"

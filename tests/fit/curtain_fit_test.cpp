@@ -80,25 +80,25 @@ TEST(CurtainFit, DropsACurveThatIsNotThereAndAddsOneThatIs) {
   const FitResult result =
       fit_curtains(sim::parse_scene(kCamera, "scene"), {photo()}, {near_ridge(), ghost("curtain_2")},
                    {far_ridge("faint_1")}, options());
-  for (const CurveStep& step : result.curve_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
+  for (const CurtainStep& step : result.curtain_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
   ASSERT_EQ(result.best.sheets.size(), 2u);
   EXPECT_EQ(result.best.sheets[0].name, "curtain_1");
   EXPECT_EQ(result.best.sheets[1].name, "faint_1");
   // The far curve is missing at first, and the ghost stands in for it until it is there.
-  const CurveStep* last_kept = nullptr;
+  const CurtainStep* last_kept = nullptr;
   bool dropped = false, added = false;
-  for (const CurveStep& step : result.curve_steps) {
+  for (const CurtainStep& step : result.curtain_steps) {
     if (!step.kept) continue;
     last_kept = &step;
-    if (step.change == CurveStep::Change::start) continue;
+    if (step.change == CurtainStep::Change::start) continue;
     EXPECT_GT(step.bic_lower_by, 10.0) << curve_step_in_words(step);
-    dropped = dropped || (step.change == CurveStep::Change::drop && step.curve == "curtain_2");
-    added = added || (step.change == CurveStep::Change::add && step.curve == "faint_1");
+    dropped = dropped || (step.change == CurtainStep::Change::drop && step.curve == "curtain_2");
+    added = added || (step.change == CurtainStep::Change::add && step.curve == "faint_1");
   }
   ASSERT_NE(last_kept, nullptr);
   EXPECT_TRUE(dropped && added);
   EXPECT_EQ(last_kept->curves, 2);
-  EXPECT_LT(last_kept->chi2, result.curve_steps[0].chi2);
+  EXPECT_LT(last_kept->chi2, result.curtain_steps[0].chi2);
   EXPECT_LT(apart_km(result.best.sheets[0], two_curves().sheets[0]), 1.5);
   EXPECT_LT(apart_km(result.best.sheets[1], two_curves().sheets[1]), 6.0);
   EXPECT_NEAR(result.chi2, last_kept->chi2, 1e-6 * last_kept->chi2);
@@ -109,11 +109,11 @@ TEST(CurtainFit, KeepsWhatIsThereAndAddsNothing) {
   const FitResult result =
       fit_curtains(sim::parse_scene(kCamera, "scene"), {photo()}, {near_ridge(), far_ridge("curtain_2")},
                    {ghost("faint_1")}, options());
-  for (const CurveStep& step : result.curve_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
+  for (const CurtainStep& step : result.curtain_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
   ASSERT_EQ(result.best.sheets.size(), 2u);
   EXPECT_EQ(result.best.sheets[1].name, "curtain_2");
-  for (const CurveStep& step : result.curve_steps)
-    EXPECT_EQ(step.kept, step.change == CurveStep::Change::start) << curve_step_in_words(step);
+  for (const CurtainStep& step : result.curtain_steps)
+    EXPECT_EQ(step.kept, step.change == CurtainStep::Change::start) << curve_step_in_words(step);
   // The energies are the truth's, and the errors know how far they are not.
   int within = 0, energies = 0;
   for (const FittedParameter& p : result.parameters) {

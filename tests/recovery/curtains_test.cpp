@@ -219,7 +219,7 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   // Refined by beams.
   const FitResult refined =
       fit_curtains(camera(), {photo}, ridges(curtains, "curtain_"), ridges(faint, "faint_"), FitOptions());
-  for (const CurveStep& step : refined.curve_steps)
+  for (const CurtainStep& step : refined.curve_steps)
     std::printf("%s: chi2 %.0f\n", curve_step_in_words(step).c_str(), step.chi2);
   std::printf("chi2 %.0f at the start, %.0f at the end, dof %d\n", refined.chi2_initial, refined.chi2,
               refined.dof);

@@ -6,7 +6,7 @@
 #include <functional>
 #include <iostream>
 
-#include "fit/curve_fit.h"
+#include "fit/transfer_curve_fit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"
@@ -53,14 +53,14 @@ TEST_P(TransferCurveOfThePhotograph, IsFound) {
   photo.unknowns = c.unknowns;
   const FitResult as_srgb = fit_photo(scene, photo, {});
   tell(std::string(c.name) + " as sRGB", as_srgb);
-  const FitResult found = fit_photo_and_curve(scene, photo, {});
+  const FitResult found = fit_photo_and_transfer_curve(scene, photo, {});
   tell(std::string(c.name) + " unknown", found);
   ASSERT_EQ(found.parameters[kOfEnergy].path, "sheet.main.energy_kev");
   ASSERT_TRUE(found.parameters[kOfEnergy].sigma);
   // Three standard deviations each.
   EXPECT_NEAR(found.parameters[kOfEnergy].value, kEnergy, 3.0 * *found.parameters[kOfEnergy].sigma);
   if (c.exponent > 0.0) {
-    const FittedCurve::Exponent& e = found.curve->exponents[0];
+    const FittedTransferCurve::Exponent& e = found.curve->exponents[0];
     EXPECT_NEAR(e.value, c.exponent, 3.0 * e.sigma);
   }
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "fit/answer/trust.h"
-#include "fit/map/map_planes.h"
+#include "fit/map/precipitation_planes.h"
 #include "fit/map/map_record.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/report/netcdf/record_json.h"
@@ -16,7 +16,7 @@ namespace {
 
 using sim::NetcdfDataset;
 
-void add_places(const MapPlanes& map, NetcdfDataset& dataset) {
+void add_places(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
   const auto columns = static_cast<std::size_t>(map.columns), rows = static_cast<std::size_t>(map.rows);
   dataset.dimension("north", rows);
   dataset.dimension("east", columns);
@@ -58,7 +58,7 @@ void add_places(const MapPlanes& map, NetcdfDataset& dataset) {
         .with("calendar", "standard");
 }
 
-void add_planes(const MapPlanes& map, NetcdfDataset& dataset) {
+void add_planes(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
   const std::string places =
       std::string("latitude longitude magnetic_latitude altitude") + (map.time_s ? " time" : "");
   const auto plane = [&](const char* name, const std::string& long_name, const std::string& unit,
@@ -158,7 +158,7 @@ NetcdfDataset map_dataset(const std::string& directory) {
   if (record_text(json, "kind") != "vegard map")
     sim::refuse_file(sim::ErrorKind::unreadable_input, directory + "/map.json", "is no map's",
                      "the directory of a map");
-  const MapPlanes map = read_map_planes(directory);
+  const PrecipitationPlanes map = read_precipitation_planes(directory);
   NetcdfDataset dataset("a map of precipitation", "vegard " + record_text(json, "version"));
   dataset.attribute("command", record_text(json, "command"));
   dataset.attribute("verdict_line", record_text(json, "verdict_line"));

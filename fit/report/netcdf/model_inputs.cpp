@@ -42,7 +42,7 @@ sim::KnownFolder look_at_gemini(const std::string& directory) {
 
 sim::DirectoryKind gemini_kind() { return {"inputs of GEMINI", look_at_gemini, {kGeminiMark}}; }
 
-void scale_flux(MapPlanes& map, double factor) {
+void scale_flux(PrecipitationPlanes& map, double factor) {
   for (double& flux : map.energy_flux_mw_m2) flux *= factor;
 }
 
@@ -110,12 +110,12 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
   if (time_s && directories.size() != 1)
     sim::refuse_key(sim::ErrorKind::usage, "--time", "several maps have a time each", "one map with it");
   struct Dated {
-    MapPlanes map;
+    PrecipitationPlanes map;
     std::string name;
   };
   std::vector<Dated> dated;
   for (const std::string& directory : directories) {
-    Dated one{read_map_planes(directory), base_name(directory)};
+    Dated one{read_precipitation_planes(directory), base_name(directory)};
     if (time_s) one.map.time_s = time_s;
     if (!one.map.time_s)
       sim::refuse_file(sim::ErrorKind::unreadable_input, directory, "this map says no time",
@@ -131,7 +131,7 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
   std::stable_sort(dated.begin(), dated.end(),
                    [](const Dated& a, const Dated& b) { return *a.map.time_s < *b.map.time_s; });
   ModelInputs inputs;
-  std::vector<MapPlanes> maps;
+  std::vector<PrecipitationPlanes> maps;
   for (Dated& one : dated) {
     if (!inputs.times_s.empty() && !(*one.map.time_s > inputs.times_s.back()))
       sim::refuse_key(sim::ErrorKind::usage, "MAP",
@@ -142,7 +142,7 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
     maps.push_back(std::move(one.map));
   }
   inputs.grid = grid_over(maps, frame, step_deg);
-  for (const MapPlanes& map : maps) inputs.maps.push_back(on_grid(map, inputs.grid));
+  for (const PrecipitationPlanes& map : maps) inputs.maps.push_back(on_grid(map, inputs.grid));
   return inputs;
 }
 

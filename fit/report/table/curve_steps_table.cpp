@@ -17,24 +17,24 @@ std::string plain_amount(double bic) {
 
 }  // namespace
 
-const char* change_name(CurveStep::Change change) {
+const char* change_name(CurtainStep::Change change) {
   switch (change) {
-    case CurveStep::Change::start:
+    case CurtainStep::Change::start:
       return "start";
-    case CurveStep::Change::drop:
+    case CurtainStep::Change::drop:
       return "drop";
-    case CurveStep::Change::add:
+    case CurtainStep::Change::add:
       return "add";
   }
   return "";
 }
 
-std::string curve_step_in_words(const CurveStep& step) {
-  if (step.change == CurveStep::Change::start)
+std::string curve_step_in_words(const CurtainStep& step) {
+  if (step.change == CurtainStep::Change::start)
     return fmt::format("{} of the map, settled together", step.curves == 1
                                                               ? std::string("the curtain")
                                                               : fmt::format("the {} curtains", step.curves));
-  const bool drops = step.change == CurveStep::Change::drop;
+  const bool drops = step.change == CurtainStep::Change::drop;
   const char* what = drops ? (step.kept ? "is not needed" : "stays")
                            : (step.kept ? "belongs to the picture" : "is left out");
   const double by = std::abs(step.bic_lower_by);
@@ -44,14 +44,14 @@ std::string curve_step_in_words(const CurveStep& step) {
 }
 
 std::string curve_steps_table(const FitResult& result) {
-  if (result.curve_steps.empty()) return {};
+  if (result.curtain_steps.empty()) return {};
   std::string html =
       "<table>\n<thead><tr><th>step</th><th class=\"number\">curves</th><th "
       "class=\"number\">\u03c7\u00b2</th><th class=\"number\">unknowns</th><th class=\"number\">BIC "
       "changes by</th></tr></thead>\n<tbody>\n";
-  for (const CurveStep& step : result.curve_steps) {
+  for (const CurtainStep& step : result.curtain_steps) {
     const std::string change =
-        step.change == CurveStep::Change::start
+        step.change == CurtainStep::Change::start
             ? std::string("\u2013")
             : (step.bic_lower_by > 0.0 ? "\u2212" : "+") + plain_amount(std::abs(step.bic_lower_by));
     html += fmt::format(

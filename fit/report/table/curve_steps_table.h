@@ -8,10 +8,10 @@
 namespace vegard::fit {
 
 /// "start", "drop", "add".
-const char* change_name(CurveStep::Change change);
+const char* change_name(CurtainStep::Change change);
 
 /// "curtain_2 stays: BIC would be 812 higher without it (very strong evidence)".
-std::string curve_step_in_words(const CurveStep& step);
+std::string curve_step_in_words(const CurtainStep& step);
 
 /// An HTML table with one row per step; empty if there are none.
 std::string curve_steps_table(const FitResult& result);

@@ -149,12 +149,12 @@ Json chain(const FitResult& result) {
   return json;
 }
 
-Json curve_json(const FittedCurve& c) {
+Json curve_json(const FittedTransferCurve& c) {
   Json json;
   json["words"] = c.words;
   json["decoding"] = c.decoding_word;
   json["exponents"] = Json::array();
-  for (const FittedCurve::Exponent& e : c.exponents)
+  for (const FittedTransferCurve::Exponent& e : c.exponents)
     json["exponents"].push_back({{"name", e.name},
                                  {"value", number(e.value)},
                                  {"sigma", number(e.sigma)},
@@ -181,7 +181,7 @@ Json stability(const FitResult& result) {
 
 Json curve_steps(const FitResult& result) {
   Json json = Json::array();
-  for (const CurveStep& step : result.curve_steps)
+  for (const CurtainStep& step : result.curtain_steps)
     json.push_back({{"change", change_name(step.change)},
                     {"curve", words(step.curve)},
                     {"curves", step.curves},
@@ -250,7 +250,7 @@ std::string result_json(const FitResult& result) {
   if (result.chain) json["chain"] = chain(result);
   if (result.stability) json["stability"] = stability(result);
   if (result.validation_interrupted) json["validation_interrupted"] = true;
-  if (!result.curve_steps.empty()) json["curve_steps"] = curve_steps(result);
+  if (!result.curtain_steps.empty()) json["curve_steps"] = curve_steps(result);
   put_numbers(result, ResultGroup::misfit, json);
   json["compared"] = {
       {"regions_px", result.compared.regions_px},

@@ -17,7 +17,7 @@ FittedModel model_of(const RunSummary& run) {
   model.chi2 = run.chi2;
   model.values = run.values;
   model.parameters = run.unknowns;
-  model.together = run.correlated_residuals;
+  model.correlated = run.correlated_residuals;
   return model;
 }
 

@@ -75,7 +75,7 @@ class Minimum {
     const CurveTrial* here = at(centre_);
     if (here == nullptr) return false;
     found_.centre = *here;
-    const double together = here->together, value = here->value;
+    const double correlated = here->correlated, value = here->value;
     Eigen::VectorXd gradient(n_), up(n_);
     Eigen::MatrixXd hessian(n_, n_);
     std::vector<std::vector<double>> slopes;
@@ -87,8 +87,8 @@ class Minimum {
       const CurveTrial* below = at(centre_ - aside);
       if (below == nullptr) return false;
       up(k) = above.value;
-      gradient(k) = (above.value - below->value) / (2.0 * step_(k) * together);
-      hessian(k, k) = (above.value + below->value - 2.0 * value) / (step_(k) * step_(k) * together);
+      gradient(k) = (above.value - below->value) / (2.0 * step_(k) * correlated);
+      hessian(k, k) = (above.value + below->value - 2.0 * value) / (step_(k) * step_(k) * correlated);
       std::vector<double> slope;
       for (std::size_t j = 0; j < above.solution.size(); ++j)
         slope.push_back((above.solution[j] - below->solution[j]) / (2.0 * step_(k)));
@@ -101,7 +101,7 @@ class Minimum {
         if (corner == nullptr) return false;
         // By the parabola: f(k, l) - f(k) - f(l) + f = H_kl s_k s_l.
         hessian(k, l) = hessian(l, k) =
-            (corner->value - up(k) - up(l) + value) / (step_(k) * step_(l) * together);
+            (corner->value - up(k) - up(l) + value) / (step_(k) * step_(l) * correlated);
       }
     gradient_ = gradient, hessian_ = hessian;
     found_.slopes = slopes;

@@ -13,8 +13,8 @@ namespace vegard::sim {
 /// One evaluation.
 struct CurveTrial {
   std::vector<double> at;
-  double value = 0.0;            ///< -2 ln(likelihood), times `together`
-  double together = 1.0;         ///< number of data that are fully correlated
+  double value = 0.0;            ///< -2 ln(likelihood), times `correlated`
+  double correlated = 1.0;       ///< number of data that are fully correlated
   std::vector<double> solution;  ///< all other parameters, fitted at this point
 };
 

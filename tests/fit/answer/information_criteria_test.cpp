@@ -29,12 +29,12 @@ TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
   EXPECT_NEAR(b.aicc, a.aicc, 1e-9);
 }
 
-// Errors too small by a factor of two: chi2 four times too large, and no values together.
+// Errors too small by a factor of two: chi2 four times too large, and no values correlated.
 TEST(InformationCriteria, DoNotTakeSmallErrorsForFewValues) {
   const FittedModel model{"x", 4.0 * 96.0, 100, 4, 1.0};
   const ChiSquareScaling b = chi2_scaling_of(model);
   EXPECT_DOUBLE_EQ(b.chi2_divisor, 4.0);
-  EXPECT_DOUBLE_EQ(b.together, 1.0);
+  EXPECT_DOUBLE_EQ(b.correlated, 1.0);
   EXPECT_DOUBLE_EQ(information_criteria(model, b).chi2, 96.0);
 }
 

@@ -161,7 +161,7 @@ TEST(Comparison, ProfileAloneIsTheLinearPart) {
   const Inflation expected =
       error_inflation(comparison->data(), comparison->linear().used(), point.residual(), 100);
   EXPECT_EQ(inflation.scale, expected.scale);
-  EXPECT_EQ(inflation.together, expected.together);
+  EXPECT_EQ(inflation.correlated, expected.correlated);
 }
 
 /// Other statistics beside it change neither the profile nor, with next to no weight, the solution.

@@ -14,8 +14,8 @@ namespace {
 
 /// A blob of 20 km about (east, north) = (30, 200) km, E0 from 2 keV in the west to 4 keV in the east; a
 /// corner is not constrained.
-MapPlanes blob() {
-  MapPlanes map;
+PrecipitationPlanes blob() {
+  PrecipitationPlanes map;
   map.columns = 101;
   map.rows = 121;
   map.west_km = -70.0;
@@ -69,7 +69,7 @@ TEST(GeographicMap, HasTheDipoleOfGemini) {
 }
 
 TEST(GeographicMap, PutsLightWhereItFalls) {
-  const MapPlanes map = blob();
+  const PrecipitationPlanes map = blob();
   for (const EarthFrame frame : {EarthFrame::geographic, EarthFrame::gemini_dipole}) {
     const GeographicGrid grid = grid_over({map}, frame, 0.05);
     const GeographicMap made = on_grid(map, grid);
@@ -97,7 +97,7 @@ TEST(GeographicMap, PutsLightWhereItFalls) {
 // of the feet and in the tangent plane (whose cells are larger there by one over the cosine of the angle
 // between).
 TEST(GeographicMap, KeepsTheEnergyThatFalls) {
-  const MapPlanes map = blob();
+  const PrecipitationPlanes map = blob();
   constexpr double kRadius_km = 6481.0;
   double before = 0.0;
   for (int row = 0; row < map.rows; ++row)
@@ -124,7 +124,7 @@ TEST(GeographicMap, KeepsTheEnergyThatFalls) {
 
 // 200 km to the north of 88.5 degrees lies beyond the pole.
 TEST(GeographicMap, GoesOnceAroundAPole) {
-  MapPlanes map = blob();
+  PrecipitationPlanes map = blob();
   map.site.latitude_deg = 88.5;
   constexpr double kStep_deg = 0.1, kRadius_km = 6481.0;
   const GeographicGrid grid = grid_over({map}, EarthFrame::geographic, kStep_deg);
@@ -147,7 +147,7 @@ TEST(GeographicMap, GoesOnceAroundAPole) {
 }
 
 TEST(GeographicMap, LeavesOutWhatIsUnconstrained) {
-  const MapPlanes map = blob();
+  const PrecipitationPlanes map = blob();
   const GeographicGrid grid = grid_over({map}, EarthFrame::geographic, 0.05);
   const GeographicMap made = on_grid(map, grid);
   sim::Scene scene;

@@ -12,11 +12,11 @@ constexpr double kLimit = 1.4;
 
 using Point = std::vector<double>;
 
-CurveMinimum lowest(const Point& start, const std::function<double(const Point&)>& f, double together = 1.0) {
+CurveMinimum lowest(const Point& start, const std::function<double(const Point&)>& f, double correlated = 1.0) {
   return curve_minimum(start, kLimit, [&](const Point& at, const CurveTrial*) {
     CurveTrial trial;
     trial.value = f(at);
-    trial.together = together;
+    trial.correlated = correlated;
     trial.solution = {2.0 * at[0] + 1.0, at.size() > 1 ? at[0] - 3.0 * at[1] : 0.0};
     return trial;
   });

@@ -29,7 +29,7 @@ namespace vegard::fit {
 /// Sums over a film's cells and channels: [cell * 3 + channel].
 using MapLight = std::vector<float>;
 
-struct MapPictureOptions {
+struct MapObservationOptions {
   int pixels_per_cell = 1;    ///< along each side of a film's cell
   double model_error = 0.02;  ///< as a fraction of the light above the sky
   double lowest_elevation_deg = 3.0;
@@ -38,9 +38,9 @@ struct MapPictureOptions {
 };
 
 /// The data: a film with its cells' mean light.
-class MapPicture {
+class MapObservation {
  public:
-  MapPicture(const sim::Scene& scene, const Photo& photo, const MapPictureOptions& options);
+  MapObservation(const sim::Scene& scene, const Photo& photo, const MapObservationOptions& options);
 
   const sim::Scene& scene() const { return scene_; }
   const sim::FilmGeometry& film() const { return film_; }
@@ -84,9 +84,9 @@ class MapPicture {
   std::array<double, 3> gain{1.0, 1.0, 1.0};
 
  private:
-  void bin(const Photo& photo, const MapPictureOptions& options);
+  void bin(const Photo& photo, const MapObservationOptions& options);
   void leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used);
-  void estimate_noise(const Photo& photo, const MapPictureOptions& options,
+  void estimate_noise(const Photo& photo, const MapObservationOptions& options,
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
   void factor_sky();

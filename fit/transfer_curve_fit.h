@@ -21,6 +21,6 @@ inline constexpr double kMaxExponent = 4.0;
 /// the uncertainty of the curve; gains and sky are those at the curve that was found. Throws sim::Error as
 /// fit_photo() does, and for options that an unknown curve excludes: statistics other than the profile,
 /// free-form height profiles, fit.photo_noise = "sensor", validation of the error bars.
-FitResult fit_photo_and_curve(const sim::Scene& scene, Photo& photo, const FitOptions& options);
+FitResult fit_photo_and_transfer_curve(const sim::Scene& scene, Photo& photo, const FitOptions& options);
 
 }  // namespace vegard::fit

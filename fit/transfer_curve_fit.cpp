@@ -1,4 +1,4 @@
-#include "fit/curve_fit.h"
+#include "fit/transfer_curve_fit.h"
 
 #include <fmt/format.h>
 
@@ -59,9 +59,9 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
 }
 
 /// Everything but the curve, at one curve after the other.
-class CurveFit {
+class TransferCurveFit {
  public:
-  CurveFit(const sim::Scene& given, const Photo& as_srgb, const FitOptions& options)
+  TransferCurveFit(const sim::Scene& given, const Photo& as_srgb, const FitOptions& options)
       : options_(options), as_srgb_(as_srgb), free_(free_numbers(given)), scene_(with_ties(given, free_)) {
     check_curve_fit(scene_, free_, options);
     log_.limit = options.max_evaluations;
@@ -83,14 +83,14 @@ class CurveFit {
         free_.size());
     start_ = searched.best.values;
     if (std::isfinite(searched.best.chi2))
-      weight_ = std::sqrt(together_at(first.front(), start_, photo.unknowns));
+      weight_ = std::sqrt(correlated_at(first.front(), start_, photo.unknowns));
     const sim::CurveMinimum found = sim::curve_minimum(
         std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0), std::log(kMaxExponent),
         [&](const std::vector<double>& at, const sim::CurveTrial* nearest) {
           return trial(at, nearest == nullptr ? start_ : values_of(nearest->solution));
         });
 
-    FoundCurve curve;
+    FoundTransferCurve curve;
     curve.covariance = found.covariance;
     curve.slopes = found.slopes;
     describe(found, curve);
@@ -151,18 +151,19 @@ class CurveFit {
     const Comparison& full = *observations.front().full;
     double chi2 = 0.0;
     int dof = 0;
-    result.together = together_at(observations.front(), end.values, static_cast<int>(at.size()), &chi2, &dof);
+    result.correlated =
+        correlated_at(observations.front(), end.values, static_cast<int>(at.size()), &chi2, &dof);
     const double weight = scene_.fit.weight[sim::StatisticKind::profile];
     const std::vector<double> slopes = mean_slopes(as_srgb_, bent, full.data().grid, kProfileSmoothing_px);
     result.value = scaled_chi2(chi2, dof) + weight * log_determinant(full.sigma(), slopes) +
-                   result.together * of_priors(end.values);
+                   result.correlated * of_priors(end.values);
     result.solution = coordinates_of(end.values);
     return result;
   }
 
   /// How many of the residuals go up and down as one, at some values; chi2 of the data there too.
-  double together_at(const Observation& observation, const std::vector<double>& values, int of_curve,
-                     double* chi2_there = nullptr, int* dof_there = nullptr) const {
+  double correlated_at(const Observation& observation, const std::vector<double>& values, int of_curve,
+                       double* chi2_there = nullptr, int* dof_there = nullptr) const {
     const Comparison& full = *observation.full;
     const std::vector<CostTerm> terms = {{observation.scene,
                                           ParameterMap(observation.scene, free_, observation.frame),
@@ -175,7 +176,7 @@ class CurveFit {
     const int dof = std::max(1, full.residuals() - unknowns);
     if (chi2_there != nullptr) *chi2_there = chi2;
     if (dof_there != nullptr) *dof_there = dof;
-    return joint_inflation(cost, point, unknowns).together;
+    return joint_inflation(cost, point, unknowns).correlated;
   }
 
   double of_priors(const std::vector<double>& values) const {
@@ -207,8 +208,8 @@ class CurveFit {
     outcome.chi2_initial = ProfileCost(free_, terms, ignored).at(start, false).chi2;
   }
 
-  void describe(const sim::CurveMinimum& found, FoundCurve& curve) const {
-    FittedCurve& fitted = curve.fitted;
+  void describe(const sim::CurveMinimum& found, FoundTransferCurve& curve) const {
+    FittedTransferCurve& fitted = curve.fitted;
     const std::size_t n = found.at.size();
     fitted.most = kMaxExponent;
     fitted.least = 1.0 / kMaxExponent;
@@ -219,7 +220,7 @@ class CurveFit {
       fitted.exponents.push_back({n == 1 ? "of all light" : names[k], value,
                                   value * std::sqrt(found.covariance[k][k]), found.at_limit[k],
                                   found.undetermined[k]});
-      const FittedCurve::Exponent& e = fitted.exponents.back();
+      const FittedTransferCurve::Exponent& e = fitted.exponents.back();
       fitted.words +=
           (k == 0 ? "sRGB to the power of " : " at black and ") + sim::number_with_error(value, e.sigma);
       fitted.decoding_word += fmt::format(":{:.4g}", value);
@@ -239,7 +240,7 @@ class CurveFit {
     for (const sim::CurveTrial& t : found.trials) {
       fitted.trials.emplace_back();
       for (const double x : t.at) fitted.trials.back().push_back(std::exp(x));
-      fitted.trials.back().push_back((t.value - least) / found.centre.together);
+      fitted.trials.back().push_back((t.value - least) / found.centre.correlated);
     }
   }
 
@@ -257,7 +258,7 @@ class CurveFit {
 
 }  // namespace
 
-void widen(const FoundCurve& curve, Uncertainty& u) {
+void widen(const FoundTransferCurve& curve, Uncertainty& u) {
   const std::size_t n = u.sigma.size();
   std::vector<std::vector<double>> more(n, std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i)
@@ -276,10 +277,10 @@ void widen(const FoundCurve& curve, Uncertainty& u) {
             (u.correlation[i][j] * before[i] * before[j] + more[i][j]) / (u.sigma[i] * u.sigma[j]);
 }
 
-FitResult fit_photo_and_curve(const sim::Scene& scene, Photo& photo, const FitOptions& options) {
+FitResult fit_photo_and_transfer_curve(const sim::Scene& scene, Photo& photo, const FitOptions& options) {
   assert(photo.unknowns == 1 || photo.unknowns == 2);
   const Photo as_srgb = photo;
-  return CurveFit(scene, as_srgb, options).run(photo);
+  return TransferCurveFit(scene, as_srgb, options).run(photo);
 }
 
 }  // namespace vegard::fit

@@ -13,7 +13,7 @@ namespace vegard::fit {
 
 /// The planes on linear axes in the site's tangent plane, for feet at `height_km`: columns to the east, rows
 /// to the north, [row * columns + column]. NaN where no picture constrains a value.
-struct MapPlanes {
+struct PrecipitationPlanes {
   int columns = 0, rows = 0;
   double west_km = 0.0, south_km = 0.0;  ///< of the middle of the first cell
   double step_km = 2.0;
@@ -31,6 +31,6 @@ struct MapPlanes {
 };
 
 /// Reads DIRECTORY/precipitation.fits. Throws sim::Error(unreadable_input) if it is not such a file.
-MapPlanes read_map_planes(const std::string& directory);
+PrecipitationPlanes read_precipitation_planes(const std::string& directory);
 
 }  // namespace vegard::fit

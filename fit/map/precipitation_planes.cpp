@@ -1,4 +1,4 @@
-#include "fit/map/map_planes.h"
+#include "fit/map/precipitation_planes.h"
 
 #include <charconv>
 #include <cmath>
@@ -22,7 +22,7 @@ class PlanesReader {
         fits_(sim::read_fits_image(
             sim::input_bytes(file, "the precipitation.fits of a map", sim::kMaxPictureBytes), file)) {}
 
-  MapPlanes read() const {
+  PrecipitationPlanes read() const {
     const sim::Image& image = fits_.image;
     if (image.channels() != kPlanesOfMap)
       refuse("it has " + std::to_string(image.channels()) + " planes", "the five of a map");
@@ -30,7 +30,7 @@ class PlanesReader {
       refuse("it has more than 4194304 cells", "a map of vegard's");
     if (text("CTYPE1") != "EAST" || text("CTYPE2") != "NORTH")
       refuse("its axes are not EAST and NORTH", "a map of vegard's");
-    MapPlanes planes;
+    PrecipitationPlanes planes;
     planes.columns = image.width;
     planes.rows = image.height;
     planes.step_km = number("CDELT1");
@@ -87,7 +87,7 @@ class PlanesReader {
 
 }  // namespace
 
-MapPlanes read_map_planes(const std::string& directory) {
+PrecipitationPlanes read_precipitation_planes(const std::string& directory) {
   return PlanesReader(directory + "/precipitation.fits").read();
 }
 

@@ -1,4 +1,4 @@
-#include "fit/map/map_picture.h"
+#include "fit/map/map_observation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -31,7 +31,8 @@ double nth(std::vector<double>& values, double share) {
 
 }  // namespace
 
-MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPictureOptions& options)
+MapObservation::MapObservation(const sim::Scene& scene, const Photo& photo,
+                               const MapObservationOptions& options)
     : scene_(scene), threads_(options.threads) {
   const int b = options.pixels_per_cell;
   double widest_px = 0.0;
@@ -62,7 +63,7 @@ MapPicture::MapPicture(const sim::Scene& scene, const Photo& photo, const MapPic
   leave_out({});
 }
 
-void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
+void MapObservation::bin(const Photo& photo, const MapObservationOptions& options) {
   const int b = options.pixels_per_cell;
   data_.assign(cells() * 3, 0.0f);
   sigma_.assign(cells() * 3, 0.0f);
@@ -122,7 +123,8 @@ void MapPicture::bin(const Photo& photo, const MapPictureOptions& options) {
 
 /// Takes cells out of use, in all channels, that stand beside a clipped one: demosaicing and compression have
 /// spread what was clipped.
-void MapPicture::leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used) {
+void MapObservation::leave_out_beside(const std::vector<std::uint8_t>& clipped,
+                                      std::vector<std::uint8_t>& used) {
   const int reach = std::max(1, static_cast<int>(std::ceil(kSpread_px / film_.cell_width_px)));
   for (int row = 0; row < film_.rows; ++row)
     for (int column = 0; column < film_.columns; ++column) {
@@ -138,8 +140,8 @@ void MapPicture::leave_out_beside(const std::vector<std::uint8_t>& clipped, std:
 /// light, the mean of each below twice its median, since rays are no quadratic surfaces; a variance that
 /// is linear in the light goes through them. What compression put upon a whole block is not seen so, and
 /// comes to it.
-void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& options,
-                                const std::vector<std::uint8_t>& used) {
+void MapObservation::estimate_noise(const Photo& photo, const MapObservationOptions& options,
+                                    const std::vector<std::uint8_t>& used) {
   constexpr int kReach = 3;
   constexpr int kSide = 2 * kReach + 1, kWindow = kSide * kSide;
   constexpr int kClasses = 12;
@@ -225,7 +227,7 @@ void MapPicture::estimate_noise(const Photo& photo, const MapPictureOptions& opt
   }
 }
 
-void MapPicture::make_sky_basis() {
+void MapObservation::make_sky_basis() {
   // Level; airglow by airmass, and what its layer and the air make of that; a town's or the twilight's glow
   // by its height, and round the horizon as a mean and two waves; both ways along the horizon.
   sky_terms_ = 10;
@@ -252,7 +254,7 @@ void MapPicture::make_sky_basis() {
     }
 }
 
-void MapPicture::leave_out(const std::vector<std::uint8_t>& left_out) {
+void MapObservation::leave_out(const std::vector<std::uint8_t>& left_out) {
   weight_.assign(cells() * 3, 0.0f);
   values_ = 0;
   for (std::size_t i = 0; i < weight_.size(); ++i)
@@ -263,7 +265,7 @@ void MapPicture::leave_out(const std::vector<std::uint8_t>& left_out) {
   factor_sky();
 }
 
-void MapPicture::factor_sky() {
+void MapObservation::factor_sky() {
   // A sky that is as bright as the picture's darkest part, give or take all of it: a prior of next to no
   // weight that keeps terms which the region cannot tell apart from growing against each other.
   for (int c = 0; c < 3; ++c) {
@@ -289,14 +291,14 @@ void MapPicture::factor_sky() {
   }
 }
 
-void MapPicture::look_at(const sim::Site& home, const sim::GroundGrid& grid,
-                         const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
-                         double altitude_scale) {
+void MapObservation::look_at(const sim::Site& home, const sim::GroundGrid& grid,
+                             const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
+                             double altitude_scale) {
   light_ = std::make_unique<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
                                               rates_at_flux_mw_m2, threads_, altitude_scale);
 }
 
-void MapPicture::forward(const std::vector<float>& map, MapLight& out) const {
+void MapObservation::forward(const std::vector<float>& map, MapLight& out) const {
   std::vector<float> rayleighs;
   light_->forward(map, rayleighs);
   const std::size_t lines = colour_.size();
@@ -314,7 +316,7 @@ void MapPicture::forward(const std::vector<float>& map, MapLight& out) const {
     }
 }
 
-void MapPicture::add_adjoint(const MapLight& light, std::vector<float>& map) const {
+void MapObservation::add_adjoint(const MapLight& light, std::vector<float>& map) const {
   const std::size_t lines = colour_.size();
   std::vector<float> planes(cells() * lines), blurred(cells() * lines);
   for (std::size_t i = 0; i < cells(); ++i)
@@ -330,7 +332,7 @@ void MapPicture::add_adjoint(const MapLight& light, std::vector<float>& map) con
 }
 
 template <class Value>
-std::vector<double> MapPicture::solve_sky(int channel, const Value& weighted) const {
+std::vector<double> MapObservation::solve_sky(int channel, const Value& weighted) const {
   std::vector<double> right(static_cast<std::size_t>(sky_terms_), 0.0), sky = right;
   for (std::size_t cell = 0; cell < cells(); ++cell) {
     const std::size_t i = cell * 3 + channel;
@@ -344,14 +346,14 @@ std::vector<double> MapPicture::solve_sky(int channel, const Value& weighted) co
   return sky;
 }
 
-double MapPicture::sky_at(std::size_t cell, const std::vector<double>& sky) const {
+double MapObservation::sky_at(std::size_t cell, const std::vector<double>& sky) const {
   const float* f = &sky_basis_[cell * sky_terms_];
   double sum = 0.0;
   for (int j = 0; j < sky_terms_; ++j) sum += sky[j] * f[j];
   return sum;
 }
 
-double MapPicture::residual(const MapLight& light, MapLight& residual) {
+double MapObservation::residual(const MapLight& light, MapLight& residual) {
   residual.assign(cells() * 3, 0.0f);
   sky_.assign(cells() * 3, 0.0f);
   double chi2 = 0.0;
@@ -374,7 +376,7 @@ double MapPicture::residual(const MapLight& light, MapLight& residual) {
   return chi2;
 }
 
-void MapPicture::take_sky_away(const MapLight& light, MapLight& weighted) const {
+void MapObservation::take_sky_away(const MapLight& light, MapLight& weighted) const {
   weighted.assign(cells() * 3, 0.0f);
   for (int c = 0; c < 3; ++c) {
     const std::vector<double> sky =

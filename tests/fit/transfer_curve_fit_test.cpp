@@ -1,5 +1,5 @@
 // A scene and the transfer curve of its photograph, found together.
-#include "fit/curve_fit.h"
+#include "fit/transfer_curve_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "tests/support/rendered_photo.h"
 #include "tests/support/two_stations.h"
 
-namespace vegard::fit::curve_fit_test {
+namespace vegard::fit::transfer_curve_fit_test {
 namespace {
 
 constexpr double kEnergy = 4.0;
@@ -63,7 +63,7 @@ void tell(const char* what, const FitResult& r) {
 void expect_truth(const FitResult& r, double exponent) {
   ASSERT_TRUE(r.curve);
   ASSERT_EQ(r.curve->exponents.size(), 1u);
-  const FittedCurve::Exponent& e = r.curve->exponents[0];
+  const FittedTransferCurve::Exponent& e = r.curve->exponents[0];
   EXPECT_FALSE(e.undetermined);
   EXPECT_FALSE(e.at_limit);
   // Three standard deviations: two numbers of each of two photographs, 1 % by chance.
@@ -73,12 +73,12 @@ void expect_truth(const FitResult& r, double exponent) {
   EXPECT_NEAR(r.parameters[0].value, kEnergy, 3.0 * *r.parameters[0].sigma);
 }
 
-TEST(CurveFit, FindsACurveThatIsNotSrgb) {
+TEST(TransferCurveFit, FindsACurveThatIsNotSrgb) {
   const sim::Scene start = start_of(true_scene(), {"sheet.main.energy_kev"});
   Photo photo = photo_by({1.6, 1.6});
   const FitResult wrong = fit_photo(start, photo, {});
   tell("1.6 as sRGB", wrong);
-  const FitResult found = fit_photo_and_curve(start, photo, {});
+  const FitResult found = fit_photo_and_transfer_curve(start, photo, {});
   tell("1.6 unknown", found);
   expect_truth(found, 1.6);
   // As sRGB the model explains less (a chi2 of four times as much), and the energy is further off.
@@ -95,37 +95,37 @@ TEST(CurveFit, FindsACurveThatIsNotSrgb) {
   EXPECT_EQ(found.derived.back().value, found.curve->exponents[0].value);
 }
 
-TEST(CurveFit, OfSrgbFindsSrgbAndWiderErrorBars) {
+TEST(TransferCurveFit, OfSrgbFindsSrgbAndWiderErrorBars) {
   const sim::Scene start = start_of(true_scene());
   Photo photo = photo_by({});
   const FitResult known = fit_photo(start, photo, {});
   tell("sRGB known", known);
-  const FitResult found = fit_photo_and_curve(start, photo, {});
+  const FitResult found = fit_photo_and_transfer_curve(start, photo, {});
   tell("sRGB unknown", found);
   expect_truth(found, 1.0);
   EXPECT_GT(*found.parameters[0].sigma, *known.parameters[0].sigma);
 }
 
-TEST(CurveFit, IsTheSameForAnyNumberOfThreads) {
+TEST(TransferCurveFit, IsTheSameForAnyNumberOfThreads) {
   const sim::Scene start = start_of(true_scene());
   Photo one = photo_by({1.2, 1.2}), two = one;
   FitOptions options;
   options.threads = 1;
-  const FitResult a = fit_photo_and_curve(start, one, options);
+  const FitResult a = fit_photo_and_transfer_curve(start, one, options);
   options.threads = 2;
-  const FitResult b = fit_photo_and_curve(start, two, options);
+  const FitResult b = fit_photo_and_transfer_curve(start, two, options);
   EXPECT_EQ(a.curve->trials, b.curve->trials);
   EXPECT_EQ(a.parameters[0].value, b.parameters[0].value);
   EXPECT_EQ(a.parameters[0].sigma, b.parameters[0].sigma);
   EXPECT_EQ(one.decoding, two.decoding);
 }
 
-TEST(CurveFit, RefusesWhatItCannotWeigh) {
+TEST(TransferCurveFit, RefusesWhatItCannotWeigh) {
   const Photo photo = photo_by({});
   const auto refused = [&](const sim::Scene& scene, const FitOptions& options, const std::string& key) {
     Photo copy = photo;
     try {
-      fit_photo_and_curve(scene, copy, options);
+      fit_photo_and_transfer_curve(scene, copy, options);
       ADD_FAILURE() << "not refused: " << key;
     } catch (const sim::Error& error) {
       EXPECT_NE(error.details().key.find(key), std::string::npos) << error.details().key;
@@ -147,4 +147,4 @@ TEST(CurveFit, RefusesWhatItCannotWeigh) {
 }
 
 }  // namespace
-}  // namespace vegard::fit::curve_fit_test
+}  // namespace vegard::fit::transfer_curve_fit_test
