@@ -70,7 +70,7 @@ struct TiedNumber {
 };
 
 /// A transfer curve that was unknown, found together with the scene (fit/transfer_curve_fit.h): exponents
-/// over sRGB's light (sim/view/sensor/transfer_curve.h).
+/// over sRGB's light (sim/view/sensor/tone_curve.h).
 struct FittedTransferCurve {
   struct Exponent {
     std::string name;  ///< "of all light", "at black", "at white"
