@@ -48,6 +48,36 @@ if "$checker" "$tree" >"$tree.log" 2>&1; then
   echo "not found in fit/parameters"
   failures=$((failures + 1))
 fi
+rm "$tree/fit/parameters/two.cpp"
+
+# judge_scene refuses|accepts LINE: the line alone in a file of the scene
+mkdir -p "$tree/sim/scene/table"
+judge_scene() {
+  printf '%s\n' "$2" >"$tree/sim/scene/table/one.cpp"
+  local found=refuses
+  "$checker" "$tree" >"$tree.log" 2>&1 && found=accepts
+  if [[ $found != "$1" ]]; then
+    echo "$found in sim/scene, and should not: $2"
+    failures=$((failures + 1))
+  elif [[ $1 == refuses ]] && ! grep -qF sim/scene/table/one.cpp:1 "$tree.log"; then
+    echo "found, but not under its name: $2"
+    failures=$((failures + 1))
+  fi
+}
+
+judge_scene accepts 'refuse({"energy_kev is below 0", "a number above 0", ""}, "energy_kev");'
+judge_scene accepts 'complain(complaint, {scene.file, 0, "camera.k1"});'
+judge_scene accepts 'if (response == "cie") return;'
+judge_scene accepts '// as in key == "energy_kev"'
+judge_scene refuses 'if (path.row->key == "energy_kev") return;'
+judge_scene refuses 'if (key != "profile") return;  // a key that is never free'
+judge_scene refuses 'return "k1" == key;'
+judge_scene refuses 'if (path.text == "camera.k1") return;'
+judge_scene refuses 'if (is_one_of(key, {"center_km", "width"})) return;'
+judge_scene refuses 'static const std::set<std::string> kOfSine = {"center_km",'
+judge_scene refuses 'if (key.rfind("k1", 0) == 0) return;'
+rm "$tree/sim/scene/table/one.cpp"
+
 if "$checker" "$tree/fit" >"$tree.log" 2>&1; then
   echo "a tree without rows is accepted"
   failures=$((failures + 1))

@@ -270,19 +270,21 @@ void check_sky_time(const Scene& scene, const std::string& what, const Origin& o
 /// What goes by the real sky or the real field needs a time and a place.
 /// (igrf_year() asks for the time.)
 void check_time_and_place(const Scene& scene) {
-  const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
+  const auto needs_place = [&](const std::string& key, bool is_set, const std::string& what) {
     if (!is_set) return;
-    const Origin origin{scene.file, 0, key};
-    if (key != "field.model") check_sky_time(scene, what, origin);
     for (const bool is_latitude : {true, false})
       if (!(is_latitude ? is_latitude_given(scene) : is_longitude_given(scene))) {
         const std::string of_place = is_latitude ? "latitude" : "longitude";
         complain({what + " by the site's " + of_place + ", which is not given",
                   "site.latitude_deg and site.longitude_deg, east positive", ""},
-                 origin);
+                 {scene.file, 0, key});
       }
   };
-  needs("field.model", scene.field.model == FieldModel::igrf, "the reference field (\"igrf\") goes");
+  const auto needs = [&](const std::string& key, bool is_set, const std::string& what) {
+    if (is_set) check_sky_time(scene, what, {scene.file, 0, key});
+    needs_place(key, is_set, what);
+  };
+  needs_place("field.model", scene.field.model == FieldModel::igrf, "the reference field (\"igrf\") goes");
   needs("stars.source", scene.stars.shown && scene.stars.source == StarSource::catalogue,
         "the catalogue's stars are placed in the sky");
   needs("stars.planets", scene.stars.planets, "planets are placed in the sky");

@@ -5,14 +5,13 @@
 #include "sim/base/number/constants.h"
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 
 namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value Bundle::*value) {
+Row<Bundle> row(const char* key, Value Bundle::*value) {
   return Row("bundle", key, &Scene::bundles, value);
 }
 
@@ -33,13 +32,14 @@ std::vector<Declaration> bundle_rows() {
       row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),
       row("density_falloff", &B::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a line, as of a loop's strand"),
       row("filaments", &B::filaments).within(0, 10000).means("number of places that feet gather at; 0: none"),
-      row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("gathering of feet: 0 none, 1 complete"),
+      row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("gathering of feet: 0 none, 1 complete")
+          .inert_if([](const B& b) { return b.filaments == 0; }, "the bundle has no filaments", "give it filaments"),
       row("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       row("highest_latitude_deg", &B::highest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       row("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("largest distance of feet from the limb; 90: anywhere"),
       row("rayleigh", &B::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line"),
-      row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none"),
+      responding(row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none")),
   };
   // clang-format on
 }
@@ -69,16 +69,6 @@ void check_bundles(const Scene& scene) {
   for (const Bundle& bundle : scene.bundles) check_the_bundle(scene, bundle);
 }
 
-std::optional<Complaint> why_bundle_inert(const Scene& scene, const ParameterPath& path) {
-  if (path.row->table != "bundle") return std::nullopt;
-  const Bundle& b = scene.bundles[static_cast<std::size_t>(path.element)];
-  const std::string& key = path.row->key;
-  if (key == "filament_pull" && b.filaments == 0)
-    return inert("the bundle has no filaments", key, "give it filaments");
-  if (key == "temperature_mk") return why_temperature_inert(scene, b.temperature_mk);
-  return std::nullopt;
-}
-
 }  // namespace
 
 EmitterKind bundle_kind() {
@@ -89,7 +79,6 @@ EmitterKind bundle_kind() {
   kind.light = LightKind::sun;
   kind.check = check_bundles;
   kind.moves = turns_with_sun;
-  kind.why_inert = why_bundle_inert;
   kind.place_in_preview = 5;
   return kind;
 }

@@ -1,14 +1,26 @@
 // [[chromosphere]]: noise between two concentric spheres of the Sun.
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 
 namespace vegard::sim {
 namespace {
 
+/// Whether it neither shines nor absorbs, nor is fitted to.
+bool is_unseen(const Chromosphere& c, const Scene& scene) {
+  const std::string path = "chromosphere." + c.name + ".";
+  return all_zero(c.rayleigh) && !frees(scene, path + "rayleigh") && c.extinction == 0.0 &&
+         !frees(scene, path + "extinction");
+}
+
+/// A row whose number has no effect where nothing is seen, after what its own rule says.
+Row<Chromosphere> seen(Row<Chromosphere> row) {
+  return row.inert_if(is_unseen, "the chromosphere neither shines nor absorbs",
+                      "give it rayleigh or extinction");
+}
+
 template <class Value>
-Row row(const char* key, Value Chromosphere::*value) {
+Row<Chromosphere> row(const char* key, Value Chromosphere::*value) {
   return Row("chromosphere", key, &Scene::chromospheres, value);
 }
 
@@ -16,23 +28,28 @@ std::vector<Declaration> chromosphere_rows() {
   using C = Chromosphere;
   // clang-format off
   return {
-      row("name", &C::name).means("name in paths"),
-      row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km"),
-      row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it"),
-      row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves (ω)"),
-      row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence"),
-      row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules"),
-      row("shift", &C::shift).as(ParameterRole::granule_shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves"),
-      row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude (1 - exp(-(x - coverage) sharpness)))"),
-      row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("rate at which the cutoff approaches its amplitude"),
-      row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("density that the cutoff approaches"),
-      row("biasmap", &C::biasmap).names_file().means("equirectangular picture, north up, relative to the scene's file; empty: none"),
-      row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density added where biasmap is white"),
-      row("cutoff", &C::cutoff).means("false: the density is the turbulence as it is"),
+      seen(row("name", &C::name).means("name in paths")),
+      seen(row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km")),
+      seen(row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it")),
+      seen(row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves (ω)")
+          .inert_if([](const C& c) { return c.octaves == 1; }, "the turbulence has one octave", "give it more octaves")),
+      seen(row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence")),
+      seen(row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules")),
+      seen(row("shift", &C::shift).as(ParameterRole::granule_shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves")),
+      seen(row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude (1 - exp(-(x - coverage) sharpness)))")
+          .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
+      seen(row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("rate at which the cutoff approaches its amplitude")
+          .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
+      seen(row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("density that the cutoff approaches")
+          .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
+      seen(row("biasmap", &C::biasmap).names_file().means("equirectangular picture, north up, relative to the scene's file; empty: none")),
+      seen(row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density added where biasmap is white")
+          .inert_if([](const C& c) { return c.biasmap.empty(); }, "the chromosphere has no map", "name a biasmap")),
+      seen(row("cutoff", &C::cutoff).means("false: the density is the turbulence as it is")),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line; empty: dark"),
       row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("extinction of density 1 per unit of path"),
-      row("step", &C::step).within(1e-3, 1e6).means("step of the march"),
+      seen(row("step", &C::step).within(1e-3, 1e6).means("step of the march")),
   };
   // clang-format on
 }
@@ -56,23 +73,6 @@ void check_chromospheres(const Scene& scene) {
   for (const Chromosphere& chromosphere : scene.chromospheres) check_the_chromosphere(scene, chromosphere);
 }
 
-std::optional<Complaint> why_chromosphere_inert(const Scene& scene, const ParameterPath& parameter) {
-  if (parameter.row->table != "chromosphere") return std::nullopt;
-  const Chromosphere& c = scene.chromospheres[static_cast<std::size_t>(parameter.element)];
-  const std::string& key = parameter.row->key;
-  if (key == "peak" && c.biasmap.empty()) return inert("the chromosphere has no map", key, "name a biasmap");
-  if (!c.cutoff && is_one_of(key, {"coverage", "sharpness", "amplitude"}))
-    return inert("the chromosphere has no cutoff", key, "set cutoff = true");
-  if (key == "roughness" && c.octaves == 1)
-    return inert("the turbulence has one octave", key, "give it more octaves");
-  const std::string path = "chromosphere." + c.name + ".";
-  const bool is_dark = all_zero(c.rayleigh) && !frees(scene, path + "rayleigh"),
-             is_clear = c.extinction == 0.0 && !frees(scene, path + "extinction");
-  if (is_dark && is_clear && !is_one_of(key, {"rayleigh", "extinction"}))
-    return inert("the chromosphere neither shines nor absorbs", key, "give it rayleigh or extinction");
-  return std::nullopt;
-}
-
 std::vector<PictureOfScene> pictures_of_chromospheres(const Scene& scene) {
   std::vector<PictureOfScene> all;
   for (const Chromosphere& c : scene.chromospheres)
@@ -90,7 +90,6 @@ EmitterKind chromosphere_kind() {
   kind.light = LightKind::sun;
   kind.check = check_chromospheres;
   kind.moves = turns_with_sun;
-  kind.why_inert = why_chromosphere_inert;
   kind.pictures = pictures_of_chromospheres;
   kind.place_in_preview = 3;
   return kind;

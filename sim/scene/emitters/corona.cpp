@@ -3,32 +3,34 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/row.h"
 
 namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value Corona::*value) {
+Row<Corona> row(const char* key, Value Corona::*value) {
   return Row("corona", key, &Scene::coronae, value);
 }
 
-std::string name_by_term(const Scene&, int, int index) { return std::to_string(index); }
-
 std::vector<Declaration> corona_rows() {
   using C = Corona;
+  const auto has_no_share = [](const C& c, const Scene& scene, const ParameterPath& path) {
+    const auto term = static_cast<std::size_t>(std::max(0, path.component));
+    return term < c.share.size() && c.share[term] == 0.0 && !frees(scene, "corona." + c.name + ".share");
+  };
   // clang-format off
   return {
       row("name", &C::name).means("name in paths"),
       row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density at the photosphere if shares add up to 1: density (Σ share (r / R)^-power)"),
-      row("share", &C::share).of({"<n>"}).named_by(name_by_term).within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
-      row("power", &C::power).of({"<n>"}).named_by(name_by_term).within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
+      row("share", &C::share).numbered().within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
+      row("power", &C::power).numbered().within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms")
+          .inert_if(has_no_share, "its share is 0", "give it a share"),
       row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("ratio of the density over the poles to that over the equator (sin² of latitude between)"),
       row("reach", &C::reach).within(1.001, 1000).means("its end, in radii of the photosphere"),
       row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density, as its square (collisions), or scattered from the photosphere (Thomson)"),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line; scattered light: at the photosphere"),
-      row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none"),
+      responding(row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none")),
   };
   // clang-format on
 }
@@ -48,18 +50,6 @@ void check_coronae(const Scene& scene) {
   for (const Corona& corona : scene.coronae) check_the_corona(scene, corona);
 }
 
-std::optional<Complaint> why_corona_inert(const Scene& scene, const ParameterPath& path) {
-  if (path.row->table != "corona") return std::nullopt;
-  const Corona& c = scene.coronae[static_cast<std::size_t>(path.element)];
-  const std::string& key = path.row->key;
-  const auto term = static_cast<std::size_t>(std::max(0, path.component));
-  if (key == "power" && term < c.share.size() && c.share[term] == 0.0 &&
-      !frees(scene, "corona." + c.name + ".share"))
-    return inert("its share is 0", key, "give it a share");
-  if (key == "temperature_mk") return why_temperature_inert(scene, c.temperature_mk);
-  return std::nullopt;
-}
-
 OnSun coronae_on_sun(const Scene& scene) {
   if (!scene.sun.shown || scene.coronae.empty()) return OnSun::nothing;
   const bool has_poles = std::any_of(scene.coronae.begin(), scene.coronae.end(), [&](const Corona& c) {
@@ -77,7 +67,6 @@ EmitterKind corona_kind() {
   kind.rows = corona_rows;
   kind.light = LightKind::sun;
   kind.check = check_coronae;
-  kind.why_inert = why_corona_inert;
   kind.on_sun = coronae_on_sun;
   kind.place_in_preview = 4;
   return kind;

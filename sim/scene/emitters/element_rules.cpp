@@ -39,10 +39,6 @@ std::string word_in(const std::vector<Declaration>& rows, const std::type_info& 
   return {};
 }
 
-bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 bool all_zero(const std::vector<double>& list) {
   return std::all_of(list.begin(), list.end(), [](double x) { return x == 0.0; });
 }
@@ -53,23 +49,14 @@ bool frees(const Scene& scene, const std::string& path) {
   });
 }
 
-Complaint inert(const std::string& what, const std::string& key, const std::string& hint) {
-  return {what + ", so " + key + " has no effect", "a parameter that the light depends on",
-          "leave it out of fit.free, or " + hint, -1, true};
-}
-
 bool turns_with_sun(const Scene& scene) {
   return scene.sun.shown && scene.sun.rotation != SolarRotation::none;
 }
 
-std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk) {
-  if (temperature_mk == 0.0)
-    return inert("the light is that of any temperature", "temperature_mk", "set it above 0");
+bool any_line_responds(const Scene& scene) {
   const std::vector<double>& lines = scene.emission.lines;
-  if (std::any_of(lines.begin(), lines.end(), [](double nm) { return temperature_response(nm).has_value(); }))
-    return std::nullopt;
-  return inert("no emission line has a response to the temperature", "temperature_mk",
-               "name a line of the corona in emission.lines");
+  return std::any_of(lines.begin(), lines.end(),
+                     [](double nm) { return temperature_response(nm).has_value(); });
 }
 
 }  // namespace vegard::sim

@@ -3,15 +3,13 @@
 // For the files of this folder, and for kinds of emitters that a program adds.
 #pragma once
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <typeinfo>
 #include <vector>
 
 #include "sim/scene/rows/complaint.h"
-#include "sim/scene/rows/declaration.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/rows/row.h"
 
 namespace vegard::sim {
 
@@ -41,19 +39,27 @@ std::string word_in(const std::vector<Declaration>& rows, Kind kind) {
   return word_in(rows, typeid(Kind), static_cast<int>(kind));
 }
 
-bool is_one_of(const std::string& word, std::initializer_list<const char*> words);
 bool all_zero(const std::vector<double>& list);
 
 /// True if fit.free names this path or one of its components.
 bool frees(const Scene& scene, const std::string& path);
 
-/// Returns the complaint "WHAT, so KEY has no effect".
-Complaint inert(const std::string& what, const std::string& key, const std::string& hint);
+/// True if a line of the scene has a response to temperature.
+bool any_line_responds(const Scene& scene);
 
 /// True if objects on the Sun rotate with it as the scene's clock runs.
 bool turns_with_sun(const Scene& scene);
 
-/// Returns a complaint if the temperature is 0 or no line of the scene responds to a temperature.
-std::optional<Complaint> why_temperature_inert(const Scene& scene, double temperature_mk);
+/// Gives a row `temperature_mk` the rule that the temperature is above 0 and a line of the scene responds to
+/// it.
+template <class Owner>
+Row<Owner> responding(Row<Owner> row) {
+  return row
+      .inert_if([](const Owner& owner) { return owner.temperature_mk == 0.0; },
+                "the light is that of any temperature", "set it above 0")
+      .inert_if([](const Owner&, const Scene& scene) { return !any_line_responds(scene); },
+                "no emission line has a response to the temperature",
+                "name a line of the corona in emission.lines");
+}
 
 }  // namespace vegard::sim

@@ -53,10 +53,6 @@ struct EmitterKind {
   /// called for scenes without such elements.
   void (*check)(const Scene&) = nullptr;
 
-  /// Returns a complaint if the light does not depend on a parameter or has no derivative by it. Called for
-  /// every parameter, also of other tables.
-  std::optional<Complaint> (*why_inert)(const Scene&, const ParameterPath&) = nullptr;
-
   /// True if the kind is drawn. Null: if the scene has an element and, for light of the Sun, shows the Sun.
   /// Must not be null for a table that a scene has only once.
   bool (*is_drawn)(const Scene&) = nullptr;

@@ -8,7 +8,6 @@
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/parameter_rules.h"
-#include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint_size.h"
 
@@ -16,11 +15,35 @@ namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value Footprint::*value) {
-  return Row("footprint", key, &Scene::footprints, value);
+Row<Footprint> row(const char* key, Value Footprint::*value) {
+  return Row("footprint", key, &Scene::footprints, value)
+      .none_free_if([](const Footprint& f) { return f.shape == FootprintShape::shell; },
+                    {"the footprint is a shell, whose map has no derivative by {key}",
+                     "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"});
 }
 
-std::string name_by_point(const Scene&, int, int index) { return std::to_string(index); }
+/// A row whose number has an effect on a spline alone.
+Row<Footprint> of_spline(Row<Footprint> row) {
+  return row.inert_if([](const Footprint& f) { return f.source != FootprintSource::spline; },
+                      "the footprint comes from {source}", "set source to \"spline\"");
+}
+Row<Footprint> of_still_spline(const Row<Footprint>& row) {
+  return of_spline(row).not_free_if(
+      [](const Footprint& f) { return f.model != FootprintModel::curtain && flows(f); },
+      {"the flow that winds the footprint up depends on {key}, and its derivative is not known",
+       "a footprint that does not flow, or a number that its flow does not depend on",
+       "set flow_turns = 0, or leave it out of fit.free"});
+}
+
+/// A row whose number has no effect where the source has place, energy and flux of its own.
+Row<Footprint> not_of_source(Row<Footprint> row) {
+  return row
+      .inert_if([](const Footprint& f) { return f.source == FootprintSource::precipitation; },
+                "place, energy and flux are those of the map of precipitation",
+                "free a sheet that follows the map's curtains")
+      .inert_if([](const Footprint& f) { return f.source == FootprintSource::sheets; },
+                "feet, energy and flux are those of the sheets", "free the sheets' own numbers");
+}
 
 std::vector<Declaration> footprint_rows() {
   using F = Footprint;
@@ -35,23 +58,23 @@ std::vector<Declaration> footprint_rows() {
           .means("origin of the footprint: a curve, a picture, six faces of a cube, the scene's sheets (then not drawn as beams), fractal noise, or a map by vegard map"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
           .means("along the scene's field or straight down (as always of a shell in a uniform field)"),
-      row("center_km", &F::center_km).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      not_of_source(row("center_km", &F::center_km)).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
           .means("extent of a box"),
       row("cell_km", &F::cell_km).in("km").within(0.01, 100).means("edge of a cell of a box's footprint"),
       row("face_cells", &F::face_cells).within(16, 8192)
           .means("cells along an edge of each cube face of a shell"),
-      row("east_km", &F::east_km).called("east of point").as(ParameterRole::footprint_east).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      of_still_spline(row("east_km", &F::east_km)).called("east of point").as(ParameterRole::footprint_east).numbered().in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("points of a box's spline, east of its middle"),
-      row("north_km", &F::north_km).called("north of point").as(ParameterRole::footprint_north).of({"<n>"}).named_by(name_by_point).in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
+      of_still_spline(row("north_km", &F::north_km)).called("north of point").as(ParameterRole::footprint_north).numbered().in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
-      row("latitude_deg", &F::latitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-90, 90)
+      row("latitude_deg", &F::latitude_deg).numbered().in("deg").within(-90, 90)
           .means("points of a shell's spline: geographic latitude"),
-      row("longitude_deg", &F::longitude_deg).of({"<n>"}).named_by(name_by_point).in("deg").within(-360, 720)
+      row("longitude_deg", &F::longitude_deg).numbered().in("deg").within(-360, 720)
           .means("the same: longitude, east positive"),
       row("closed", &F::closed).means("the spline's last point is followed by its first"),
-      row("width_km", &F::width_km).in("km").within(0.01, 1000).may_be_free(ParameterScale::logarithmic)
+      of_still_spline(row("width_km", &F::width_km)).in("km").within(0.01, 1000).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of the Gaussian across the spline"),
       row("image", &F::image).names_file()
           .means("picture, relative to the scene's file: north up for a box, equirectangular for a shell, \"NAME_{face}.png\" for a cube (docs/volumes.md)"),
@@ -59,9 +82,9 @@ std::vector<Declaration> footprint_rows() {
       row("energy_image", &F::energy_image).names_file().means("picture of the energy, of the same extent; empty: uniform"),
       row("energy_ratio", &F::energy_ratio).within(0.01, 100)
           .means("ratio of the energy at white to energy_kev at black of energy_image, logarithmic between"),
-      row("point_energy", &F::point_energy).called("energy of point").of({"<n>"}).named_by(name_by_point).within(0.05, 20).may_be_free(ParameterScale::logarithmic)
+      of_spline(row("point_energy", &F::point_energy)).called("energy of point").numbered().within(0.05, 20).may_be_free(ParameterScale::logarithmic)
           .means("energy at the spline's points relative to energy_kev; empty: 1"),
-      row("point_flux", &F::point_flux).called("energy flux of point").of({"<n>"}).named_by(name_by_point).within(0, 1000).may_be_free(ParameterScale::linear)
+      of_still_spline(row("point_flux", &F::point_flux)).called("energy flux of point").numbered().within(0, 1000).may_be_free(ParameterScale::linear)
           .means("energy flux at the spline's points relative to energy_flux_mw_m2; empty: 1"),
       row("file", &F::file).names_file()
           .means("for \"precipitation\": FITS map by vegard map, relative to the scene's file (docs/volumes.md)"),
@@ -86,9 +109,9 @@ std::vector<Declaration> footprint_rows() {
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
       row("low_km", &F::low_km).in("km").within(80, 640).means("altitude of low_colour and below"),
       row("high_km", &F::high_km).in("km").within(80, 640).means("altitude of high_colour and above"),
-      row("energy_kev", &F::energy_kev).as(ParameterRole::footprint_energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+      not_of_source(Row("footprint", "energy_kev", &Scene::footprints, &F::energy_kev)).as(ParameterRole::footprint_energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("characteristic energy of the electrons, as a sheet's"),
-      row("energy_flux_mw_m2", &F::energy_flux_mw_m2).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
+      not_of_source(row("energy_flux_mw_m2", &F::energy_flux_mw_m2)).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q at the spline, or where the picture is white"),
       row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"layer", ProfileKind::layer}})
           .means("light against altitude: of a spectrum of electrons, a form, or the layers of [[line]]"),
@@ -229,61 +252,6 @@ void check_footprints(const Scene& scene) {
   for (const Footprint& footprint : scene.footprints) check_the_footprint(scene, footprint);
 }
 
-std::optional<Complaint> of_footprint(const Footprint& f, const std::string& key) {
-  if (f.shape == FootprintShape::shell && !is_one_of(key, {"energy_kev"}))
-    return Complaint{"the footprint is a shell, whose map has no derivative by " + key,
-                     "a number of a footprint of shape \"box\", or energy_kev", "leave it out of fit.free"};
-  const bool of_spline = is_one_of(key, {"east_km", "north_km", "width_km", "point_energy", "point_flux"});
-  if (of_spline && f.source != FootprintSource::spline)
-    return inert("the footprint comes from \"" + word_in(footprint_rows(), f.source) + "\"", key,
-                 "set source to \"spline\"");
-  if (f.model != FootprintModel::curtain && flows(f) &&
-      is_one_of(key, {"east_km", "north_km", "width_km", "point_flux"}))
-    return Complaint{
-        "the flow that winds the footprint up depends on " + key + ", and its derivative is not known",
-        "a footprint that does not flow, or a number that its flow does not depend on",
-        "set flow_turns = 0, or leave it out of fit.free"};
-  if (f.source == FootprintSource::precipitation &&
-      is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
-    return inert("place, energy and flux are those of the map of precipitation", key,
-                 "free a sheet that follows the map's curtains");
-  if (f.source == FootprintSource::sheets && is_one_of(key, {"center_km", "energy_kev", "energy_flux_mw_m2"}))
-    return inert("feet, energy and flux are those of the sheets", key, "free the sheets' own numbers");
-  return std::nullopt;
-}
-
-/// Of a sheet that a footprint is made of.
-std::optional<Complaint> of_sheet_in_footprint(const Scene& scene, const Sheet& sheet,
-                                               const std::string& key) {
-  const bool is_in_one = std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                                     [](const Footprint& f) { return f.source == FootprintSource::sheets; });
-  if (is_in_one && key == "energy_kev" && sheet.brightness_kilorayleigh > 0.0)
-    return Complaint{
-        "the sheet's brightness is given, and how the energy flux of its footprint depends on "
-        "its energy then is not known",
-        "a sheet of given energy_flux_mw_m2",
-        "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of "
-        "fit.free"};
-  const bool any_flows =
-      std::any_of(scene.footprints.begin(), scene.footprints.end(),
-                  [](const Footprint& f) { return f.source == FootprintSource::sheets && flows(f); });
-  // The flow goes by ratios of fluxes, and so not by the flux of a single sheet.
-  if (!any_flows || key == "energy_kev" || (key == "energy_flux_mw_m2" && scene.sheets.size() == 1))
-    return std::nullopt;
-  return Complaint{
-      "the flow that winds the sheets' footprint up depends on " + key + ", and its derivative is not known",
-      "a footprint that does not flow, or a number that its flow does not depend on",
-      "set the footprint's flow_turns = 0, or leave it out of fit.free"};
-}
-
-std::optional<Complaint> why_footprint_inert(const Scene& scene, const ParameterPath& path) {
-  const std::string& table = path.row->table;
-  const auto e = static_cast<std::size_t>(path.element);
-  if (table == "footprint") return of_footprint(scene.footprints[e], path.row->key);
-  if (table == sheet_table) return of_sheet_in_footprint(scene, scene.sheets[e], path.row->key);
-  return std::nullopt;
-}
-
 bool footprints_may_emit(const Scene& scene) {
   return std::any_of(scene.footprints.begin(), scene.footprints.end(), [](const Footprint& f) {
     return f.source == FootprintSource::precipitation || f.energy_flux_mw_m2 > 0.0;
@@ -348,7 +316,6 @@ EmitterKind footprint_kind() {
   kind.rows = footprint_rows;
   kind.light = LightKind::aurora;
   kind.check = check_footprints;
-  kind.why_inert = why_footprint_inert;
   kind.may_emit = footprints_may_emit;
   kind.moves = footprints_move;
   kind.made_of_sheets = footprints_of_sheets;

@@ -6,7 +6,6 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/row.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/node_names.h"
 
@@ -14,13 +13,54 @@ namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value Nebula::*value) {
-  return Row("nebula", key, &Scene::nebulae, value);
+Row<Nebula> row(const char* key, Value Nebula::*value) {
+  return Row("nebula", key, &Scene::nebulae, value)
+      .none_free_if([](const Nebula& n) { return n.method == NebulaMethod::literal; },
+                    {"the literal march makes colours, not light that could be compared",
+                     "a nebula with method = \"physical\"", "leave it out of fit.free"});
+}
+Row<Nebula> of_gas(Row<Nebula> row) {
+  return row.inert_if([](const Nebula& n) { return n.gas.empty(); }, "the nebula has no gas",
+                      "name the node of its gas");
+}
+Row<Nebula> of_light(Row<Nebula> row) {
+  return row.inert_if([](const Nebula& n) { return n.gas.empty() && n.glow.empty(); },
+                      "nothing in the nebula shines", "name the node of its gas");
+}
+Row<Nebula> of_dust(Row<Nebula> row) {
+  return row.inert_if([](const Nebula& n) { return n.dust.empty(); }, "the nebula has no dust",
+                      "name the node of its dust");
+}
+
+/// Names of the nodes that some nebula of the physical march is made of.
+std::set<std::string> nodes_in_use(const Scene& scene) {
+  std::set<std::string> used;
+  const auto visit = [&](const auto& self, const std::string& name) -> void {
+    if (name.empty() || !used.insert(name).second) return;
+    for (const Node& node : scene.nodes)
+      if (node.name == name)
+        for (const std::string& of : node_names(node.of)) self(self, of);
+  };
+  for (const Nebula& nebula : scene.nebulae)
+    if (nebula.method != NebulaMethod::literal)
+      for (const std::string* name : {&nebula.gas, &nebula.glow, &nebula.dust}) visit(visit, *name);
+  return used;
 }
 
 template <class Value>
-Row node(const char* key, Value Node::*value) {
-  return Row("node", key, &Scene::nodes, value);
+Row<Node> node(const char* key, Value Node::*value) {
+  return Row("node", key, &Scene::nodes, value)
+      .none_free_if(
+          [](const Node& n, const Scene& scene) { return nodes_in_use(scene).count(n.name) == 0; },
+          {"no nebula that is marched physically is made of the node",
+           "a parameter that the light depends on", "leave it out of fit.free, or name it in a nebula"});
+}
+
+/// A number that only nodes of these kinds have.
+Row<Node> number_of(const std::vector<NodeKind>& kinds, const char* key, double Node::*value) {
+  return node(key, value)
+      .inert_if([=](const Node& n) { return std::find(kinds.begin(), kinds.end(), n.kind) == kinds.end(); },
+                "the node is of kind {kind}", "free a number that this kind has");
 }
 
 std::vector<Declaration> nebula_rows() {
@@ -41,18 +81,20 @@ std::vector<Declaration> nebula_rows() {
       row("gas", &N::gas).means("node of the gas that shines by lines (and of the literal march); empty: none"),
       row("glow", &N::glow).means("node of a second light; empty: none"),
       row("dust", &N::dust).means("node of what absorbs; empty: none"),
-      row("inner_rayleigh", &N::inner_rayleigh).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+      of_gas(row("inner_rayleigh", &N::inner_rayleigh)).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("light of the gas of density 1 per unit of path and line, near the middle"),
-      row("outer_rayleigh", &N::outer_rayleigh).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
+      of_gas(row("outer_rayleigh", &N::outer_rayleigh)).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("the same far out"),
       row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
-          .means("light of the glow of density 1 per unit of path and line"),
-      row("inner_radius", &N::inner_radius).within(0, 1000).may_be_free(ParameterScale::linear).means("up to this radius inner_rayleigh holds"),
-      row("outer_radius", &N::outer_radius).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("from this radius on outer_rayleigh holds"),
-      row("density_power", &N::density_power).within(0.1, 4).may_be_free(ParameterScale::linear).means("exponent from density to light: 2 for recombination"),
-      row("brightness", &N::brightness).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on all its light"),
-      row("dust_depth", &N::dust_depth).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth of dust of density 1 per unit of path at 550 nm"),
-      row("dust_exponent", &N::dust_exponent).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power"),
+          .means("light of the glow of density 1 per unit of path and line")
+          .inert_if([](const N& n) { return n.glow.empty(); }, "the nebula has no glow", "name the node of its glow"),
+      of_gas(row("inner_radius", &N::inner_radius)).within(0, 1000).may_be_free(ParameterScale::linear).means("up to this radius inner_rayleigh holds"),
+      of_gas(row("outer_radius", &N::outer_radius)).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("from this radius on outer_rayleigh holds"),
+      of_light(row("density_power", &N::density_power)).within(0.1, 4).may_be_free(ParameterScale::linear).means("exponent from density to light: 2 for recombination"),
+      of_light(row("brightness", &N::brightness)).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on all its light"),
+      of_dust(row("dust_depth", &N::dust_depth)).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth of dust of density 1 per unit of path at 550 nm"),
+      of_dust(row("dust_exponent", &N::dust_exponent)).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power")
+          .inert_if([](const N& n, const Scene& scene) { return n.dust_depth == 0.0 && !frees(scene, "nebula." + n.name + ".dust_depth"); }, "its dust has no depth", "give it a dust_depth"),
       row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
       row("literal_colour", &N::literal_colour).one_of<LiteralColour>({{"two", LiteralColour::two}, {"white", LiteralColour::white}})
           .means("light of the literal march: from colour_a to colour_b, or white as in the source"),
@@ -62,6 +104,8 @@ std::vector<Declaration> nebula_rows() {
 }
 
 std::vector<Declaration> node_rows() {
+  using K = NodeKind;
+  const std::vector<K> noise = {K::filaments, K::turbulence, K::warp};
   // clang-format off
   return {
       node("name", &Node::name).means("name for other nodes, nebulae and paths"),
@@ -75,14 +119,14 @@ std::vector<Declaration> node_rows() {
           .means("rotation about these axes, one after the other"),
       node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("stretch along these axes, before any rotation"),
-      node("radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
-      node("thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("thickness of a shell's, slab's or lobes' walls or of a torus's ring"),
-      node("length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("half-length of lobes or a tube"),
-      node("waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
-      node("amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("amplitude of filaments, turbulence and warp"),
-      node("frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("frequency of the noise's largest waves, per unit of length"),
-      node("gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves"),
-      node("blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding length of a union, intersection or difference; 0: sharp"),
+      number_of({K::sphere, K::shell, K::torus, K::tube, K::lobes}, "radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
+      number_of({K::shell, K::slab, K::lobes, K::torus}, "thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("thickness of a shell's, slab's or lobes' walls or of a torus's ring"),
+      number_of({K::lobes, K::tube}, "length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("half-length of lobes or a tube"),
+      number_of({K::lobes}, "waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
+      number_of(noise, "amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("amplitude of filaments, turbulence and warp"),
+      number_of(noise, "frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("frequency of the noise's largest waves, per unit of length"),
+      number_of(noise, "gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves"),
+      number_of({K::unite, K::intersect, K::subtract}, "blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding length of a union, intersection or difference; 0: sharp"),
       node("octaves", &Node::octaves).within(1, 12).means("of noise"),
       node("seed", &Node::seed).within(0, 1e9).means("seed of its noise, with the scene's"),
   };
@@ -185,67 +229,6 @@ void check_nebulae(const Scene& scene) {
   for (const Nebula& nebula : scene.nebulae) check_the_nebula(scene, nebula);
 }
 
-std::optional<Complaint> of_nebula(const Scene& scene, const Nebula& n, const std::string& key) {
-  if (n.method == NebulaMethod::literal)
-    return Complaint{"the literal march makes colours, not light that could be compared",
-                     "a nebula with method = \"physical\"", "leave it out of fit.free"};
-  const bool of_gas = is_one_of(key, {"inner_rayleigh", "outer_rayleigh", "inner_radius", "outer_radius"});
-  if (of_gas && n.gas.empty()) return inert("the nebula has no gas", key, "name the node of its gas");
-  if (key == "glow_rayleigh" && n.glow.empty())
-    return inert("the nebula has no glow", key, "name the node of its glow");
-  if (is_one_of(key, {"brightness", "density_power"}) && n.gas.empty() && n.glow.empty())
-    return inert("nothing in the nebula shines", key, "name the node of its gas");
-  if (is_one_of(key, {"dust_depth", "dust_exponent"}) && n.dust.empty())
-    return inert("the nebula has no dust", key, "name the node of its dust");
-  if (key == "dust_exponent" && n.dust_depth == 0.0 && !frees(scene, "nebula." + n.name + ".dust_depth"))
-    return inert("its dust has no depth", key, "give it a dust_depth");
-  return std::nullopt;
-}
-
-/// Names of the nodes that some nebula of the physical march is made of.
-std::set<std::string> nodes_in_use(const Scene& scene) {
-  std::set<std::string> used;
-  const auto visit = [&](const auto& self, const std::string& name) -> void {
-    if (name.empty() || !used.insert(name).second) return;
-    for (const Node& node : scene.nodes)
-      if (node.name == name)
-        for (const std::string& of : node_names(node.of)) self(self, of);
-  };
-  for (const Nebula& nebula : scene.nebulae)
-    if (nebula.method != NebulaMethod::literal)
-      for (const std::string* name : {&nebula.gas, &nebula.glow, &nebula.dust}) visit(visit, *name);
-  return used;
-}
-
-std::optional<Complaint> of_node(const Scene& scene, const Node& node, const std::string& key) {
-  if (nodes_in_use(scene).count(node.name) == 0)
-    return Complaint{"no nebula that is marched physically is made of the node",
-                     "a parameter that the light depends on",
-                     "leave it out of fit.free, or name it in a nebula"};
-  using K = NodeKind;
-  const auto is_a = [&](std::initializer_list<K> kinds) {
-    return std::find(kinds.begin(), kinds.end(), node.kind) != kinds.end();
-  };
-  const bool is_noise = is_a({K::filaments, K::turbulence, K::warp});
-  const bool counts = key == "radius"      ? is_a({K::sphere, K::shell, K::torus, K::tube, K::lobes})
-                      : key == "thickness" ? is_a({K::shell, K::slab, K::lobes, K::torus})
-                      : key == "length"    ? is_a({K::lobes, K::tube})
-                      : key == "waist"     ? is_a({K::lobes})
-                      : key == "blend"     ? is_a({K::unite, K::intersect, K::subtract})
-                      : key == "amplitude" || key == "frequency" || key == "gain" ? is_noise
-                                                                                  : true;
-  if (counts) return std::nullopt;
-  return inert("the node is of kind \"" + word_in(node_rows(), node.kind) + "\"", key,
-               "free a number that this kind has");
-}
-
-std::optional<Complaint> why_nebula_inert(const Scene& scene, const ParameterPath& path) {
-  const auto e = static_cast<std::size_t>(path.element);
-  if (path.row->table == "nebula") return of_nebula(scene, scene.nebulae[e], path.row->key);
-  if (path.row->table == "node") return of_node(scene, scene.nodes[e], path.row->key);
-  return std::nullopt;
-}
-
 /// The literal march makes a layer of colours of its own.
 bool nebulae_are_drawn(const Scene& scene) {
   return std::any_of(scene.nebulae.begin(), scene.nebulae.end(),
@@ -274,7 +257,6 @@ EmitterKind nebula_kind() {
   kind.rows = rows_of_nebulae_and_nodes;
   kind.light = LightKind::nebula;
   kind.check = check_nebulae;
-  kind.why_inert = why_nebula_inert;
   kind.is_drawn = nebulae_are_drawn;
   kind.may_emit = nebulae_may_emit;
   kind.light_locations = where_nebulae_are;

@@ -3,32 +3,75 @@
 
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/rows/row.h"
 
 namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value Sun::*value) {
-  return Row("sun", key, &Scene::sun, value);
+Row<Sun> row(const char* key, Value Sun::*value) {
+  return Row("sun", key, &Scene::sun, value)
+      .inert_if([](const Sun& sun) { return !sun.shown; }, "the Sun is not in the scene",
+                "set sun.shown = true");
+}
+
+/// What the light of a lamp is worked out from is known by its value alone: the Sun's own light for every
+/// volume that it lights, its place for those about the site.
+std::optional<Complaint> why_lamp_unknown(const Scene& scene, bool is_place) {
+  for (const Volume& volume : scene.volumes)
+    if (volume.lamp == VolumeLamp::sun && (!is_place || volume.frame == VolumeFrame::site))
+      return Complaint{
+          "the Sun lights the volume '" + volume.name + "', whose derivative by {key} is not known",
+          "another number", "leave it out of fit.free, or set the volume's lamp to another"};
+  return std::nullopt;
+}
+std::optional<Complaint> why_light_unknown(const Sun&, const Scene& scene) {
+  return why_lamp_unknown(scene, false);
+}
+std::optional<Complaint> why_place_unknown(const Sun&, const Scene& scene) {
+  return why_lamp_unknown(scene, true);
+}
+
+bool is_photosphere_unseen(const Sun& sun, const Scene& scene) {
+  const bool scatters = std::any_of(scene.coronae.begin(), scene.coronae.end(),
+                                    [](const Corona& c) { return c.light == CoronaLight::scattered; });
+  return !scatters && all_zero(sun.photosphere_rayleigh) && !frees(scene, "sun.photosphere_rayleigh");
+}
+
+/// The least symmetry under rotation of what stands on the Sun.
+OnSun least_alike(const Scene& scene) {
+  OnSun least = OnSun::nothing;
+  for (const EmitterKind& kind : emitter_kinds()) least = std::max(least, what_is_on_sun(kind, scene));
+  return least;
 }
 
 std::vector<Declaration> sun_rows() {
+  const char* const same_from_all_sides = "what shines on the Sun is alike all round";
   // clang-format off
   return {
       row("shown", &Sun::shown).means("whether the Sun and all on it are in the scene"),
-      row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
-      row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
-      row("distance_km", &Sun::distance_km).in("km").within(1, 1e12).may_be_free(ParameterScale::logarithmic).means("distance of its middle"),
-      row("position_angle_deg", &Sun::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation of its north pole as seen by the observer (P)"),
-      row("latitude_deg", &Sun::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic latitude of the middle of its disc (B0)"),
-      row("longitude_deg", &Sun::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("heliographic longitude of the middle of its disc (L0), westwards"),
+      row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east")
+          .not_free_if(why_place_unknown),
+      row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon")
+          .not_free_if(why_place_unknown),
+      row("distance_km", &Sun::distance_km).in("km").within(1, 1e12).may_be_free(ParameterScale::logarithmic).means("distance of its middle")
+          .not_free_if(why_place_unknown),
+      row("position_angle_deg", &Sun::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation of its north pole as seen by the observer (P)")
+          .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::alike_about_axis; }, same_from_all_sides, "set something on it"),
+      row("latitude_deg", &Sun::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic latitude of the middle of its disc (B0)")
+          .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::alike_about_axis; }, same_from_all_sides, "set something on it"),
+      row("longitude_deg", &Sun::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("heliographic longitude of the middle of its disc (L0), westwards")
+          .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::uneven; }, same_from_all_sides, "set something on it"),
       row("unit_km", &Sun::unit_km).in("km").within(1e-3, 1e9).means("unit of all lengths on the Sun"),
       row("radius", &Sun::radius).within(1e-3, 1e9).means("radius of the photosphere"),
       row("photosphere_rayleigh", &Sun::photosphere_rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
-          .means("light at the middle of the disc, per line; empty: dark"),
-      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)²; 0: uniform"),
-      row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law"),
+          .means("light at the middle of the disc, per line; empty: dark")
+          .not_free_if(why_light_unknown),
+      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)²; 0: uniform")
+          .not_free_if(why_light_unknown)
+          .inert_if(is_photosphere_unseen, "the photosphere is dark", "give it sun.photosphere_rayleigh"),
+      row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law")
+          .not_free_if(why_light_unknown)
+          .inert_if(is_photosphere_unseen, "the photosphere is dark", "give it sun.photosphere_rayleigh"),
       row("rotation", &Sun::rotation).one_of<SolarRotation>({{"none", SolarRotation::none}, {"rigid", SolarRotation::rigid}, {"differential", SolarRotation::differential}})
           .means("rotation with the scene's clock (docs/corona/time.md): none; at Carrington's rate; or slower towards the poles"),
       row("rotation_frame", &Sun::rotation_frame).one_of<RotationFrame>({{"synodic", RotationFrame::synodic}, {"sidereal", RotationFrame::sidereal}})
@@ -50,25 +93,6 @@ void check_sun(const Scene& scene) {
                  "distance_km");
 }
 
-std::optional<Complaint> why_sun_inert(const Scene& scene, const ParameterPath& path) {
-  if (path.row->table != "sun") return std::nullopt;
-  const std::string& key = path.row->key;
-  if (!scene.sun.shown) return inert("the Sun is not in the scene", key, "set sun.shown = true");
-  const bool scatters = std::any_of(scene.coronae.begin(), scene.coronae.end(),
-                                    [](const Corona& c) { return c.light == CoronaLight::scattered; });
-  if (is_one_of(key, {"limb_darkening", "limb_darkening_square"}) && !scatters &&
-      all_zero(scene.sun.photosphere_rayleigh) && !frees(scene, "sun.photosphere_rayleigh"))
-    return inert("the photosphere is dark", key, "give it sun.photosphere_rayleigh");
-  // What is alike all round looks the same from all sides.
-  OnSun least_alike = OnSun::nothing;
-  for (const EmitterKind& kind : emitter_kinds())
-    least_alike = std::max(least_alike, what_is_on_sun(kind, scene));
-  if ((key == "longitude_deg" && least_alike < OnSun::uneven) ||
-      (is_one_of(key, {"position_angle_deg", "latitude_deg"}) && least_alike < OnSun::alike_about_axis))
-    return inert("what shines on the Sun is alike all round", key, "set something on it");
-  return std::nullopt;
-}
-
 bool sun_is_shown(const Scene& scene) { return scene.sun.shown; }
 
 /// The photosphere is what the others stand on.
@@ -88,7 +112,6 @@ EmitterKind sun_kind() {
   kind.light = LightKind::sun;
   kind.is_drawn = sun_is_shown;
   kind.check = check_sun;
-  kind.why_inert = why_sun_inert;
   kind.on_sun = photosphere_on_sun;
   kind.light_locations = where_sun_are;
   kind.spoken = "Sun";

@@ -12,8 +12,6 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kCatalogueEnds_mag = 6.0;  // data/stars/README.md
-
 /// The same sheets by name and form, and nothing else.
 Scene unsaid(const Scene& scene) {
   std::string text;
@@ -35,27 +33,6 @@ std::optional<int> line_that_sets(const Scene& scene, const ParameterPath& path)
   return std::nullopt;
 }
 
-std::string problem_of(const Scene& scene, const ParameterPath& path) {
-  const std::string& table = path.row->table;
-  const std::string& key = path.row->key;
-  if (table == "blur" && key == "kernel" && scene.blur.model == BlurModel::physical)
-    return "the blur is physical, so kernel has no effect";
-  if (table == "blur" && key == "wind_m_s" && scene.blur.model == BlurModel::angle)
-    return "the blur is by angle, so the wind has no effect";
-  if (path.sheet() >= 0 && key == "energy_kev" &&
-      scene.sheets[static_cast<std::size_t>(path.sheet())].profile == ProfileKind::form)
-    return "the heights of the light are those of a form's curve (peak_km, lower_km, upper_km), so "
-           "energy_kev sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has "
-           "heights by energy";
-  if (table == "stars" && key == "faintest_magnitude" && scene.stars.source == StarSource::catalogue &&
-      scene.stars.faintest_magnitude > kCatalogueEnds_mag)
-    return "the catalogue's stars end at V = 6, so none that is fainter is "
-           "shown; stars.source = \"random\" "
-           "has them";
-  const auto complaint = inert_number_complaint(scene, path);
-  return complaint ? complaint->problem : std::string();
-}
-
 }  // namespace
 
 std::vector<std::string> inert_keys(const Scene& scene) {
@@ -65,11 +42,11 @@ std::vector<std::string> inert_keys(const Scene& scene) {
   for (const ParameterPath& path : all_paths(scene)) {
     const std::optional<int> line = line_that_sets(scene, path);
     if (!line) continue;
-    const std::string problem = problem_of(scene, path);
-    if (problem.empty()) continue;
+    const auto complaint = inert_number_complaint(scene, path);
+    if (!complaint) continue;
     if (index_in(plain, path.id) >= 0 && value_text(scene, path) == value_text(plain, path)) continue;
     // All components of a list are reported at once.
-    found.emplace(std::pair{*line, problem}, path.text);
+    found.emplace(std::pair{*line, complaint->problem}, path.text);
   }
   std::vector<std::string> told;
   for (const auto& [place, text] : found)

@@ -11,7 +11,8 @@ namespace vegard::sim {
 /// it, another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path);
 
-/// Returns a complaint about a parameter that nothing depends on, whether it is fitted or not; else nothing.
+/// Returns a complaint about a number that was set although nothing, or less than its name says, depends on
+/// it; else nothing.
 std::optional<Complaint> inert_number_complaint(const Scene& scene, const ParameterPath& path);
 
 }  // namespace vegard::sim

@@ -8,8 +8,7 @@ namespace vegard::sim {
 /// What is wrong with a value, without the place of the value.
 struct Complaint {
   std::string problem, expected, hint;
-  int element = -1;       ///< index of the wrong number in a list, if there is only one
-  bool is_inert = false;  ///< nothing depends on the parameter, free or not
+  int element = -1;  ///< index of the wrong number in a list, if there is only one
 };
 
 /// The place of a value, for messages.

@@ -46,6 +46,7 @@ enum class ParameterRole {
   profile_coefficient,  ///< of a free-form profile
   curve_east,           ///< of a point of its curve
   curve_north,
+  curve_brightness,
   // of the magnetic field
   inclination,
   declination,
@@ -173,6 +174,21 @@ using ValueRef = std::variant<double*, int*, std::uint64_t*, bool*, std::string*
 /// A key and its value as TOML text.
 using KeyAndText = std::pair<std::string, std::string>;
 
+/// Who hears that a number has no effect with the scene's other settings.
+enum class InertUse {
+  always,         ///< nothing depends on it: who sets it, and who frees it
+  if_free,        ///< it cannot be fitted: its derivative is not known, or another number replaces it
+  if_free_alone,  ///< the same of every number of its element; who sets it is told nothing
+  if_set          ///< who sets it in a file
+};
+
+/// A reason for which a number has no effect. In the complaint's texts "{key}" stands for the row's key,
+/// "{element}" for its element's name, and any other key of the same table in braces for that key's value.
+struct InertRule {
+  InertUse use = InertUse::always;
+  std::function<std::optional<Complaint>(const Scene&, const ParameterPath&)> complaint;
+};
+
 /// One key of one table: a scalar or a whole vector.
 struct Declaration {
   std::string table, key, unit, meaning;
@@ -200,6 +216,8 @@ struct Declaration {
   /// emission.lines.
   std::function<int(const Scene&, int element)> numbers_per_line;
 
+  std::vector<InertRule> inert_rules;  ///< the first that applies is told
+
   /// Further checks of a value, beyond limits and choices.
   std::function<std::optional<Complaint>(double)> number_rule;
   std::function<std::optional<Complaint>(const std::string&)> text_rule;
@@ -207,6 +225,9 @@ struct Declaration {
   /// True for a text that may name a table (sim/scene/table/table_files.h), or a picture or grid
   /// (sim/scene/file/named_files.h).
   bool names_table = false, names_file = false;
+  /// Of what steers the search as a whole, and so is no matter of a single photograph: what to do instead.
+  std::string of_all_photos;
+
   /// True for a text that may name a folder of emission tables (sim/scene/table/emission_folder.h).
   bool names_folder = false;
 

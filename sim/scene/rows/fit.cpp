@@ -4,12 +4,6 @@
 #include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
-namespace {
-
-std::string name_by_point(const Scene&, int index) { return std::to_string(index); }
-
-}  // namespace
-
 std::vector<Declaration> fit_rows() {
   // clang-format off
   std::vector<Declaration> rows = {
@@ -27,25 +21,25 @@ std::vector<Declaration> fit_rows() {
           .means("terms of the sky per channel: 1 level, 2 gradient, 3 curvature"),
       Row("fit", "band_sky", &Scene::fit, &Fit::band_sky)
           .means("whether each band has its own sky, else one sky down the picture"),
-      Row("fit", "decoding", &Scene::fit, &Fit::decoding).rule(decoding_complaint).names_table()
+      Row("fit", "decoding", &Scene::fit, &Fit::decoding).of_all_photos("give the entry a decoding").rule(decoding_complaint).names_table()
           .means("photograph to linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor, unknown or unknown:2 (docs/fitting.md)"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
-      Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).within(0, 1e4)
+      Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).of_all_photos().within(0, 1e4)
           .means("inverse standard deviation of the second differences of ln(spline_rate); 0: most probable for each line"),
       Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
           .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2 to 31.4; 0: none"),
-      Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).within(0, 1000000)
+      Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).of_all_photos().within(0, 1000000)
           .means("wavelengths tried before; 0: one descent from the start"),
-      Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).within(0, 10000)
+      Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).of_all_photos().within(0, 10000)
           .means("trials that are followed by a descent"),
-      Row("fit", "overall_trials", &Scene::fit, &Fit::overall_trials).within(0, 1000000)
+      Row("fit", "overall_trials", &Scene::fit, &Fit::overall_trials).of_all_photos().within(0, 1000000)
           .means("trials of distance, energy and bearing before"),
-      Row("fit", "polish_descents", &Scene::fit, &Fit::polish_descents).within(1, 1000)
+      Row("fit", "polish_descents", &Scene::fit, &Fit::polish_descents).of_all_photos().within(1, 1000)
           .means("descents with all beams"),
-      Row("fit", "search_beams", &Scene::fit, &Fit::search_beams).within(0.01, 1)
+      Row("fit", "search_beams", &Scene::fit, &Fit::search_beams).of_all_photos().within(0.01, 1)
           .means("share of the beams used by the search"),
-      Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).within(0, 0.5)
+      Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).of_all_photos().within(0, 0.5)
           .means("smoothing of profiles in the search, relative to the region's height"),
       Row("fit", "model", &Scene::fit, &Fit::model).one_of<FitModel>({{"expected", FitModel::expected}, {"draws", FitModel::draws}})
           .means("picture that is compared: the mean over random beams, or one draw (as always with folds, curls, undulating borders)"),
@@ -57,9 +51,9 @@ std::vector<Declaration> fit_rows() {
   const std::vector<Declaration> others = {
       Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
           .means("direction of profiles: columns, elevation, field lines, across a loop, or away from the Sun's limb"),
-      Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
+      Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).numbered().in("px").within(-1e5, 1e5)
           .means("for profiles across a loop: points along it, from the left edge"),
-      Row("fit", "guide_y_px", &Scene::fit, &Fit::guide_y_px).of({"<n>"}).named_by(name_by_point).in("px").within(-1e5, 1e5)
+      Row("fit", "guide_y_px", &Scene::fit, &Fit::guide_y_px).numbered().in("px").within(-1e5, 1e5)
           .means("the same, from its top"),
       Row("fit", "guide_half_width_px", &Scene::fit, &Fit::guide_half_width_px).in("px").within(1, 1000)
           .means("reach of a profile across a loop to either side"),

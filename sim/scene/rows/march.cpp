@@ -6,7 +6,7 @@ namespace vegard::sim {
 namespace {
 
 template <class Value>
-Row row(const char* key, Value March::*value) {
+Row<March> row(const char* key, Value March::*value) {
   return Row("march", key, &Scene::march, value);
 }
 

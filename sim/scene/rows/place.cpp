@@ -9,6 +9,43 @@ namespace {
 
 void bring_along(Scene& scene, int) { adopt_body(scene); }
 
+/// A row of the field of one model.
+Row<Field> of_field(FieldModel model, const char* word, Row<Field> row) {
+  return row.inert_if([=](const Field& field) -> std::optional<Complaint> {
+    if (field.model == model) return std::nullopt;
+    const char* is = field.model == FieldModel::uniform  ? "the same everywhere"
+                     : field.model == FieldModel::dipole ? "a dipole's"
+                                                         : "the reference field";
+    return inert(std::string("the field is ") + is, std::string("set field.model to \"") + word + "\"");
+  });
+}
+Row<Field> of_uniform(const Row<Field>& row) { return of_field(FieldModel::uniform, "uniform", row); }
+Row<Field> of_dipole(const Row<Field>& row) { return of_field(FieldModel::dipole, "dipole", row); }
+
+const char* const kAffectsLight = "a parameter that the light depends on";
+
+bool is_panorama(const Camera& camera) {
+  return camera.model == LensModel::equirectangular || camera.model == LensModel::cube;
+}
+bool is_pinhole(const Camera& camera) { return camera.model == LensModel::pinhole; }
+bool is_no_pinhole(const Camera& camera) { return !is_pinhole(camera); }
+
+/// A row of the scale of some lenses, which others have by another key.
+Row<Camera> of_scale(Row<Camera> row, bool (*is_other)(const Camera&), const char* hint) {
+  return row
+      .inert_if(is_panorama, {"the camera is a panorama ({model}), so {key} has no effect", kAffectsLight,
+                              "a panorama sees all around; its scale is camera.width"})
+      .inert_if(is_other, {"the lens is {model}, so {key} has no effect", kAffectsLight, hint});
+}
+
+/// A row of a radial term of the distortion.
+Row<Camera> radial(const char* key, double Camera::*value) {
+  return Row("camera", key, &Scene::camera, value)
+      .inert_if(
+          [](const Camera& camera) { return !is_pinhole(camera) && camera.model != LensModel::polynomial; },
+          "the lens is {model}", "set camera.model to \"polynomial\"");
+}
+
 }  // namespace
 
 std::vector<Declaration> place_rows() {
@@ -40,14 +77,14 @@ std::vector<Declaration> place_rows() {
 
       Row("field", "model", &Scene::field, &Field::model).one_of<FieldModel>({{"uniform", FieldModel::uniform}, {"dipole", FieldModel::dipole}, {"igrf", FieldModel::igrf}})
           .means("the same field everywhere; or at each foot a tilted dipole, or IGRF-14 at site.time_utc"),
-      Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg).as(ParameterRole::inclination).in("deg").within(-90, 90)
+      of_uniform(Row("field", "inclination_deg", &Scene::field, &Field::inclination_deg)).as(ParameterRole::inclination).in("deg").within(-90, 90)
           .rule(inclination_complaint).may_be_free(ParameterScale::linear)
           .means("inclination of the field, downwards in the north; at least 20 from the horizontal"),
-      Row("field", "declination_deg", &Scene::field, &Field::declination_deg).as(ParameterRole::declination).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
+      of_uniform(Row("field", "declination_deg", &Scene::field, &Field::declination_deg)).as(ParameterRole::declination).in("deg").within(-180, 180).may_be_free(ParameterScale::linear)
           .means("declination of the magnetic field, from north to the east"),
-      Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg).in("deg").within(45, 90)
+      of_dipole(Row("field", "pole_latitude_deg", &Scene::field, &Field::pole_latitude_deg)).in("deg").within(45, 90)
           .means("latitude of the dipole's northern pole (default: 2020)"),
-      Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg).in("deg").within(-180, 360)
+      of_dipole(Row("field", "pole_longitude_deg", &Scene::field, &Field::pole_longitude_deg)).in("deg").within(-180, 360)
           .means("its longitude, to the east"),
 
       Row("camera", "model", &Scene::camera, &Camera::model)
@@ -58,9 +95,9 @@ std::vector<Declaration> place_rows() {
           .means("layout of a cube's faces: 4 × 3, 6 × 1 or 3 × 2"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
-      Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg).called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
+      of_scale(Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg), is_no_pinhole, "this lens has camera.focal_px").called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
           .means("horizontal field of view of a pinhole, without distortion"),
-      Row("camera", "focal_px", &Scene::camera, &Camera::focal_px).as(ParameterRole::focal_length).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
+      of_scale(Row("camera", "focal_px", &Scene::camera, &Camera::focal_px), is_pinhole, "a pinhole has camera.hfov_deg").as(ParameterRole::focal_length).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
           .means("scale of other lenses than the pinhole: pixels per radian on the axis"),
       Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).as(ParameterRole::camera_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("azimuth of the line of sight, from north to the east"),
@@ -75,11 +112,11 @@ std::vector<Declaration> place_rows() {
       Row("camera", "aspect", &Scene::camera, &Camera::aspect).as(ParameterRole::lens_aspect).within(0.2, 5).may_be_free(ParameterScale::linear)
           .means("scale down the picture over scale across it"),
       Row("camera", "mirrored", &Scene::camera, &Camera::mirrored).means("left and right are exchanged"),
-      Row("camera", "k1", &Scene::camera, &Camera::k1).as(ParameterRole::lens_k1).within(-10, 10).may_be_free(ParameterScale::linear)
+      radial("k1", &Camera::k1).as(ParameterRole::lens_k1).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r² (pinhole, Brown's distortion) or θ² (polynomial)"),
-      Row("camera", "k2", &Scene::camera, &Camera::k2).as(ParameterRole::lens_k2).within(-10, 10).may_be_free(ParameterScale::linear)
+      radial("k2", &Camera::k2).as(ParameterRole::lens_k2).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r⁴ or θ⁴"),
-      Row("camera", "k3", &Scene::camera, &Camera::k3).as(ParameterRole::lens_k3).within(-10, 10).may_be_free(ParameterScale::linear)
+      radial("k3", &Camera::k3).as(ParameterRole::lens_k3).within(-10, 10).may_be_free(ParameterScale::linear)
           .means("radial term of r⁶ or θ⁶"),
       Row("camera", "p1", &Scene::camera, &Camera::p1).as(ParameterRole::lens_p1).within(-1, 1).may_be_free(ParameterScale::linear)
           .means("decentring of the lens, as OpenCV's p1"),

@@ -89,47 +89,51 @@ inline std::string name_by_line(const Scene& scene, int /*element*/, int index) 
   return index < static_cast<int>(lines.size()) ? line_name(lines[index]) : std::to_string(index);
 }
 
-/// Builds a Declaration step by step.
+/// Returns the complaint "WHAT, so KEY has no effect" about a free number, with what to do but holding it.
+inline Complaint inert(const std::string& what, const std::string& else_do) {
+  return {what + ", so {key} has no effect", "a parameter that the light depends on",
+          "leave it out of fit.free, or " + else_do};
+}
+
+/// Builds a Declaration step by step. Owner is the struct that the value is a member of.
+template <class Owner>
 class Row {
  public:
+  /// A key of the file itself, or of a sheet.
   template <class Value>
-  Row(std::string key, Value Scene::*value) {
-    d_.key = std::move(key);
-    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*value, c); };
+  Row(std::string key, Value Owner::*value) {
+    if constexpr (std::is_same_v<Owner, Scene>)
+      place(
+          "", std::move(key), [](auto& scene, int) -> auto& { return scene; }, value);
+    else
+      place(
+          sheet_table, std::move(key), [](auto& scene, int e) -> auto& { return scene.sheets.at(e); }, value);
   }
-
-  template <class Table, class Value>
-  Row(std::string table, std::string key, Table Scene::*in, Value Table::*value) {
-    d_.table = std::move(table);
-    d_.key = std::move(key);
-    d_.at = [=](Scene& scene, int, int c) { return component_of(scene.*in.*value, c); };
-    if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      d_.list = [=](const Scene& scene, int) -> const std::vector<double>& { return scene.*in.*value; };
-      d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { scene.*in.*value = list; };
-    }
+  template <class Value>
+  Row(std::string table, std::string key, Owner Scene::*in, Value Owner::*value) {
+    place(
+        std::move(table), std::move(key), [=](auto& scene, int) -> auto& { return scene.*in; }, value);
   }
-
   /// A scalar key; in(scene) returns a reference to it.
   template <class In, class = std::enable_if_t<std::is_invocable_v<In, Scene&>>>
   Row(std::string table, std::string key, const In& in) {
     d_.table = std::move(table);
     d_.key = std::move(key);
+    owner_ = [](const Scene& scene, int) -> const Owner& { return scene; };
     d_.at = [=](Scene& scene, int, int c) { return component_of(in(scene), c); };
   }
-
-  template <class Value>
-  Row(std::string key, Value Sheet::*value) : Row(sheet_table, std::move(key), &Scene::sheets, value) {}
-
   /// A key of a repeated table.
-  template <class Element, class Value>
-  Row(std::string table, std::string key, std::vector<Element> Scene::*in, Value Element::*value) {
-    of_elements(
-        std::move(table), std::move(key), [=](auto& scene) -> auto& { return scene.*in; }, value);
+  template <class Value>
+  Row(std::string table, std::string key, std::vector<Owner> Scene::*in, Value Owner::*value) {
+    place(
+        std::move(table), std::move(key), [=](auto& scene, int e) -> auto& { return (scene.*in).at(e); },
+        value);
   }
-  template <class Element, class Value>
-  Row(std::string key, const AddedElements<Element>& added, Value Element::*value) {
-    of_elements(
-        added.table(), std::move(key), [=](auto& scene) -> auto& { return added.in(scene); }, value);
+  template <class Value>
+  Row(std::string key, const AddedElements<Owner>& added, Value Owner::*value) {
+    place(
+        added.table(), std::move(key), [=](auto& scene, int e) -> auto& { return added.in(scene).at(e); },
+        value);
   }
 
   Row& means(std::string meaning) { return d_.meaning = std::move(meaning), *this; }
@@ -160,6 +164,9 @@ class Row {
     d_.set_list = [=](Scene& scene, int, const std::vector<double>& list) { set(scene, list); };
     return *this;
   }
+  Row& of_all_photos(std::string else_do = "set it in [fit]") {
+    return d_.of_all_photos = std::move(else_do), *this;
+  }
   Row& names_table() { return d_.names_table = true, *this; }
   Row& presets(const std::vector<KeyAndText>& (*values)(const std::string&)) {
     return d_.presets = values, *this;
@@ -167,14 +174,14 @@ class Row {
   Row& names_folder() { return d_.names_folder = true, *this; }
   Row& names_file() { return d_.names_file = true, *this; }
   Row& then(void (*follow)(Scene&, int)) { return d_.then = follow, *this; }
-  Row& named_by(std::string (*name)(const Scene&, int component)) {
-    d_.list_component = [=](const Scene& scene, int, int c) { return name(scene, c); };
-    return *this;
-  }
   Row& named_by(std::string (*name)(const Scene&, int sheet, int component)) {
     return d_.list_component = name, *this;
   }
 
+  /// A list whose components are named by their index.
+  Row& numbered() {
+    return of({"<n>"}).named_by([](const Scene&, int, int index) { return std::to_string(index); });
+  }
   /// A list with a number for each emission line.
   Row& by_line() {
     return by_line("<line>", name_by_line, [](const Scene&, int) { return 1; });
@@ -186,25 +193,82 @@ class Row {
     return of({std::move(component)}).named_by(name);
   }
 
+  /// Say when the number has no effect (see InertRule). A condition is asked, and a rule called, with the
+  /// owner and, if it takes them, the scene and the path of the number; a rule returns
+  /// std::optional<Complaint>.
+  template <class Rule>
+  Row& inert_if(const Rule& rule) {
+    return add(InertUse::always, rule);
+  }
+  template <class Condition>
+  Row& inert_if(const Condition& holds, const Complaint& words) {
+    return add(InertUse::always, holds, words);
+  }
+  template <class Condition>
+  Row& inert_if(const Condition& holds, const std::string& what, const std::string& else_do) {
+    return add(InertUse::always, holds, inert(what, else_do));
+  }
+  template <class Rule>
+  Row& not_free_if(const Rule& rule) {
+    return add(InertUse::if_free, rule);
+  }
+  template <class Condition>
+  Row& not_free_if(const Condition& holds, const Complaint& words) {
+    return add(InertUse::if_free, holds, words);
+  }
+  template <class Condition>
+  Row& none_free_if(const Condition& holds, const Complaint& words) {
+    return add(InertUse::if_free_alone, holds, words);
+  }
+  template <class Condition>
+  Row& noted_if(const Condition& holds, const std::string& problem) {
+    return add(InertUse::if_set, holds, {problem, "", ""});
+  }
+
   operator Declaration() const { return d_; }
 
  private:
-  template <class In, class Element, class Value>
-  void of_elements(std::string table, std::string key, const In& in, Value Element::*value) {
+  template <class In, class Value>
+  void place(std::string table, std::string key, const In& in, Value Owner::*value) {
     d_.table = std::move(table);
     d_.key = std::move(key);
-    d_.at = [=](Scene& scene, int e, int c) { return component_of(in(scene).at(e).*value, c); };
+    owner_ = [=](const Scene& scene, int e) -> const Owner& { return in(scene, e); };
+    d_.at = [=](Scene& scene, int e, int c) { return component_of(in(scene, e).*value, c); };
     if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      d_.list = [=](const Scene& scene, int e) -> const std::vector<double>& {
-        return in(scene).at(e).*value;
-      };
-      d_.set_list = [=](Scene& scene, int e, const std::vector<double>& list) {
-        in(scene).at(e).*value = list;
-      };
+      d_.list = [=](const Scene& scene, int e) -> const std::vector<double>& { return in(scene, e).*value; };
+      d_.set_list = [=](Scene& scene, int e, const std::vector<double>& list) { in(scene, e).*value = list; };
     }
   }
 
+  template <class Asked>
+  static auto ask(const Asked& asked, const Owner& owner, const Scene& scene, const ParameterPath& path) {
+    if constexpr (std::is_invocable_v<Asked, const Owner&>)
+      return asked(owner);
+    else if constexpr (std::is_invocable_v<Asked, const Owner&, const Scene&>)
+      return asked(owner, scene);
+    else
+      return asked(owner, scene, path);
+  }
+
+  template <class Rule>
+  Row& add(InertUse use, const Rule& rule) {
+    d_.inert_rules.push_back({use, [rule, owner = owner_](const Scene& scene, const ParameterPath& path) {
+                                return ask(rule, owner(scene, path.element), scene, path);
+                              }});
+    return *this;
+  }
+  template <class Condition>
+  Row& add(InertUse use, const Condition& holds, const Complaint& words) {
+    return add(use, [=](const Owner& owner, const Scene& scene, const ParameterPath& path) {
+      return ask(holds, owner, scene, path) ? std::optional<Complaint>(words) : std::nullopt;
+    });
+  }
+
+  std::function<const Owner&(const Scene&, int element)> owner_;
   Declaration d_;
 };
+
+template <class In, class = std::enable_if_t<std::is_invocable_v<In, Scene&>>>
+Row(std::string table, std::string key, const In& in) -> Row<Scene>;
 
 }  // namespace vegard::sim

@@ -1,18 +1,69 @@
 // [[sheet]]: where electrons fall and with what light.
+#include <algorithm>
+
 #include "sim/scene/rows/forms.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 #include "sim/scene/rows/spline_rates.h"
+#include "sim/scene/structs/footprint_size.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+const char* const affects_light = "a parameter that the light depends on";
 
 int spline_knots(const Scene& scene, int sheet) { return scene.sheets.at(sheet).spline_knots; }
 
-std::string name_of_point(const Scene&, int, int index) { return std::to_string(index); }
+bool is_footprint_of_sheets(const Footprint& f) { return f.source == FootprintSource::sheets; }
+
+/// Whether a flow winds up a footprint that the sheets make: its map has no derivative by most of their
+/// numbers.
+bool is_wound_up(const Sheet&, const Scene& scene) {
+  return std::any_of(scene.footprints.begin(), scene.footprints.end(),
+                     [](const Footprint& f) { return is_footprint_of_sheets(f) && flows(f); });
+}
+const Complaint& words_of_flow() {
+  static const Complaint words = {
+      "the flow that winds the sheets' footprint up depends on {key}, and its derivative is not known",
+      "a footprint that does not flow, or a number that its flow does not depend on",
+      "set the footprint's flow_turns = 0, or leave it out of fit.free"};
+  return words;
+}
+
+template <class Value>
+Row<Sheet> row(const char* key, Value Sheet::*value) {
+  return Row(key, value).not_free_if(is_wound_up, words_of_flow());
+}
+
+bool is_curve(const Sheet& sheet) { return sheet.course == SheetCourse::curve; }
+
+/// A row whose number has an effect on a sine alone.
+Row<Sheet> of_sine(Row<Sheet> row) {
+  return row.inert_if(is_curve,
+                      {"the sheet's course is a curve, so {key} has no effect", affects_light,
+                       "leave it out of fit.free; the curve has east_km and north_km of its points"});
+}
+
+/// A row whose number is replaced by that of the points of a curve, if they have it.
+Row<Sheet> but_of_points(Row<Sheet> row, std::vector<double> Sheet::*of_points) {
+  return row.inert_if([=](const Sheet& sheet) { return is_curve(sheet) && !(sheet.*of_points).empty(); },
+                      {"the sheet has point_{key}, so {key} has no effect", affects_light,
+                       "leave it out of fit.free, or free numbers of point_{key}"});
+}
+
+/// Whether the energy flux of a sheet in a footprint follows from its brightness, by its energy.
+bool is_footprint_of_brightness(const Sheet& sheet, const Scene& scene) {
+  return sheet.brightness_kilorayleigh > 0.0 &&
+         std::any_of(scene.footprints.begin(), scene.footprints.end(), is_footprint_of_sheets);
+}
+
+/// A row whose number has an effect with one height profile alone.
+Row<Sheet> of_profile(ProfileKind profile, const char* else_do, Row<Sheet> row) {
+  return row.inert_if([=](const Sheet& sheet) { return sheet.profile != profile; },
+                      "the sheet's profile is {profile}", else_do);
+}
 
 /// Who asks for a number of beams does not want a form's, which goes by the length.
 void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
@@ -22,155 +73,162 @@ void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km 
 std::vector<Declaration> sheet_rows() {
   // clang-format off
   return {
-      Row("name", &Sheet::name).means("name in paths"),
-      Row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
+      row("name", &Sheet::name).means("name in paths"),
+      row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
           .means("preset of the sheet's other keys, which override it (docs/forms.md)"),
-      Row("center_km", &Sheet::center_km).as(ParameterRole::centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      of_sine(row("center_km", &Sheet::center_km)).as(ParameterRole::centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle between start and end, of the feet at 110 km altitude"),
-      Row("bearing_deg", &Sheet::bearing_deg).as(ParameterRole::bearing).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
+      of_sine(row("bearing_deg", &Sheet::bearing_deg)).as(ParameterRole::bearing).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("direction from start to end, from north to the east"),
-      Row("length_km", &Sheet::length_km).as(ParameterRole::length).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
+      of_sine(row("length_km", &Sheet::length_km)).as(ParameterRole::length).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
-      Row("thickness_km", &Sheet::thickness_km).called("amplitude").as(ParameterRole::amplitude).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      of_sine(row("thickness_km", &Sheet::thickness_km)).called("amplitude").as(ParameterRole::amplitude).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("amplitude of the sine (1 to 10 in nature)"),
-      Row("wavelength_km", &Sheet::wavelength_km).as(ParameterRole::wavelength).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
+      of_sine(row("wavelength_km", &Sheet::wavelength_km)).as(ParameterRole::wavelength).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
-      Row("phase_rad", &Sheet::phase_rad).as(ParameterRole::phase).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
+      of_sine(row("phase_rad", &Sheet::phase_rad)).as(ParameterRole::phase).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
           .means("phase of the first layer's sine at the start"),
-      Row("phase_shift_rad", &Sheet::phase_shift_rad).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
+      of_sine(row("phase_shift_rad", &Sheet::phase_shift_rad)).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
-      Row("course", &Sheet::course).one_of<SheetCourse>({{"sine", SheetCourse::sine}, {"curve", SheetCourse::curve}})
+      row("course", &Sheet::course).one_of<SheetCourse>({{"sine", SheetCourse::sine}, {"curve", SheetCourse::curve}})
           .means("course of the layers: a sine about the line from start to end, or a smooth curve through east_km, north_km"),
-      Row("east_km", &Sheet::east_km).called("east of point").as(ParameterRole::curve_east).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      row("east_km", &Sheet::east_km).called("east of point").as(ParameterRole::curve_east).numbered().in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("points of the course \"curve\" in order, at 110 km altitude"),
-      Row("north_km", &Sheet::north_km).called("north of point").as(ParameterRole::curve_north).of({"<n>"}).named_by(name_of_point).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
+      row("north_km", &Sheet::north_km).called("north of point").as(ParameterRole::curve_north).numbered().in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
-      Row("point_brightness", &Sheet::point_brightness).called("brightness of point").of({"<n>"}).named_by(name_of_point).within(1e-6, 1e4).may_be_free(ParameterScale::logarithmic)
+      row("point_brightness", &Sheet::point_brightness).called("brightness of point").as(ParameterRole::curve_brightness).numbered().within(1e-6, 1e4).may_be_free(ParameterScale::logarithmic)
           .means("relative energy flux (or brightness) at the curve's points; empty: 1"),
-      Row("point_energy_kev", &Sheet::point_energy_kev).called("energy of point").of({"<n>"}).named_by(name_of_point).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+      row("point_energy_kev", &Sheet::point_energy_kev).called("energy of point").numbered().in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("energy at the curve's points; empty: energy_kev"),
-      Row("point_width_km", &Sheet::point_width_km).called("layer width of point").of({"<n>"}).named_by(name_of_point).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      row("point_width_km", &Sheet::point_width_km).called("layer width of point").numbered().in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("width at the curve's points; empty: width_km"),
-      Row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; with the course \"curve\" they coincide"),
-      Row("width_km", &Sheet::width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
+      row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; with the course \"curve\" they coincide"),
+      but_of_points(row("width_km", &Sheet::width_km), &Sheet::point_width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
-      Row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
+      row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("electron beams in each layer; sets beams_per_km to 0"),
-      Row("energy_kev", &Sheet::energy_kev).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); else the central energy"),
-      Row("energy_spread", &Sheet::energy_spread).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
+      but_of_points(Row("energy_kev", &Sheet::energy_kev).noted_if([](const Sheet& s) { return s.profile == ProfileKind::form; }, "the heights of the light are those of a form's curve (peak_km, lower_km, upper_km), so energy_kev sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has heights by energy").not_free_if(is_footprint_of_brightness, {"the sheet's brightness is given, and how the energy flux of its footprint depends on its energy then is not known", "a sheet of given energy_flux_mw_m2", "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of fit.free"}), &Sheet::point_energy_kev).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); else the central energy")
+          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::file; }, {"the sheet's profile comes from a file, so the energy of its electrons has no effect", affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
+          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::layer; }, {"the sheet's light is in layers of the scene's own lines, so the energy of its electrons counts for nothing", affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
+          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::spline; }, {"the sheet's profile is free, so the electrons' energy has no effect", affects_light, "leave it out of fit.free; sheet.{element}.spline_rate is the light"}),
+      of_profile(ProfileKind::gaussian, "set profile to \"gaussian\"", row("energy_spread", &Sheet::energy_spread)).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("relative standard deviation of a Gaussian energy"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
-          .means("energy flux Q, at its peak across a layer"),
-      Row("path_spread", &Sheet::path_spread).within(0, 1)
+          .means("energy flux Q, at its peak across a layer")
+          .not_free_if([](const Sheet& s, const Scene& scene) { return is_wound_up(s, scene) && scene.sheets.size() != 1; }, words_of_flow())
+          .inert_if([](const Sheet& s) { return s.brightness_kilorayleigh > 0.0; }, {"the sheet's brightness is given, so its energy flux has no effect", affects_light, "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"}),
+      row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
-      Row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
+      row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
-      Row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
+      row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("decrease of the pitch angle to the upper end"),
-      Row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
+      row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
           .means("pitch angle by the paper's equation (4): αD − Δα(1 − t), αD·t·Δα (literal), t·Δα or αD"),
-      Row("path_step", &Sheet::path_step).within(1e-5, 0.5)
+      row("path_step", &Sheet::path_step).within(1e-5, 0.5)
           .means("largest step between deflections, as a fraction of the path"),
-      Row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
-      Row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
+      row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
+      row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
           .means("random shift of the beams, as a fraction of their spacing"),
-      Row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
+      row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
           .means("beam positions: stratified, a jittered walk, or the paper's walk"),
-      Row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
+      row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
           .means("beams per kilometre of each layer; 0: use beams"),
-      Row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
+      row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
           .means("path_step as given, or from the electrons' mean energy"),
-      Row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
+      row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
           .means("half of path_step with a random start; or random up to path_step, as in the paper"),
-      Row("points_per_px", &Sheet::points_per_px).in("px⁻¹").within(0, 1000)
+      row("points_per_px", &Sheet::points_per_px).in("px⁻¹").within(0, 1000)
           .means("least deflection points per pixel and layer, by up to 16 times the beams; 0: off"),
-      Row("arcs", &Sheet::arcs).within(1, 64).means("number of equal sheets side by side, centred on center_km"),
-      Row("arc_spacing_km", &Sheet::arc_spacing_km).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
-          .means("distance between them (10 to 100 in nature)"),
-      Row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
+      row("arcs", &Sheet::arcs).within(1, 64).means("number of equal sheets side by side, centred on center_km"),
+      of_sine(row("arc_spacing_km", &Sheet::arc_spacing_km)).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
+          .means("distance between them (10 to 100 in nature)")
+          .inert_if([](const Sheet& s) { return s.arcs == 1; }, {"the sheet is a single arc, so the spacing of arcs has no effect", affects_light, "leave it out of fit.free, or set arcs"}),
+      row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
-      Row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}})
+      row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}})
           .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; or the layers of [[line]]"),
-      Row("profile_file", &Sheet::profile_file).names_table()
+      row("profile_file", &Sheet::profile_file).names_table()
           .means("for \"file\": CSV of altitude_km and photons cm⁻³ s⁻¹ per line, relative to the scene's file"),
-      Row("peak_km", &Sheet::peak_km).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
+      of_profile(ProfileKind::form, "set the profile to \"form\"", row("peak_km", &Sheet::peak_km)).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
           .means("altitude of a form's brightest light"),
-      Row("lower_km", &Sheet::lower_km).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
+      of_profile(ProfileKind::form, "set the profile to \"form\"", row("lower_km", &Sheet::lower_km)).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
           .means("for \"form\": distance below the peak where the light is a tenth"),
-      Row("upper_km", &Sheet::upper_km).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
+      of_profile(ProfileKind::form, "set the profile to \"form\"", row("upper_km", &Sheet::upper_km)).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
           .means("for \"form\": distance above the peak where the light is a tenth"),
-      Row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
+      row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
           .means("lowest altitude of a free-form profile, dark"),
-      Row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
+      row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
           .means("highest altitude of a free-form profile, dark"),
-      Row("spline_knots", &Sheet::spline_knots).within(4, 64)
+      row("spline_knots", &Sheet::spline_knots).within(4, 64)
           .means("knots of a free-form profile per line, denser at low altitude"),
-      Row("spline_rate", &Sheet::spline_rate).as(ParameterRole::profile_coefficient).by_line("<line>_<n>", spline_rate_component, spline_knots)
+      of_profile(ProfileKind::spline, "set the profile to \"spline\"", row("spline_rate", &Sheet::spline_rate)).as(ParameterRole::profile_coefficient).by_line("<line>_<n>", spline_rate_component, spline_knots)
           .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
           .means("coefficients of a free-form profile by line from the bottom up (sheet.main.spline_rate.5577_3); empty: one broad layer"),
-      Row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+      row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between folds (about 20 in nature); 0: none"),
-      Row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
+      row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
           .means("random shift of the folds, as a fraction of their spacing"),
-      Row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
+      row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
           .means("length of the sine that a fold replaces, at most the spacing"),
-      Row("fold_stage", &Sheet::fold_stage).within(0, 1).may_be_free(ParameterScale::linear)
-          .means("shape of a fold: 0 a ripple, 0.5 an overhang, 1 a horseshoe"),
-      Row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
+      of_sine(row("fold_stage", &Sheet::fold_stage)).within(0, 1).may_be_free(ParameterScale::linear)
+          .means("shape of a fold: 0 a ripple, 0.5 an overhang, 1 a horseshoe")
+          .inert_if([](const Sheet& s) { return s.fold_spacing_km == 0.0; }, {"the sheet has no folds, so their stage has no effect", affects_light, "leave it out of fit.free, or set fold_spacing_km"}),
+      row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("largest random reduction of fold_stage, as a fraction"),
-      Row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
+      row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the folds from start to end (0 to 5 in nature)"),
-      Row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+      row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("lifetime of a fold (above 1 in nature); 0: unlimited"),
-      Row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+      row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between curls (2 to 10 in nature); 0: none"),
-      Row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
-      Row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
+      row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
+      row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
           .means("winding angle at a curl's centre, counter-clockwise against the field"),
-      Row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
+      row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
           .means("relative concentration of beams at a curl's centre"),
-      Row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
+      row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the curls from start to end (0 to 8 in nature, at most 90)"),
-      Row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+      row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("lifetime of a curl (0.25 to 0.75 in nature); 0: unlimited"),
-      Row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
+      row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between spirals (125 to 175 in nature); 0: none"),
-      Row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
+      row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
           .means("radius of a spiral, at most the spacing; its diameter is 25 to 75 in nature"),
-      Row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
+      row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
           .means("winding angle at a spiral's centre, counter-clockwise along the field"),
-      Row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
+      row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the spirals from start to end (4 on average in nature)"),
-      Row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+      row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("lifetime of a spiral, which winds up and unwinds; 0: unlimited"),
-      Row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
+      row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
           .means("standard deviation of ln(light) of rays; 0: none"),
-      Row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
+      row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
           .means("full width at half maximum of the rays' autocorrelation (1 or less in nature)"),
-      Row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
+      row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
           .means("standard deviation of ln(height) of rays above the peak"),
-      Row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
+      row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the rays from start to end"),
-      Row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a ray; 0: unlimited"),
-      Row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
+      row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a ray; 0: unlimited"),
+      row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
           .means("full width at half maximum of the patches' autocorrelation; 0: none"),
-      Row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
+      row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
           .means("standard deviation of ln(light) of patches"),
-      Row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a patch; 0: unlimited"),
-      Row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
+      row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a patch; 0: unlimited"),
+      row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
           .means("amplitude of the lower border's undulation; 0: even"),
-      Row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
+      row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
           .means("length of the lower border's longest waves"),
-      Row("border_octaves", &Sheet::border_octaves).within(1, 8)
+      row("border_octaves", &Sheet::border_octaves).within(1, 8)
           .means("octaves of the lower border's waves, each half as long and high"),
-      Row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
+      row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("lifetime of the lower border's shape; 0: unlimited"),
-      Row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
+      row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
           .means("what undulates: the altitude of the light; or, literally, a beam's start, which cuts light off"),
-      Row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
+      row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity of the sheet (in nature 0.1 to 0.2 north–south, 10 east–west)"),
-      Row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
+      row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the sine from start to end"),
   };
   // clang-format on

@@ -4,6 +4,21 @@
 #include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
+namespace {
+
+constexpr double kCatalogueEnds_mag = 6.0;  // data/stars/README.md
+
+bool is_beyond_catalogue(const Stars& stars) {
+  return stars.source == StarSource::catalogue && stars.faintest_magnitude > kCatalogueEnds_mag;
+}
+
+Row<LowerAir> air(const char* key, double LowerAir::*value) {
+  return Row("air", key, &Scene::air, value)
+      .inert_if([](const LowerAir& lower) { return lower.model == AirModel::none; }, "there is no air",
+                "set air.model to \"standard\"");
+}
+
+}  // namespace
 
 std::vector<Declaration> sky_rows() {
   // clang-format off
@@ -23,7 +38,8 @@ std::vector<Declaration> sky_rows() {
       Row("stars", "planets", &Scene::stars, &Stars::planets).means("Mercury to Saturn at the site and its time"),
       Row("stars", "milky_way", &Scene::stars, &Stars::milky_way).means("the unresolved light of faint stars"),
       Row("stars", "faintest_magnitude", &Scene::stars, &Stars::faintest_magnitude).in("mag").within(-2, 12)
-          .means("of the stars that are shown"),
+          .means("of the stars that are shown")
+          .noted_if(is_beyond_catalogue, "the catalogue's stars end at V = 6, so none that is fainter is shown; stars.source = \"random\" has them"),
       Row("stars", "width_deg", &Scene::stars, &Stars::width_deg).in("deg").within(0.0001, 5)
           .means("standard deviation of a star's image"),
       Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times the stars' photometric brightness"),
@@ -55,13 +71,13 @@ std::vector<Declaration> night_sky_rows() {
   return {
       Row("air", "model", &Scene::air, &LowerAir::model).one_of<AirModel>({{"none", AirModel::none}, {"standard", AirModel::standard}})
           .means("extinction: none, or by molecules, aerosol and ozone along the path"),
-      Row("air", "aerosol_optical_depth", &Scene::air, &LowerAir::aerosol_optical_depth).as(ParameterRole::aerosol_depth).within(0, 5).may_be_free(ParameterScale::logarithmic)
+      air("aerosol_optical_depth", &LowerAir::aerosol_optical_depth).as(ParameterRole::aerosol_depth).within(0, 5).may_be_free(ParameterScale::logarithmic)
           .means("aerosol optical depth at 550 nm at the zenith; 0.05 very clear, 0.3 hazy"),
-      Row("air", "angstrom_exponent", &Scene::air, &LowerAir::angstrom_exponent).as(ParameterRole::angstrom_exponent).within(-1, 4).may_be_free(ParameterScale::linear)
+      air("angstrom_exponent", &LowerAir::angstrom_exponent).as(ParameterRole::angstrom_exponent).within(-1, 4).may_be_free(ParameterScale::linear)
           .means("Ångström exponent of the aerosol: 1.3 on average, near 0 for sea salt and dust"),
-      Row("air", "aerosol_height_km", &Scene::air, &LowerAir::aerosol_height_km).in("km").within(0.3, 10)
+      air("aerosol_height_km", &LowerAir::aerosol_height_km).in("km").within(0.3, 10)
           .means("scale height of the aerosol"),
-      Row("air", "ozone_dobson", &Scene::air, &LowerAir::ozone_dobson).in("DU").within(0, 1000)
+      air("ozone_dobson", &LowerAir::ozone_dobson).in("DU").within(0, 1000)
           .means("ozone column (Chappuis band, green to red)"),
 
       Row("airglow", "green_rayleigh", &Scene::airglow, &Airglow::green_rayleigh).called("green light").as(ParameterRole::green_airglow).in("R").within(0, 1e5).may_be_free(ParameterScale::linear)

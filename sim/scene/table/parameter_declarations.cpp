@@ -40,8 +40,16 @@ std::vector<Declaration> declare() {
     std::vector<Declaration> group = rows();
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
-  for (Declaration& d : all)
-    if (d.key == "name" && repeated_table(d.table) != nullptr) d.text_rule = element_name_complaint;
+  Scene scene;
+  for (const RepeatedTable& repeated : repeated_tables()) {
+    repeated.append(scene);
+    for (Declaration& d : all) {
+      if (d.table != repeated.table || d.list) continue;
+      const ValueRef value = d.at(scene, 0, 0);
+      const auto* text = std::get_if<std::string*>(&value);
+      if (text != nullptr && *text == &repeated.name(scene, 0)) d.text_rule = element_name_complaint;
+    }
+  }
   return all;
 }
 

@@ -31,16 +31,13 @@ Origin origin_of(const Scene& scene, const PhotoEntry& entry, const std::string&
 /// beside a written scene.
 void refuse_common_keys(const Scene& scene, const PhotoEntry& entry, const ParameterPath& path,
                         const std::string& value) {
-  static const std::set<std::string> kOfSearch = {"scan_points",        "scan_descents", "overall_trials",
-                                                  "polish_descents",    "search_beams",  "search_smoothing",
-                                                  "profile_smoothness", "decoding"};
   const Origin origin = origin_of(scene, entry, std::string(photo_set_key) + "." + path.text);
-  if (path.row->table == free_table && kOfSearch.count(path.row->key) > 0)
+  const Declaration& declaration = declaration_of(*path.row);
+  if (!declaration.of_all_photos.empty())
     complain({path.text + " is no matter of a single photograph", "a path that a photograph may differ in",
-              path.row->key == "decoding" ? "give the entry a decoding" : "set it in [fit]"},
+              declaration.of_all_photos},
              origin);
   const std::string text = value.size() > 2 ? value.substr(1, value.size() - 2) : "";
-  const Declaration& declaration = declaration_of(*path.row);
   if ((declaration.names_table && is_table_file(text)) ||
       (declaration.names_folder && !are_built_in_tables(text)))
     complain({"a table in a file cannot be set for a single photograph", "the name of what is built in",

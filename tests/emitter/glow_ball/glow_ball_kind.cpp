@@ -9,7 +9,7 @@ namespace vegard::tests {
 namespace {
 
 template <class Value>
-sim::Row row(const char* key, Value GlowBall::*value) {
+sim::Row<GlowBall> row(const char* key, Value GlowBall::*value) {
   return sim::Row(key, glow_balls(), value);
 }
 
@@ -22,7 +22,8 @@ std::vector<sim::Declaration> rows() {
       row("place_km", &B::place_km).of({"east", "north", "up"}).in("km").within(-5000, 5000).may_be_free(ParameterScale::linear).means("of its middle at time 0"),
       row("width_km", &B::width_km).called("girth").in("km").within(1e-3, 1000).may_be_free(ParameterScale::logarithmic).means("standard deviation of its light in space"),
       row("rayleigh", &B::rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear).means("light through its middle, per emission line"),
-      row("rise_km_s", &B::rise_km_s).in("km/s").within(-10, 10).may_be_free(ParameterScale::linear).means("of its middle, upwards"),
+      row("rise_km_s", &B::rise_km_s).in("km/s").within(-10, 10).may_be_free(ParameterScale::linear).means("of its middle, upwards")
+          .inert_if([](const B&, const sim::Scene& scene) { return scene.time.start_s == 0.0; }, "the clock stands at 0", "set time.start_s"),
   };
   // clang-format on
 }
@@ -30,12 +31,6 @@ std::vector<sim::Declaration> rows() {
 void check(const sim::Scene& scene) {
   for (const GlowBall& ball : glow_balls().in(scene))
     sim::ElementCheck(scene, "glow_ball." + ball.name).check_lines(ball.rayleigh, false, "rayleigh");
-}
-
-std::optional<sim::Complaint> why_inert(const sim::Scene& scene, const sim::ParameterPath& path) {
-  if (path.row->table == "glow_ball" && path.row->key == "rise_km_s" && scene.time.start_s == 0.0)
-    return sim::inert("the clock stands at 0", path.row->key, "set time.start_s");
-  return std::nullopt;
 }
 
 bool any_moves(const sim::Scene& scene) {
@@ -64,7 +59,6 @@ sim::EmitterKind glow_ball_kind() {
   kind.repeated = {sim::repeated_table_of(glow_balls())};
   kind.rows = rows;
   kind.check = check;
-  kind.why_inert = why_inert;
   kind.moves = any_moves;
   kind.light_locations = light_locations;
   kind.spoken = "glowing ball";
