@@ -12,7 +12,7 @@
 #include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "sim/emit/nebula/node_shapes.h"
-#include "sim/scene/structs/node_names.h"
+#include "sim/scene/structs/nebula.h"
 
 namespace vegard::sim {
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/change_times.h"
 #include "sim/emit/aurora/motion.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

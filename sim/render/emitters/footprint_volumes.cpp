@@ -18,7 +18,7 @@
 #include "sim/scene/file/scene_pictures.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/view/colour/line_colours.h"
 

@@ -9,7 +9,7 @@
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include "sim/scene/emitters/element_rules.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/node_names.h"
+#include "sim/scene/structs/nebula.h"
 
 namespace vegard::sim {
 namespace {

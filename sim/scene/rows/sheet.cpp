@@ -6,7 +6,7 @@
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
 #include "sim/scene/rows/spline_rates.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

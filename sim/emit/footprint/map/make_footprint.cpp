@@ -14,7 +14,7 @@
 #include "sim/emit/footprint/map/spline_footprint.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 #include "sim/scene/structs/line_of.h"
 
 namespace vegard::sim {

@@ -27,7 +27,7 @@ double turned_deg(const Scene& scene, const Footprint& footprint, double instant
 /// east_km, north_km, center_km, width_km, energy_flux_mw_m2, point_flux and point_energy; for a footprint
 /// with a flow only center_km, energy_flux_mw_m2 and point_energy, on which the flow does not depend. The
 /// grid itself stays at center_km. The map does not depend on the number of threads. Throws Error(scene)
-/// where derivatives need more memory than kMaxMapBytes (sim/scene/structs/footprint_size.h).
+/// where derivatives need more memory than kMaxMapBytes (sim/scene/structs/footprint.h).
 template <class T>
 PlaneFootprint<T> make_plane_footprint(const Scene& scene, const Footprint& footprint,
                                        const FootprintPictures& pictures, const NumberAs<T>& number,

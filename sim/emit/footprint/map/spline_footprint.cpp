@@ -9,7 +9,7 @@
 #include "sim/emit/footprint/map/cube_faces.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/map/plane_grid.h"
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/scene/structs/sun_of_scene.h"
+#include "sim/scene/structs/sun.h"
 
 namespace vegard::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/scene/structs/node_names.h"
+#include "sim/scene/structs/nebula.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "sim/scene/structs/footprint_size.h"
+#include "sim/scene/structs/footprint.h"
 
 #include <algorithm>
 #include <cmath>
