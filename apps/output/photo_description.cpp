@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/fit.h"
 
 namespace vegard::fit {
 

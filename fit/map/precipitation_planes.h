@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::fit {
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "fit/photo/region.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 

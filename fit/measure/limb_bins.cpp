@@ -8,6 +8,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/sun/sun_frame.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {

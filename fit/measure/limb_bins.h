@@ -3,6 +3,10 @@
 
 #include "fit/measure/bin_grid.h"
 
+namespace vegard::sim {
+struct Scene;
+}
+
 namespace vegard::fit {
 
 /// Returns bins about the Sun's centre. Groups are `fit.bands` equal sectors of position angle, from the

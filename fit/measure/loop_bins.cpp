@@ -9,6 +9,7 @@
 #include "fit/measure/guide_curve.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 namespace {

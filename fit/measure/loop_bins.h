@@ -3,6 +3,10 @@
 
 #include "fit/measure/bin_grid.h"
 
+namespace vegard::sim {
+struct Scene;
+}
+
 namespace vegard::fit {
 
 /// Returns the bins about the curve through the guide points (fit/measure/guide_curve.h). Groups are

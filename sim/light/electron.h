@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
 

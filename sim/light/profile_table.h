@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Profiles at evenly spaced values of ln(energy / footprint.energy_kev). Between two of them the rate is
 /// linear in this logarithm, and beyond the ends it is that of the end.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/render/beams/points.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::tests {
 

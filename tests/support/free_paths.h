@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/scene/freedom/inert_parameter.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
 

@@ -17,7 +17,6 @@
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/table_maker.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/photo/pointing/calibration.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::fit {
 

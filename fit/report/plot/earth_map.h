@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "fit/report/plot/plot_canvas.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 

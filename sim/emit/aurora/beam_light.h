@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "sim/base/number/gaussian_process.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
 

@@ -5,7 +5,8 @@
 // live two minutes are excited by hundreds of rays that live half a second.
 #pragma once
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 

@@ -21,7 +21,7 @@
 #include "sim/base/number/dual.h"
 #include "sim/base/number/smooth_step.h"
 #include "sim/emit/aurora/slot.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
 

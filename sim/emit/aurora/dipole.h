@@ -10,7 +10,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/light/sample.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 

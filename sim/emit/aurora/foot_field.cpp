@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/light/field/igrf.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

@@ -11,9 +11,10 @@
 #include "sim/emit/aurora/dipole.h"
 #include "sim/light/field/field_patch.h"
 #include "sim/light/sample.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns the reference field around a site at the scene's time. Throws Error(scene) as igrf_year() does.
 /// The most recent results are cached.

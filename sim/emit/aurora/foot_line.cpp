@@ -8,6 +8,7 @@
 #include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/sheet_curve.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

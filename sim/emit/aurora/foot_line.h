@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Points of the straight line from start to end, with its drift at an instant. For a system of arcs they are
 /// on its middle line, except that `nearest` is on the nearest arc. For a curve they are points of the curve.

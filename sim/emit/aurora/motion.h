@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim/light/sample.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

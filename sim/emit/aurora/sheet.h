@@ -13,7 +13,6 @@
 #include "sim/emit/aurora/curl.h"
 #include "sim/emit/aurora/fold.h"
 #include "sim/light/sample.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

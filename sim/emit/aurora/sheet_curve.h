@@ -21,7 +21,7 @@
 
 #include "sim/base/number/gauss_legendre.h"
 #include "sim/base/number/smooth_curve.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
 

@@ -14,7 +14,7 @@
 #include "sim/base/grid/sparse_grid.h"
 #include "sim/base/large_vector.h"
 #include "sim/base/number/constants.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 

@@ -17,7 +17,6 @@
 #include "sim/emit/grid/grid_lamp.h"
 #include "sim/emit/grid/grid_walk.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

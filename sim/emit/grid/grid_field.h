@@ -5,7 +5,8 @@
 
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sun.h"
+#include "sim/scene/structs/volume.h"
 
 namespace vegard::sim {
 

@@ -15,7 +15,7 @@
 #include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/volume.h"
 
 namespace vegard::sim {
 

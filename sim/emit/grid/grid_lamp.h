@@ -19,7 +19,8 @@
 #include "sim/base/large_vector.h"
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sun.h"
+#include "sim/scene/structs/volume.h"
 
 namespace vegard::sim {
 

@@ -10,7 +10,6 @@
 #include <array>
 
 #include "sim/emit/nebula/node_map.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -8,6 +8,7 @@
 
 #include "sim/emit/nebula/node_shapes.h"
 #include "sim/scene/structs/nebula.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

@@ -16,9 +16,11 @@
 
 #include "sim/emit/nebula/noise_octaves.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/nebula.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 template <class T>
 class NodeMap {

@@ -20,6 +20,8 @@
 
 namespace vegard::sim {
 
+struct Scene;
+
 template <class T>
 class PhotosphereEmitter : public Emitter<T> {
  public:

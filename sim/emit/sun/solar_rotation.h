@@ -13,7 +13,7 @@
 #pragma once
 
 #include "sim/base/number/vec3.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sun.h"
 
 namespace vegard::sim {
 

@@ -10,7 +10,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/light/emitter.h"
 #include "sim/light/sky_frame.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sun.h"
 
 namespace vegard::sim {
 

@@ -16,9 +16,11 @@
 #include "sim/light/tables/ionisation.h"
 #include "sim/light/tables/mono_table.h"
 #include "sim/scene/lines/emission_line.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/light.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// The altitudes that tables must cover: those of height profiles (sim/light/height_profile.h).
 inline constexpr double kTablesBottomKm = 80.0, kTablesTopKm = 640.0;

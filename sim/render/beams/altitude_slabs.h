@@ -11,7 +11,7 @@
 
 #include "sim/light/excited_atom.h"
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/light.h"
 
 namespace vegard::sim {
 

@@ -11,9 +11,10 @@
 #include <functional>
 
 #include "sim/render/beams/emission_points.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 struct PointOptions {
   /// Must be odd. Of `every` neighbouring beams of a layer the middle one is kept (of a layer with fewer

@@ -18,6 +18,7 @@
 #include "sim/base/number/lanes-inl.h"
 #include "sim/emit/aurora/fall-inl.h"
 #include "sim/render/beams/kernel_types.h"
+#include "sim/scene/structs/light.h"
 #include "sim/view/camera/lens-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -18,6 +18,8 @@
 
 namespace vegard::sim {
 
+struct Scene;
+
 class GroundLight {
  public:
   /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "sim/render/ground/ground_grid.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Bins of altitude from 80 to 640 km, as fine as profiles are steep: 0.5 km below 130 km, 8 km at the top.
 class AltitudeBins {

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "sim/base/large_vector.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 struct VolumeFiles;
 

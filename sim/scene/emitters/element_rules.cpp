@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

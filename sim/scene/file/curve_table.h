@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {
 

@@ -9,7 +9,7 @@
 
 #include <toml++/toml.h>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/fit.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::sim {

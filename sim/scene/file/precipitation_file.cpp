@@ -10,6 +10,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {

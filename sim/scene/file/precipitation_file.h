@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// A grid of cells in the tangent plane of a site. A cell has the east and north of feet of field lines, at
 /// 110 km altitude. Columns run to the east, rows to the north.

@@ -7,6 +7,8 @@
 
 namespace vegard::sim {
 
+struct Scene;
+
 /// Returns a complaint about a parameter that cannot be fitted: the light of this scene does not depend on
 /// it, another parameter replaces it, or its derivative is not available. Empty if it can be fitted.
 std::optional<Complaint> inert_parameter_complaint(const Scene& scene, const ParameterPath& path);

@@ -4,9 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/body.h"
+#include "sim/scene/structs/light.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 struct KnownBody {
   Body body;

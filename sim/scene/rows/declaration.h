@@ -13,9 +13,10 @@
 #include <vector>
 
 #include "sim/scene/rows/complaint.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 enum class ParameterKind { real, integer, boolean, text };
 

@@ -2,6 +2,7 @@
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 std::vector<Declaration> fit_rows() {

@@ -1,5 +1,7 @@
 #include "sim/scene/rows/forms.h"
 
+#include "sim/scene/structs/sheet.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -27,8 +29,9 @@ const char* const kNames[kForms][2] = {
 /// Energies are those whose light, 630.0, 557.7 and 427.8 nm together, is as tall as the source has the form
 /// (its sections 2.2 and 2.3), between the tenths of its peak: by the program's own emission tables 27 km of
 /// arcs and bands, 56 km of rayed arcs, 73 km of rayed bands, 38 km of spirals, 160 km of draperies and 220
-/// km of rays. Arcs, bands and spirals have electrons about one energy, as an acceleration leaves them; the light of a Maxwellian is
-/// never so low. peak_km, lower_km and upper_km are of the measured curve, profile = "form".
+/// km of rays. Arcs, bands and spirals have electrons about one energy, as an acceleration leaves them; the
+/// light of a Maxwellian is never so low. peak_km, lower_km and upper_km are of the measured curve, profile =
+/// "form".
 struct FormRow {
   const char* key;
   const char* of_form[kForms];

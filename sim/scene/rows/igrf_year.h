@@ -1,9 +1,9 @@
 // The time for which a scene takes the International Geomagnetic Reference Field (IGRF).
 #pragma once
 
-#include "sim/scene/structs/scene.h"
-
 namespace vegard::sim {
+
+struct Scene;
 
 inline constexpr double kFirstIgrfYear = 1900.0, kLastIgrfYear = 2030.0;
 

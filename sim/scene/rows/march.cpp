@@ -1,6 +1,7 @@
 // [march]: how volumes are marched and how they meet what else is in the picture.
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

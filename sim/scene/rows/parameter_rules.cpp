@@ -9,6 +9,7 @@
 #include "sim/base/utc_time.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

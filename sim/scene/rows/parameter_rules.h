@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "sim/scene/rows/complaint.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/body.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// At least 20 degrees: beams in a nearly horizontal field would run along the ground.
 std::optional<Complaint> inclination_complaint(double inclination_deg);

@@ -3,6 +3,7 @@
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
 #include "sim/scene/rows/rows.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

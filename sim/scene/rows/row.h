@@ -16,6 +16,7 @@
 
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/declaration.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

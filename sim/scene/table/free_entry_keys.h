@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/scene/rows/declaration.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/fit.h"
 
 namespace vegard::sim {
 

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "sim/scene/rows/declaration.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns the tables that a scene may contain several times, in the order of a scene file.
 const std::vector<RepeatedTable>& repeated_tables();

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
 

@@ -9,9 +9,10 @@
 #include <string>
 
 #include "sim/scene/rows/declaration.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Orders parameters as parameter_table() does.
 bool operator<(const ParameterId& a, const ParameterId& b);

@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "sim/scene/rows/declaration.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns all rows in the order of a scene file. They live as long as the program.
 const std::vector<ParameterRow>& parameter_table();

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "sim/scene/rows/value_words.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {

@@ -14,6 +14,8 @@
 
 namespace vegard::sim {
 
+struct Scene;
+
 /// Returns the 1-based line of a node, 0 if it has none.
 int line_of(const toml::node& node);
 

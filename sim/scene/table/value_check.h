@@ -9,6 +9,8 @@
 
 namespace vegard::sim {
 
+struct Scene;
+
 /// Returns the valid values in words: "a number from 0.1 to 20 (keV)", "\"srgb\" or \"smpte-c\"".
 std::string expected_text(const Declaration& declaration);
 

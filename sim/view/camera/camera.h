@@ -7,7 +7,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/cube_map.h"
 #include "sim/view/camera/lens.h"

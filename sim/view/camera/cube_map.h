@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/camera.h"
 
 namespace vegard::sim {
 

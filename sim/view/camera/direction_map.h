@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/camera.h"
 
 namespace vegard::sim {
 

@@ -23,7 +23,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/cube_map.h"
 
 namespace vegard::sim {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/matrix3.h"
 
 namespace vegard::sim {

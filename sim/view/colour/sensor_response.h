@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/matrix3.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Red, green and blue response as a function of wavelength, linear between the rows of a table and 0
 /// outside.

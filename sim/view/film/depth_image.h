@@ -10,6 +10,7 @@
 
 #include "sim/base/image.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/volume.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {

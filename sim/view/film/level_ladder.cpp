@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "sim/base/parallel.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

@@ -14,9 +14,11 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sky.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Vertical optical depth of the molecules above sea level (1013.25 hPa, 45 deg): Bodhaine et al. 1999,
 /// doi:10.1175/1520-0426(1999)016<1854:ORODC>2.0.CO;2, equation (30).

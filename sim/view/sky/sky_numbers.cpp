@@ -1,5 +1,6 @@
 #include "sim/view/sky/sky_numbers.h"
 
+#include "sim/scene/structs/scene.h"
 #include <array>
 #include <cassert>
 

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "sim/base/number/dual.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 enum SkyNumber : int {
   sky_aerosol_depth,

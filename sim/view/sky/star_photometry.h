@@ -4,11 +4,12 @@
 #include <array>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/sensor_response.h"
 #include "sim/view/sky/air.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns the photons cm^-2 s^-1 of 557.7 nm that are as bright to the eye as a star of a V magnitude:
 /// 1.05e6 at magnitude 0, which is 2.54e-6 lx (Crumey 2014, MNRAS 442, 2600, doi:10.1093/mnras/stu992). AB

@@ -7,6 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/scene.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::geographic_map_test {

@@ -20,7 +20,6 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/direction_map.h"
 
 namespace vegard::fit {

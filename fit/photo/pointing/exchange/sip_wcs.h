@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/direction_map.h"
 #include "sim/view/sky/star_place.h"
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "sim/emit/footprint/map/footprint_map.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 

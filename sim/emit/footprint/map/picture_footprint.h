@@ -8,7 +8,7 @@
 
 #include "sim/base/image.h"
 #include "sim/emit/footprint/map/footprint_map.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 

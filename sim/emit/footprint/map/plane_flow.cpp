@@ -9,6 +9,7 @@
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/plane_fft.h"
 #include "sim/light/sample.h"
+#include "sim/scene/structs/body.h"
 
 namespace vegard::sim {
 namespace {

@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "sim/emit/footprint/map/footprint_map.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 

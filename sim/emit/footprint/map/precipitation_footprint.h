@@ -4,7 +4,7 @@
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/light/sample.h"
 #include "sim/scene/file/precipitation_file.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 

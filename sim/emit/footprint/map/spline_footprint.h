@@ -12,7 +12,7 @@
 
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 

@@ -34,7 +34,6 @@
 
 #include "sim/emit/sun/strand/strand.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

@@ -10,7 +10,6 @@
 
 #include "sim/emit/sun/strand/strand_pieces.h"
 #include "sim/light/emitter.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 

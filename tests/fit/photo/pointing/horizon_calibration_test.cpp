@@ -9,6 +9,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
+#include "sim/scene/structs/body.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/expect_error.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/light/field/igrf.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim::foot_field_test {
 namespace {

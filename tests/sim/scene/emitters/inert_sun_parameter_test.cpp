@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/scene/freedom/inert_parameter.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::sim::inert_sun_parameter_test {

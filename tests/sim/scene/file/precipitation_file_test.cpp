@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
+#include "sim/scene/structs/scene.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::precipitation_file_test {

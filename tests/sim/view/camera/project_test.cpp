@@ -1,5 +1,6 @@
 // Altitudes and projection over double and over packs, for the instruction set that this file is compiled
 // for.
+#include "sim/scene/structs/light.h"
 #include "sim/view/camera/lens-inl.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/sensor_response.h"
 
 #include <gtest/gtest.h>

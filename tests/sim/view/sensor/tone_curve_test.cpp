@@ -1,4 +1,5 @@
 #include "sim/view/sensor/tone_curve.h"
+#include "sim/scene/structs/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "sim/view/sky/air.h"
+#include "sim/scene/structs/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Strands of macro-loops: where they stand, what noise does to them, and their derivatives.
 #include "sim/emit/sun/strand/macro_loop.h"
+#include "sim/scene/structs/scene.h"
 
 #include <gtest/gtest.h>
 
