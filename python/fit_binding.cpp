@@ -12,7 +12,7 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/long_work.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::python {
 namespace {

@@ -16,7 +16,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/sha256.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::python {
 namespace {

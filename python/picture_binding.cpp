@@ -8,7 +8,7 @@
 #include "sim/base/memory_limit.h"
 #include "sim/render/needed_memory.h"
 #include "sim/render/render.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::python {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {

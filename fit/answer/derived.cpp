@@ -12,7 +12,6 @@
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"
 #include "sim/light/line_light.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/line_of.h"
 

@@ -10,7 +10,6 @@
 #include "fit/measure/line_brightness.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::fit {

@@ -6,7 +6,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/render/film.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/camera/camera.h"
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim/base/number/dense_solvers.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/parameter_id.h"

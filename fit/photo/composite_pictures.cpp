@@ -5,7 +5,7 @@
 #include "sim/base/error.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/scene/file/named_files.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
 namespace {

@@ -52,7 +52,7 @@
 #include <vector>
 
 #include "sim/light/atmosphere.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 

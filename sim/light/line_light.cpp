@@ -8,7 +8,6 @@
 
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/lines/emission_line.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/rows/spline_rates.h"

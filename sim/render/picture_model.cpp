@@ -10,6 +10,7 @@
 #include "sim/render/picture.h"
 #include "sim/render/profile_light.h"
 #include "sim/render/spread_runs.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/film/blur.h"
 #include "sim/view/sky/night_sky.h"

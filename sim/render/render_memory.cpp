@@ -5,7 +5,7 @@
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/scene/emitters/emitter_kinds.h"
-#include "sim/scene/table/same_values.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/night_sky.h"
 #include "sim/view/sky/stars.h"
 

@@ -9,7 +9,7 @@
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"
 #include "sim/light/sheet_profile.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "sim/scene/rows/igrf_year.h"
+#include "sim/scene/rows/parameter_rules.h"
 
 namespace vegard::sim {
 

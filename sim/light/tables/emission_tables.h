@@ -15,7 +15,7 @@
 #include "sim/light/tables/flux_law.h"
 #include "sim/light/tables/ionisation.h"
 #include "sim/light/tables/mono_table.h"
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/light.h"
 
 namespace vegard::sim {

@@ -15,7 +15,7 @@
 #include "sim/light/profile_table.h"
 #include "sim/render/beams/altitude_slabs.h"
 #include "sim/render/emitters/emitter_makers.h"
-#include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/file/named_files.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint.h"

@@ -26,7 +26,7 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
 
 // The pictures from which a footprint is made.
 
-/// Returns the pictures of one footprint among those that have been read (sim/scene/file/scene_pictures.h).
+/// Returns the pictures of one footprint among those that have been read (sim/scene/file/named_files.h).
 /// They live as long as `files`.
 FootprintPictures footprint_pictures(const VolumeFiles& files, const Footprint& footprint);
 

@@ -4,7 +4,7 @@
 
 #include "sim/base/error.h"
 #include "sim/render/emitters/depth_file.h"
-#include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/file/named_files.h"
 #include "sim/scene/file/volume_grid_file.h"
 
 namespace vegard::sim {

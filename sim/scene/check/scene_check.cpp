@@ -10,7 +10,6 @@
 #include "sim/base/utc_time.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/lines/camera_responses.h"
-#include "sim/scene/rows/igrf_year.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"

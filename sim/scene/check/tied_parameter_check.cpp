@@ -4,7 +4,6 @@
 #include <set>
 
 #include "sim/base/error.h"
-#include "sim/scene/freedom/free_path.h"
 #include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/rows/value_words.h"

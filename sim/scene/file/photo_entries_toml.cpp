@@ -6,7 +6,6 @@
 
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/toml_value.h"
 

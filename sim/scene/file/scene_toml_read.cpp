@@ -15,7 +15,6 @@
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/line_of.h"
-#include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/alternative_forms.h"
 #include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/free_entry_keys.h"

@@ -3,7 +3,7 @@
 #include <set>
 #include <string>
 
-#include "sim/scene/freedom/free_path.h"
+#include "sim/scene/freedom/ties.h"
 #include "sim/scene/table/parameter_declarations.h"
 
 namespace vegard::sim {

@@ -1,12 +1,46 @@
-// The list of all emission lines that a scene may name.
+// Emission lines: their properties, and the list of all that a scene may name, those of aurora, nebulae and
+// the Sun.
+//
+// Most auroral lines have a column of their own in the emission tables (sim/light/tables/emission_tables.h).
+// The light of the others is that of another column times `ratio`, because both lines have the same upper
+// state or because the literature gives a ratio. The lines of nebulae have no column: electrons in the air do
+// not excite them. docs/lines.md has the list.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "sim/scene/lines/emission_line.h"
-
 namespace vegard::sim {
+
+/// The green line of oxygen, the reference for brightnesses.
+inline constexpr double kGreenNm = 557.7;
+
+/// One wavelength of a line (a multiplet or a set of bands has several), and its share of the photons.
+struct LineComponent {
+  double wavelength_nm;
+  double share;
+};
+
+struct EmissionLine {
+  double wavelength_nm = 0.0;  ///< identifies the line; of a set of bands: of one of them
+  const char* species = "";
+  const char* transition = "";
+  double lifetime_s = 0.0;                ///< of the upper state, without collisions
+  const char* table_column = "";          ///< column in tables without one for this line; empty: not auroral
+  double ratio = 0.0;                     ///< its photons over those of table_column
+  const char* ratio_source = "";          ///< reference and spread; empty: it has its own column
+  const char* blended_with = "";          ///< lines that a filter of some nm width does not separate
+  std::vector<LineComponent> components;  ///< shares add up to 1; one component for a single line
+  const char* components_source = "";     ///< reference for the shares; empty for a single line
+  bool is_own = false;                    ///< from [[line]] (sim/scene/lines/scene_lines.h)
+};
+
+/// True if electrons in the air excite the line. The other lines are of nebulae and the Sun; in an aurora
+/// they need a height profile of the user.
+bool is_auroral(const EmissionLine& line);
+
+/// Returns the auroral lines: lines and bands of oxygen and nitrogen.
+std::vector<EmissionLine> auroral_lines();
 
 /// Returns all lines, by increasing wavelength.
 const std::vector<EmissionLine>& emission_lines();
@@ -32,5 +66,10 @@ int line_in_angstrom(double line_nm);
 
 /// Returns a line's name in a path: its wavelength in angstrom, "6300".
 std::string line_name(double line_nm);
+
+/// Returns the recombination lines of hydrogen and helium, forbidden lines of ions (as doublets where both
+/// lines have a common upper term and thus a fixed ratio), starlight scattered by dust, and synchrotron
+/// light.
+std::vector<EmissionLine> nebular_lines();
 
 }  // namespace vegard::sim

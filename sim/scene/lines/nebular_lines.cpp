@@ -1,4 +1,4 @@
-#include "sim/scene/lines/nebular_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 
 #include <cmath>
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/scene/lines/emission_line.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

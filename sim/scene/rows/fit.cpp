@@ -1,7 +1,6 @@
 // [fit].
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/row.h"
-#include "sim/scene/rows/rows.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

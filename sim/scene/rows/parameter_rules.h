@@ -39,4 +39,10 @@ std::optional<Complaint> lines_complaint(const Scene& scene, const std::vector<d
 /// One width per line.
 std::optional<Complaint> blur_complaint(const Scene& scene, const std::vector<double>& width_deg);
 
+inline constexpr double kFirstIgrfYear = 1900.0, kLastIgrfYear = 2030.0;
+
+/// Returns the decimal year of the site's time. Throws Error(scene), which names field.model, if the site has
+/// no time or it is outside of these years.
+double igrf_year(const Scene& scene);
+
 }  // namespace vegard::sim

@@ -272,4 +272,18 @@ class Row {
 template <class In, class = std::enable_if_t<std::is_invocable_v<In, Scene&>>>
 Row(std::string table, std::string key, const In& in) -> Row<Scene>;
 
+// The rows before those of emitters.
+std::vector<Declaration> place_rows();
+std::vector<Declaration> sheet_rows();
+
+// The rows after those of emitters.
+std::vector<Declaration> march_rows();
+std::vector<Declaration> own_line_rows();
+std::vector<Declaration> light_rows();
+std::vector<Declaration> sensor_rows();
+std::vector<Declaration> sky_rows();
+std::vector<Declaration> night_sky_rows();
+std::vector<Declaration> time_rows();
+std::vector<Declaration> fit_rows();
+
 }  // namespace vegard::sim

@@ -5,7 +5,6 @@
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
-#include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,7 +4,6 @@
 #include "sim/scene/rows/forms.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
-#include "sim/scene/rows/rows.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/structs/footprint.h"
 

@@ -1,7 +1,6 @@
 // What else is in the picture: [sky], [stars], [moon], [ground], [composite], and the lights of the night
 // sky: [air], [airglow], [twilight], [light_pollution].
 #include "sim/scene/rows/row.h"
-#include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
 namespace {

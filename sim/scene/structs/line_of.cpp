@@ -20,4 +20,13 @@ bool is_longitude_given(const Scene& scene) {
   return scene.lines.count("site.longitude_deg") > 0 || scene.site.longitude_deg != Site{}.longitude_deg;
 }
 
+Error with_place(const Error& error, const Scene& scene) {
+  ErrorDetails details = error.details();
+  if (error.kind() != ErrorKind::scene || details.line != 0) return error;
+  if (!details.file.empty() && details.file != scene.file) return error;
+  details.file = scene.file;
+  details.line = line_of(scene, details.key);
+  return Error(error.kind(), details);
+}
+
 }  // namespace vegard::sim

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/site.h"
 
 namespace vegard::sim {
 

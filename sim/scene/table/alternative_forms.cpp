@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/base/text.h"
-#include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/free_entry_keys.h"
 
 namespace vegard::sim {

@@ -94,4 +94,14 @@ ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row) {
   return row->scale;
 }
 
+const std::vector<PhotoTextKey>& photo_text_keys() {
+  static const std::vector<PhotoTextKey> keys = {
+      {"name", "name in fit.free and results; default the file's name without its ending", &PhotoEntry::name},
+      {"file", "photograph, relative to the scene's file", &PhotoEntry::file},
+      {"mask", "mask of the same size: white = use; default all", &PhotoEntry::mask},
+      {"decoding", "decoding; default fit.decoding", &PhotoEntry::decoding},
+  };
+  return keys;
+}
+
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// The keys of the entries of fit.free and fit.tied, each named once for the reader, the writer and the
-// listings.
+// The keys of the entries of fit.free, fit.tied and [[fit.photo]], each named once for the reader, the writer
+// and the listings.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include "sim/scene/rows/declaration.h"
 #include "sim/scene/structs/fit.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
@@ -54,5 +55,14 @@ const std::vector<TiedKey>& tied_keys();
 /// Returns the scale on which a fit varies a parameter: that of the entry, else that of the parameter table;
 /// linear for an entry without a path (`row` null).
 ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row);
+
+inline const char* const photo_key = "photo";  ///< array of tables inside the table free_table: [[fit.photo]]
+inline const char* const photo_set_key = "set";
+
+struct PhotoTextKey {
+  std::string key, meaning;
+  std::string PhotoEntry::*place;
+};
+const std::vector<PhotoTextKey>& photo_text_keys();
 
 }  // namespace vegard::sim

@@ -5,7 +5,6 @@
 
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/rows/row.h"
-#include "sim/scene/rows/rows.h"
 
 namespace vegard::sim {
 namespace {

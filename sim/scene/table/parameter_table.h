@@ -6,16 +6,16 @@
 // few keys that are not rows.
 #pragma once
 
+#include <set>
 #include <string>
 #include <type_traits>
 #include <typeinfo>
 #include <vector>
 
 #include "sim/scene/rows/declaration.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
-
-struct Scene;
 
 /// Returns all rows in the order of a scene file. They live as long as the program.
 const std::vector<ParameterRow>& parameter_table();
@@ -66,5 +66,10 @@ void set_from_text(Scene& scene, const std::string& path, const std::string& tex
 /// Checks a whole scene: limits, finite numbers, choices, unique sheet names, lengths of vectors, [fit].
 /// Throws Error(scene) with the scene's file.
 void validate(const Scene& scene);
+
+/// True if every row of the parameter table has bitwise the same values in both scenes, the repeated tables
+/// have the same number of elements, and the named tables have the same text. Ignores the tables in `except`
+/// ("camera") and all that is not a row (fit.free, fit.tied, [[fit.photo]]).
+bool same_values(const Scene& a, const Scene& b, const std::set<std::string>& except = {});
 
 }  // namespace vegard::sim

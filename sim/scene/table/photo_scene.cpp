@@ -9,7 +9,6 @@
 #include "sim/scene/rows/decoding_word.h"
 #include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/parameter_rules.h"
-#include "sim/scene/structs/photo_entry_keys.h"
 #include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"

@@ -64,7 +64,7 @@ TEST(GlowColumns, GrowWithTheEnergyAsTheirDifferencesDo) {
 
 TEST(GlowColumns, OfLinesWithARatioAreWiredToTheOtherLines) {
   // The wiring only: that the ratio of a row is applied, and to the right column. The figures are the rows'
-  // own and checked by nothing here; their sources stand in sim/scene/lines/emission_line.cpp.
+  // own and checked by nothing here; their sources stand in sim/scene/lines/emission_lines.cpp.
 
   for (const double energy : {0.3, 3.0, 12.0}) {
     const double red = tests::program_column(630.0, energy).rayleigh;

@@ -4,7 +4,7 @@
 
 #include "sim/base/picture/image_io.h"
 #include "sim/render/emitters/volume_files.h"
-#include "sim/scene/file/scene_pictures.h"
+#include "sim/scene/file/named_files.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/kind_named.h"
 #include "tests/support/temporary_folder.h"

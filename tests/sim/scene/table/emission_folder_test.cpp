@@ -9,7 +9,7 @@
 #include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/same_values.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

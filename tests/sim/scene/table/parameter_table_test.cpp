@@ -1,7 +1,7 @@
 #include "sim/scene/table/parameter_table.h"
 
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/rows/igrf_year.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/spline_rates.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/scene/table/same_values.h"
+#include "sim/scene/table/parameter_table.h"
 
 #include <gtest/gtest.h>
 

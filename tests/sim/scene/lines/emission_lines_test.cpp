@@ -15,7 +15,7 @@
 #include "sim/scene/lines/solar_lines.h"
 #include "tests/support/glow.h"
 
-namespace vegard::sim::emission_line_test {
+namespace vegard::sim::emission_lines_test {
 namespace {
 
 TEST(EmissionLines, AreOneListByWavelength) {
@@ -194,4 +194,4 @@ TEST(EmissionLines, AreBlurredLikeTheLineFromTheSameAtoms) {
 }
 
 }  // namespace
-}  // namespace vegard::sim::emission_line_test
+}  // namespace vegard::sim::emission_lines_test
