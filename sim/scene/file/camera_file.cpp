@@ -10,24 +10,20 @@ namespace vegard::sim {
 void take_camera(Scene& scene, const std::string& camera_file) {
   const Scene given = read_scene(camera_file);
   if (given.lines.empty()) {
-    ErrorDetails details;
-    details.file = camera_file;
-    details.problem = "there is no camera in it";
-    details.expected = "[camera] and [site]";
-    details.hint = "vegard calibrate and vegard horizon write such files";
-    throw Error(ErrorKind::scene, details);
+    throw Error(ErrorKind::scene, "there is no camera in it")
+        .file(camera_file)
+        .expected("[camera] and [site]")
+        .hint("vegard calibrate and vegard horizon write such files");
   }
   bool has_camera = false;
   for (const auto& [path, line] : given.lines) {
     has_camera = has_camera || starts_with(path, "camera.");
     if (starts_with(path, "camera.") || starts_with(path, "site.")) continue;
-    ErrorDetails details;
-    details.file = camera_file;
-    details.line = line;
-    details.key = path;
-    details.problem = "a camera's file says more than its camera";
-    details.expected = "[camera] and [site]";
-    throw Error(ErrorKind::scene, details);
+    throw Error(ErrorKind::scene, "a camera's file says more than its camera")
+        .file(camera_file)
+        .line(line)
+        .key(path)
+        .expected("[camera] and [site]");
   }
   // A lens is one thing: what the file does not say is at its default, not the scene's.
   if (has_camera) scene.camera = given.camera;

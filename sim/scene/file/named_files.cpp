@@ -72,10 +72,8 @@ void read(const Scene& scene, const std::string& key, const std::string& name,
     pictures[name] =
         one_channel(read_picture((std::filesystem::path(scene.file).parent_path() / name).string()));
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.key = key;
-    if (details.hint.empty()) details.hint = "its name is relative to the scene's file";
-    throw Error(error.kind(), details);
+    const std::string& hint = error.details().hint;
+    throw Error(error).key(key).hint(hint.empty() ? "its name is relative to the scene's file" : hint);
   }
 }
 

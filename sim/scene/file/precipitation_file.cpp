@@ -64,11 +64,7 @@ class MapReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
-    ErrorDetails details;
-    details.problem = "'" + place_ + "': " + problem;
-    details.file = place_;
-    details.expected = expected;
-    throw Error(ErrorKind::unreadable_input, details);
+    throw Error(ErrorKind::unreadable_input, "'" + place_ + "': " + problem).file(place_).expected(expected);
   }
 
   std::string text(const std::string& keyword) const {
@@ -156,10 +152,10 @@ std::map<std::string, PrecipitationMap> read_precipitation_maps(const Scene& sce
       maps[f.file] =
           read_precipitation_map((std::filesystem::path(scene.file).parent_path() / f.file).string());
     } catch (const Error& error) {
-      ErrorDetails details = error.details();
-      details.key = "footprint." + f.name + ".file";
-      if (details.hint.empty()) details.hint = "its name is relative to the scene's file";
-      throw Error(error.kind(), details);
+      const std::string& hint = error.details().hint;
+      throw Error(error)
+          .key("footprint." + f.name + ".file")
+          .hint(hint.empty() ? "its name is relative to the scene's file" : hint);
     }
   }
   return maps;

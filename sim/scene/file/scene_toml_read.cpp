@@ -229,23 +229,19 @@ class SceneReader {
                where);
     const std::string place = table_place(scene_, name);
     const InputFile input = read_input(place);
-    ErrorDetails details;
+    if (!input.problem.empty())
+      throw Error(ErrorKind::unreadable_input, "'" + place + "': " + input.problem)
+          .file(where.file)
+          .line(where.line)
+          .key(where.key)
+          .expected("a CSV file")
+          .hint("its name is relative to the scene's file");
     try {
-      if (input.problem.empty()) {
-        const bool keeps_flux = values.get("energy_flux_mw_m2") != nullptr;
-        return take_curtain(input.bytes, place, static_cast<int>(curtain), keeps_flux,
-                            scene_.sheets.at(sheet));
-      }
-      details.problem = "'" + place + "': " + input.problem;
-      details.file = where.file;
-      details.line = where.line;
-      details.expected = "a CSV file";
-      details.hint = "its name is relative to the scene's file";
+      const bool keeps_flux = values.get("energy_flux_mw_m2") != nullptr;
+      take_curtain(input.bytes, place, static_cast<int>(curtain), keeps_flux, scene_.sheets.at(sheet));
     } catch (const Error& error) {
-      details = error.details();
+      throw Error(ErrorKind::unreadable_input, error.details()).key(where.key);
     }
-    details.key = where.key;
-    throw Error(ErrorKind::unreadable_input, details);
   }
 
   void read_form(const AlternativeForm& form, int sheet, const toml::table& values) {
@@ -293,10 +289,10 @@ class SceneReader {
     try {
       validate(scene_);
     } catch (const Error& error) {
-      ErrorDetails details = error.details();
-      if (details.line == 0) details.line = line_of(scene_, details.key);
-      if (details.line == 0) details.line = line_of_element(details.key);
-      throw Error(error.kind(), details);
+      int line = error.details().line;
+      if (line == 0) line = line_of(scene_, error.details().key);
+      if (line == 0) line = line_of_element(error.details().key);
+      throw Error(error).line(line);
     }
   }
 
@@ -323,12 +319,10 @@ Scene scene_of_text(const std::string& text, const std::string& name, bool reads
     const toml::table document = parse_toml(text, name);
     SceneReader(scene, document, reads_files).read();
   } catch (const toml::parse_error& error) {
-    ErrorDetails details;
-    details.problem = std::string(error.description());
-    details.file = name;
-    details.line = static_cast<int>(error.source().begin.line);
-    details.expected = "a TOML file";
-    throw Error(ErrorKind::scene, details);
+    throw Error(ErrorKind::scene, std::string(error.description()))
+        .file(name)
+        .line(static_cast<int>(error.source().begin.line))
+        .expected("a TOML file");
   }
   return scene;
 }
@@ -337,13 +331,11 @@ Scene scene_of_text(const std::string& text, const std::string& name, bool reads
 void refuse_picture(const std::string& file) {
   const std::string format = picture_format_of(read_beginning(file, kSignatureBytes).bytes);
   if (format.empty()) return;
-  ErrorDetails details;
-  details.file = file;
-  details.problem = "this is a picture (" + format + "), not a scene";
-  details.expected = "a scene file (TOML)";
-  details.hint = "'vegard measure " + file + "' takes a photograph alone; 'vegard describe " + file +
-                 " -o scene.toml' begins a scene of it";
-  throw Error(ErrorKind::scene, details);
+  throw Error(ErrorKind::scene, "this is a picture (" + format + "), not a scene")
+      .file(file)
+      .expected("a scene file (TOML)")
+      .hint("'vegard measure " + file + "' takes a photograph alone; 'vegard describe " + file +
+            " -o scene.toml' begins a scene of it");
 }
 
 }  // namespace

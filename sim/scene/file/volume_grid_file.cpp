@@ -76,10 +76,10 @@ std::string emission_grid_name(double line_nm) { return "emission_" + line_name(
 VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   VolumeGridFile out;
   out.place = table_place(scene, volume.file);
+  const std::string key = "volume." + volume.name + ".file";
   const auto refuse = [&](const std::string& problem, const std::string& expected,
                           const std::string& hint = {}) {
-    throw Error(ErrorKind::unreadable_input,
-                {problem, out.place, 0, "volume." + volume.name + ".file", expected, hint});
+    throw Error(ErrorKind::unreadable_input, problem).file(out.place).key(key).expected(expected).hint(hint);
   };
   const bool by_density = !volume.density_rayleigh.empty();
   std::vector<std::string> wanted;
@@ -90,9 +90,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
     wanted.emplace_back(kDensity);
     file = read_any(out.place, wanted, kBytesForRays * scene.emission.lines.size());
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    if (details.key.empty()) details.key = "volume." + volume.name + ".file";
-    throw Error(error.kind(), details);
+    throw Error(error).key(error.details().key.empty() ? key : error.details().key);
   }
   out.grid = std::move(file.grid);
   for (const double nm : scene.emission.lines)

@@ -51,11 +51,7 @@ bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z
 bool is_in_word(char c) { return begins_word(c) || is_decimal(c) || c == '.'; }
 
 [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& hint) {
-  ErrorDetails details;
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw Error(ErrorKind::scene, details);
+  throw Error(ErrorKind::scene, problem).expected(expected).hint(hint);
 }
 
 std::string place_text(const std::string& text, std::size_t at) {

@@ -23,11 +23,8 @@ void with_origin(const Scene& scene, int line, const std::string& key, const std
   try {
     what();
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.file = scene.file;
-    details.line = line;
-    if (details.key.empty()) details.key = key;
-    throw Error(error.kind(), details);
+    const std::string& faulty = error.details().key;
+    throw Error(error).file(scene.file).line(line).key(faulty.empty() ? key : faulty);
   }
 }
 

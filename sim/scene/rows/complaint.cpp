@@ -7,14 +7,12 @@ namespace vegard::sim {
 std::string in_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
 
 void complain(const Complaint& complaint, const Origin& origin) {
-  ErrorDetails details;
-  details.problem = complaint.problem;
-  details.file = origin.file;
-  details.line = origin.line;
-  details.key = origin.key;
-  details.expected = complaint.expected;
-  details.hint = complaint.hint;
-  throw Error(ErrorKind::scene, details);
+  throw Error(ErrorKind::scene, complaint.problem)
+      .file(origin.file)
+      .line(origin.line)
+      .key(origin.key)
+      .expected(complaint.expected)
+      .hint(complaint.hint);
 }
 
 }  // namespace vegard::sim

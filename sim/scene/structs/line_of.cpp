@@ -21,12 +21,10 @@ bool is_longitude_given(const Scene& scene) {
 }
 
 Error with_place(const Error& error, const Scene& scene) {
-  ErrorDetails details = error.details();
+  const ErrorDetails& details = error.details();
   if (error.kind() != ErrorKind::scene || details.line != 0) return error;
   if (!details.file.empty() && details.file != scene.file) return error;
-  details.file = scene.file;
-  details.line = line_of(scene, details.key);
-  return Error(error.kind(), details);
+  return Error(error).file(scene.file).line(line_of(scene, details.key));
 }
 
 }  // namespace vegard::sim

@@ -143,7 +143,7 @@ toml::table parse_toml(const std::string& text, const std::string& file) {
       // In the last line it may be that an array or a text is not at its end there.
       if (static_cast<int>(error.source().begin.line) < excess->line - 1) throw;
     }
-    throw Error(ErrorKind::scene, {excess->problem, file, excess->line, {}, "a TOML file", {}});
+    throw Error(ErrorKind::scene, excess->problem).file(file).line(excess->line).expected("a TOML file");
   }
   return toml::parse(text, file);
 }

@@ -32,11 +32,8 @@ const BuiltIn* find_built_in(const std::string& name) {
   return nullptr;
 }
 
-ErrorDetails about_tables(const std::string& problem) {
-  ErrorDetails details;
-  details.key = kTablesKey;
-  details.problem = problem;
-  return details;
+Error about_tables(const std::string& problem) {
+  return Error(ErrorKind::unreadable_input, problem).key(kTablesKey);
 }
 
 /// The files that are compiled in; none if they are not.
@@ -56,22 +53,19 @@ TableFolder folder_at(const std::string& place) {
   TableFolder folder;
   folder.place = place;
   std::error_code error;
-  if (!std::filesystem::is_directory(place, error)) {
-    ErrorDetails details = about_tables("'" + place + "': there is no such folder");
-    details.expected = "a folder of emission tables, \"glow\" or \"vegard\"";
-    details.hint = "its name is relative to the scene's file";
-    throw Error(ErrorKind::unreadable_input, details);
-  }
+  if (!std::filesystem::is_directory(place, error))
+    throw about_tables("'" + place + "': there is no such folder")
+        .expected("a folder of emission tables, \"glow\" or \"vegard\"")
+        .hint("its name is relative to the scene's file");
   const auto take = [&](const char* name, bool required) {
     const std::string file = (std::filesystem::path(place) / name).string();
     if (!required && !std::filesystem::exists(file, error)) return;
     InputFile input = read_input(file);
     if (!input.problem.empty()) {
-      ErrorDetails details = about_tables("'" + file + "': " + input.problem);
-      details.expected = "a folder with ";
+      std::string expected = "a folder with ";
       for (const char* each : kRequired)
-        details.expected += std::string(each == kRequired.front() ? "" : ", ") + each;
-      throw Error(ErrorKind::unreadable_input, details);
+        expected += std::string(each == kRequired.front() ? "" : ", ") + each;
+      throw about_tables("'" + file + "': " + input.problem).expected(expected);
     }
     folder.files[name] = std::move(input.bytes);
   };
@@ -96,14 +90,14 @@ std::shared_ptr<const TableFolder> find_built_in_tables(const BuiltIn& built_in)
   if (!embedded.files.empty()) return the_one(std::move(embedded));
   const std::string file = find_data_file(std::string(built_in.folder) + "/" + kMaxwellianFile);
   if (!file.empty()) return the_one(folder_at(std::filesystem::path(file).parent_path().string()));
-  ErrorDetails details = about_tables(std::string("the tables \"") + built_in.name + "\" are not here: no ");
+  std::string problem = std::string("the tables \"") + built_in.name + "\" are not here: no ";
   bool first = true;
   for (const std::string& folder : data_folders()) {
-    details.problem += (first ? "" : ", no ") + (std::filesystem::path(folder) / built_in.folder).string();
+    problem += (first ? "" : ", no ") + (std::filesystem::path(folder) / built_in.folder).string();
     first = false;
   }
-  details.hint = "VEGARD_DATA may name the folder that has " + std::string(built_in.folder) + "/ in it";
-  throw Error(ErrorKind::unreadable_input, details);
+  throw about_tables(problem).hint("VEGARD_DATA may name the folder that has " +
+                                   std::string(built_in.folder) + "/ in it");
 }
 
 }  // namespace
@@ -114,11 +108,8 @@ bool are_built_in_tables(const std::string& name) { return find_built_in(name) !
 
 std::shared_ptr<const TableFolder> built_in_tables(const std::string& name) {
   const BuiltIn* built_in = find_built_in(name);
-  if (built_in == nullptr) {
-    ErrorDetails details = about_tables("'" + name + "' is a folder that was not read");
-    details.hint = "read_table_files() reads it";
-    throw Error(ErrorKind::unreadable_input, details);
-  }
+  if (built_in == nullptr)
+    throw about_tables("'" + name + "' is a folder that was not read").hint("read_table_files() reads it");
   static std::mutex mutex;
   static std::map<const BuiltIn*, std::shared_ptr<const TableFolder>> found;
   const std::lock_guard<std::mutex> lock(mutex);
@@ -138,10 +129,7 @@ void read_emission_folder(Scene& scene, const std::string& place) {
     if (!scene.emission.folder || scene.emission.folder->place != place)
       scene.emission.folder = the_one(folder_at(place));
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.file = scene.file;
-    details.line = line_of(scene, details.key);
-    throw Error(error.kind(), details);
+    throw Error(error).file(scene.file).line(line_of(scene, error.details().key));
   }
 }
 

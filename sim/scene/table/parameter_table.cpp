@@ -116,20 +116,15 @@ std::string vector_text(const ParameterPath& path) {
 }
 
 [[noreturn]] void fail_unknown(const Scene& scene, const std::string& path) {
-  ErrorDetails details;
-  details.key = path;
-  details.problem = "no such parameter";
-  const std::string last = path.substr(path.rfind('.') + 1);
-  if (const AlternativeForm* form = find_alternative_form(last)) {
-    details.problem = "'" + last + "' is a form for scene files only";
-    details.hint = "name " + form->replaces_text() + " instead";
-    throw Error(ErrorKind::scene, details);
-  }
-  if (last == curve_file_key || last == curve_number_key) {
-    details.problem = "'" + last + "' is a form for scene files only";
-    details.hint = "name east_km, north_km and the other numbers of the curve's points instead";
-    throw Error(ErrorKind::scene, details);
-  }
+  const auto fail = [&](const std::string& problem, const std::string& hint) {
+    throw Error(ErrorKind::scene, problem).key(path).hint(hint);
+  };
+  const std::string last = path.substr(path.rfind('.') + 1),
+                    of_files = "'" + last + "' is a form for scene files only";
+  if (const AlternativeForm* form = find_alternative_form(last))
+    fail(of_files, "name " + form->replaces_text() + " instead");
+  if (last == curve_file_key || last == curve_number_key)
+    fail(of_files, "name east_km, north_km and the other numbers of the curve's points instead");
   std::vector<std::string> known;
   for (const ParameterPath& p : all_paths(scene)) {
     known.push_back(p.text);
@@ -139,17 +134,14 @@ std::string vector_text(const ParameterPath& path) {
   for (const Sheet& sheet : scene.sheets) {
     const std::string key = std::string(sheet_table) + "." + sheet.name + "." + list;
     if (with_only_name(scene, path).compare(0, key.size(), key) != 0 || !sheet.spline_rate.empty()) continue;
-    details.problem = "the sheet has no coefficients of a free-form profile";
-    details.hint = "set its profile to \"spline\"";
-    throw Error(ErrorKind::scene, details);
+    fail("the sheet has no coefficients of a free-form profile", "set its profile to \"spline\"");
   }
   const RepeatedTable* repeated = repeated_table(path.substr(0, path.find('.')));
-  if (repeated != nullptr && repeated->count(scene) == 0) {
-    details.hint = "the scene has no " + repeated->table;
-  } else {
-    details.hint = nearest_hint(with_only_name(scene, path), known);
-  }
-  throw Error(ErrorKind::scene, details);
+  throw Error(ErrorKind::scene, "no such parameter")
+      .key(path)
+      .hint(repeated != nullptr && repeated->count(scene) == 0
+                ? "the scene has no " + repeated->table
+                : nearest_hint(with_only_name(scene, path), known));
 }
 
 }  // namespace

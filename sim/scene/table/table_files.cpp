@@ -35,14 +35,12 @@ void for_each_table_key(Scene& scene, const Use& use) {
 std::string read_text(const Scene& scene, const TableFile& table) {
   const std::string place = table_place(scene, table.name);
   const auto fail = [&](const std::string& problem, const std::string& expected) {
-    ErrorDetails details;
-    details.problem = "'" + place + "': " + problem;
-    details.file = scene.file;
-    details.line = line_of(scene, table.path);
-    details.key = table.path;
-    details.expected = expected;
-    details.hint = "its name is relative to the scene's file";
-    throw Error(ErrorKind::unreadable_input, details);
+    throw Error(ErrorKind::unreadable_input, "'" + place + "': " + problem)
+        .file(scene.file)
+        .line(line_of(scene, table.path))
+        .key(table.path)
+        .expected(expected)
+        .hint("its name is relative to the scene's file");
   };
   InputFile file = read_input(place);
   if (!file.problem.empty()) fail(file.problem, "a CSV file");
