@@ -27,23 +27,17 @@ constexpr std::size_t kMaxCurvePoints = 1000;
 constexpr double kMinBetweenPoints_km = 1e-3;
 
 std::optional<Complaint> complaint_about(const Declaration& d, const ValueRef& value) {
-  struct Check {
-    const Declaration& d;
-    std::optional<Complaint> operator()(const double* v) const { return number_complaint(d, *v); }
-    std::optional<Complaint> operator()(const int* v) const { return number_complaint(d, *v); }
-    std::optional<Complaint> operator()(const std::uint64_t* v) const {
-      // TOML's integers end there.
-      constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-      if (*v <= largest) return number_complaint(d, static_cast<double>(*v));
-      return Complaint{std::to_string(*v) + " is too large", "at most " + std::to_string(largest), ""};
-    }
-    std::optional<Complaint> operator()(const bool*) const { return std::nullopt; }
-    std::optional<Complaint> operator()(const std::string* v) const { return text_complaint(d, *v); }
-    std::optional<Complaint> operator()(const KindRef& v) const {
-      return text_complaint(d, kind_word(*d.kind_type, v.number()));
-    }
-  };
-  return std::visit(Check{d}, value);
+  if (const auto* number = std::get_if<double*>(&value)) return number_complaint(d, **number);
+  if (const auto* number = std::get_if<int*>(&value)) return number_complaint(d, **number);
+  if (const auto* text = std::get_if<std::string*>(&value)) return text_complaint(d, **text);
+  if (const auto* kind = std::get_if<KindRef>(&value))
+    return text_complaint(d, kind_word(*d.kind_type, kind->number()));
+  const auto* number = std::get_if<std::uint64_t*>(&value);
+  if (number == nullptr) return std::nullopt;
+  // TOML's integers end there.
+  constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (**number <= largest) return number_complaint(d, static_cast<double>(**number));
+  return Complaint{std::to_string(**number) + " is too large", "at most " + std::to_string(largest), ""};
 }
 
 void check_names(const Scene& scene) {

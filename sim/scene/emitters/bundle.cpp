@@ -65,10 +65,6 @@ void check_the_bundle(const Scene& scene, const Bundle& b) {
                  "horizon_deg");
 }
 
-void check_bundles(const Scene& scene) {
-  for (const Bundle& bundle : scene.bundles) check_the_bundle(scene, bundle);
-}
-
 }  // namespace
 
 EmitterKind bundle_kind() {
@@ -77,7 +73,7 @@ EmitterKind bundle_kind() {
   kind.repeated = {repeated_table_of(kind.table, &Scene::bundles)};
   kind.rows = bundle_rows;
   kind.light = LightKind::sun;
-  kind.check = check_bundles;
+  kind.check = check_each<&Scene::bundles, check_the_bundle>;
   kind.moves = turns_with_sun;
   kind.place_in_preview = 5;
   return kind;

@@ -69,10 +69,6 @@ void check_the_chromosphere(const Scene& scene, const Chromosphere& c) {
     check.refuse({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"}, "peak");
 }
 
-void check_chromospheres(const Scene& scene) {
-  for (const Chromosphere& chromosphere : scene.chromospheres) check_the_chromosphere(scene, chromosphere);
-}
-
 std::vector<PictureOfScene> pictures_of_chromospheres(const Scene& scene) {
   std::vector<PictureOfScene> all;
   for (const Chromosphere& c : scene.chromospheres)
@@ -88,7 +84,7 @@ EmitterKind chromosphere_kind() {
   kind.repeated = {repeated_table_of(kind.table, &Scene::chromospheres)};
   kind.rows = chromosphere_rows;
   kind.light = LightKind::sun;
-  kind.check = check_chromospheres;
+  kind.check = check_each<&Scene::chromospheres, check_the_chromosphere>;
   kind.moves = turns_with_sun;
   kind.pictures = pictures_of_chromospheres;
   kind.place_in_preview = 3;

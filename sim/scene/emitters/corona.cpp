@@ -46,10 +46,6 @@ void check_the_corona(const Scene& scene, const Corona& c) {
         "share");
 }
 
-void check_coronae(const Scene& scene) {
-  for (const Corona& corona : scene.coronae) check_the_corona(scene, corona);
-}
-
 OnSun coronae_on_sun(const Scene& scene) {
   if (!scene.sun.shown || scene.coronae.empty()) return OnSun::nothing;
   const bool has_poles = std::any_of(scene.coronae.begin(), scene.coronae.end(), [&](const Corona& c) {
@@ -66,7 +62,7 @@ EmitterKind corona_kind() {
   kind.repeated = {repeated_table_of(kind.table, &Scene::coronae)};
   kind.rows = corona_rows;
   kind.light = LightKind::sun;
-  kind.check = check_coronae;
+  kind.check = check_each<&Scene::coronae, check_the_corona>;
   kind.on_sun = coronae_on_sun;
   kind.place_in_preview = 4;
   return kind;

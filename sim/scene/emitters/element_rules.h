@@ -30,6 +30,12 @@ class ElementCheck {
   std::string path_;
 };
 
+/// Checks every element of a repeated table: EmitterKind::check.
+template <auto in, auto check>
+void check_each(const Scene& scene) {
+  for (const auto& element : scene.*in) check(scene, element);
+}
+
 /// Returns the word of an enumerator, searched in these rows only (word_of() of
 /// sim/scene/table/parameter_table.h searches all rows); empty if no row has it.
 std::string word_in(const std::vector<Declaration>& rows, const std::type_info& kind, int number);

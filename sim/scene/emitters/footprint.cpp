@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "sim/base/number/constants.h"
 #include "sim/scene/emitters/element_rules.h"
@@ -124,36 +123,34 @@ std::vector<Declaration> footprint_rows() {
   // clang-format on
 }
 
-using Refuse = std::function<void(const Complaint&, const std::string& key)>;
-
 /// That no map, and no curve, takes more memory than a machine has.
-void check_size(const Footprint& f, double sphere_km, const Refuse& refuse) {
+void check_size(const Footprint& f, double sphere_km, const ElementCheck& check) {
   const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
   if (of_spline && spline_pieces(f, sphere_km) > kMaxSplinePieces)
-    refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) + " pieces of " +
-                short_real_text(longest_piece_km(f, sphere_km)) + " km",
-            "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
-           is_shell ? "longitude_deg" : "east_km");
+    check.refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) +
+                      " pieces of " + short_real_text(longest_piece_km(f, sphere_km)) + " km",
+                  "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
+                 is_shell ? "longitude_deg" : "east_km");
   if (f.model == FootprintModel::curtain) return;
   if (!is_shell && longest_side_cells(f) > kMaxSideCells)
-    refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side", "at most 262000",
-            "a larger cell_km, or a smaller size_km"},
-           "cell_km");
+    check.refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side",
+                  "at most 262000", "a larger cell_km, or a smaller size_km"},
+                 "cell_km");
   if (!is_shell && map_cells(f) > kMaxBoxCells)
-    refuse({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
-            "a larger cell_km, or a smaller size_km", ""},
-           "cell_km");
+    check.refuse({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
+                  "a larger cell_km, or a smaller size_km", ""},
+                 "cell_km");
   const double bytes = map_cells(f) * bytes_per_cell(f, sizeof(double));
   if (bytes > kMaxMapBytes)
-    refuse({"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB, " +
-                short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
-            "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},
-           is_shell ? "face_cells" : "cell_km");
+    check.refuse({"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) +
+                      " GB, " + short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
+                  "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},
+                 is_shell ? "face_cells" : "cell_km");
 }
 
 /// Between neighbours a quarter of the way round or more apart, a spline would leave the sphere too far to be
 /// drawn back to it.
-void check_points_of_shell(const Footprint& f, const Refuse& refuse) {
+void check_points_of_shell(const Footprint& f, const ElementCheck& check) {
   const auto unit = [&](std::size_t i) {
     const double latitude = f.latitude_deg[i] * kRadiansPerDegree,
                  longitude = f.longitude_deg[i] * kRadiansPerDegree;
@@ -167,89 +164,84 @@ void check_points_of_shell(const Footprint& f, const Refuse& refuse) {
     const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     if (cosine > 1e-9) continue;
     const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadiansPerDegree;
-    refuse({"points " + std::to_string(i) + " and " + std::to_string(next) + " are " +
-                short_real_text(std::round(degrees * 10.0) * 0.1) + " degrees apart on the globe",
-            "neighbours less than 90 degrees apart" +
-                std::string(f.closed ? ", the last and the first of a closed curve too" : ""),
-            "more points between them"},
-           "longitude_deg");
+    check.refuse({"points " + std::to_string(i) + " and " + std::to_string(next) + " are " +
+                      short_real_text(std::round(degrees * 10.0) * 0.1) + " degrees apart on the globe",
+                  "neighbours less than 90 degrees apart" +
+                      std::string(f.closed ? ", the last and the first of a closed curve too" : ""),
+                  "more points between them"},
+                 "longitude_deg");
   }
 }
 
 void check_the_footprint(const Scene& scene, const Footprint& f) {
-  const std::string path = "footprint." + f.name + ".";
-  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
-    complain(complaint, {scene.file, 0, path + key});
-  };
+  const ElementCheck check(scene, "footprint." + f.name);
   const bool is_shell = f.shape == FootprintShape::shell;
   const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
   if (f.source == FootprintSource::spline) {
     if (x.size() != y.size())
-      refuse({std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
-              "as many of one as of the other", ""},
-             y_key);
+      check.refuse(
+          {std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
+           "as many of one as of the other", ""},
+          y_key);
     if (x.size() < 2 || x.size() > 1000)
-      refuse({"a spline through " + std::to_string(x.size()) + " points",
-              std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
-             x_key);
-    if (is_shell) check_points_of_shell(f, refuse);
+      check.refuse({"a spline through " + std::to_string(x.size()) + " points",
+                    std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
+                   x_key);
+    if (is_shell) check_points_of_shell(f, check);
   }
   for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
     if (!list->empty() && (f.source != FootprintSource::spline || list->size() != x.size()))
-      refuse({std::to_string(list->size()) + " numbers for " +
-                  std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
-              "one for every point, or none", ""},
-             key);
+      check.refuse(
+          {std::to_string(list->size()) + " numbers for " +
+               std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
+           "one for every point, or none", ""},
+          key);
   if (f.model == FootprintModel::curtain && f.source != FootprintSource::spline)
-    refuse({"a curtain stands on a spline, not on a footprint of " +
-                quoted_text(word_in(footprint_rows(), f.source)),
-            "source = \"spline\"", "or model = \"volume\""},
-           "model");
+    check.refuse({"a curtain stands on a spline, not on a footprint of " +
+                      quoted_text(word_in(footprint_rows(), f.source)),
+                  "source = \"spline\"", "or model = \"volume\""},
+                 "model");
   const bool of_file = f.source == FootprintSource::image || f.source == FootprintSource::cube;
   if (of_file && f.image.empty())
-    refuse(
+    check.refuse(
         {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
         "source");
   if (f.source == FootprintSource::cube && (!is_shell || f.image.find("{face}") == std::string::npos))
-    refuse(
+    check.refuse(
         {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
          is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
         is_shell ? "image" : "source");
   const bool of_map = f.source == FootprintSource::precipitation;
   if (of_map && f.file.empty())
-    refuse({"the footprint is to come from a map of precipitation, but file names none",
-            "file = \"precipitation.fits\"", ""},
-           "source");
+    check.refuse({"the footprint is to come from a map of precipitation, but file names none",
+                  "file = \"precipitation.fits\"", ""},
+                 "source");
   if (of_map && flows(f))
-    refuse({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
+    check.refuse({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
   if (is_shell && (f.source == FootprintSource::sheets || of_map || f.source == FootprintSource::noise))
-    refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
-            "shape = \"box\"", ""},
-           "source");
+    check.refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
+                  "shape = \"box\"", ""},
+                 "source");
   if (f.source == FootprintSource::sheets && scene.sheets.empty())
-    refuse({"the footprint is to be that of the sheets, but there are none", "a [[sheet]], or another source",
-            ""},
-           "source");
+    check.refuse({"the footprint is to be that of the sheets, but there are none",
+                  "a [[sheet]], or another source", ""},
+                 "source");
   if (is_shell && flows(f))
-    refuse({"a flow is of a plane, and a shell has none",
-            "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
-           f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
+    check.refuse({"a flow is of a plane, and a shell has none",
+                  "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
+                 f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
   const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
   if (drifts && f.source == FootprintSource::sheets)
-    refuse(
+    check.refuse(
         {"a footprint of the sheets goes where they go", "drift_km_s = [0, 0]", "the sheets' own drift_km_s"},
         "drift_km_s");
   if (is_shell && f.drift_km_s.north != 0.0)
-    refuse(
+    check.refuse(
         {"a shell turns about the Earth's axis and cannot drift to the north", "drift_km_s = [east, 0]", ""},
         "drift_km_s");
-  check_size(f, scene.body.radius_km, refuse);
-  if (f.low_km >= f.high_km) refuse({"low_km is not below high_km", "low_km below high_km", ""}, "low_km");
-}
-
-void check_footprints(const Scene& scene) {
-  for (const Footprint& footprint : scene.footprints) check_the_footprint(scene, footprint);
+  check_size(f, scene.body.radius_km, check);
+  check.check_below(f.low_km, "low_km", f.high_km, "high_km");
 }
 
 bool footprints_may_emit(const Scene& scene) {
@@ -315,7 +307,7 @@ EmitterKind footprint_kind() {
   kind.repeated = {repeated_table_of(kind.table, &Scene::footprints)};
   kind.rows = footprint_rows;
   kind.light = LightKind::aurora;
-  kind.check = check_footprints;
+  kind.check = check_each<&Scene::footprints, check_the_footprint>;
   kind.may_emit = footprints_may_emit;
   kind.moves = footprints_move;
   kind.made_of_sheets = footprints_of_sheets;

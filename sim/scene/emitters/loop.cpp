@@ -104,10 +104,6 @@ void check_the_loop(const Scene& scene, const Loop& l) {
                  l.blur > 0 ? "blur" : "sharpen");
 }
 
-void check_loops(const Scene& scene) {
-  for (const Loop& loop : scene.loops) check_the_loop(scene, loop);
-}
-
 bool loops_move(const Scene& scene) {
   return turns_with_sun(scene) || std::any_of(scene.loops.begin(), scene.loops.end(),
                                               [](const Loop& loop) { return loop.heating_interval_s > 0.0; });
@@ -121,7 +117,7 @@ EmitterKind loop_kind() {
   kind.repeated = {repeated_table_of(kind.table, &Scene::loops)};
   kind.rows = loop_rows;
   kind.light = LightKind::sun;
-  kind.check = check_loops;
+  kind.check = check_each<&Scene::loops, check_the_loop>;
   kind.moves = loops_move;
   kind.place_in_preview = 2;
   return kind;

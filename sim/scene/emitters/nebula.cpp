@@ -189,39 +189,29 @@ void check_nodes(const Scene& scene) {
 }
 
 void check_the_nebula(const Scene& scene, const Nebula& nebula) {
-  const std::string path = "nebula." + nebula.name + ".";
-  const auto refuse = [&](const Complaint& complaint, const std::string& key) {
-    complain(complaint, {scene.file, 0, path + key});
-  };
+  const ElementCheck check(scene, "nebula." + nebula.name);
   const auto is_node = [&](const std::string& name) {
     return std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
   };
   for (const auto& [name, key] : {std::pair{nebula.gas, "gas"}, {nebula.glow, "glow"}, {nebula.dust, "dust"}})
     if (!name.empty() && !is_node(name))
-      refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
+      check.refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
   if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
-    refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
+    check.refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""},
+                 "gas");
   if (nebula.method == NebulaMethod::literal && nebula.gas.empty())
-    refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
+    check.refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
   constexpr double kMaxSteps = 100000.0;
   if (2.0 * nebula.bound / nebula.step > kMaxSteps)
-    refuse(
+    check.refuse(
         {short_real_text(2.0 * nebula.bound / nebula.step) + " steps from side to side of the nebula's bound",
          "at most " + short_real_text(kMaxSteps), "a larger step, or a smaller bound"},
         "step");
-  const std::size_t lines = scene.emission.lines.size();
-  const auto check_list = [&](const std::vector<double>& list, const std::string& node, const char* key) {
-    if (list.size() != lines && (!node.empty() || !list.empty()))
-      refuse({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
-              "one per line of emission.lines, in its order", ""},
-             key);
-  };
   const std::string gas = nebula.method == NebulaMethod::literal ? "" : nebula.gas;
-  check_list(nebula.inner_rayleigh, gas, "inner_rayleigh");
-  check_list(nebula.outer_rayleigh, gas, "outer_rayleigh");
-  check_list(nebula.glow_rayleigh, nebula.glow, "glow_rayleigh");
-  if (nebula.inner_radius >= nebula.outer_radius)
-    refuse({"inner_radius is not below outer_radius", "inner_radius below outer_radius", ""}, "inner_radius");
+  check.check_lines(nebula.inner_rayleigh, gas.empty(), "inner_rayleigh");
+  check.check_lines(nebula.outer_rayleigh, gas.empty(), "outer_rayleigh");
+  check.check_lines(nebula.glow_rayleigh, nebula.glow.empty(), "glow_rayleigh");
+  check.check_below(nebula.inner_radius, "inner_radius", nebula.outer_radius, "outer_radius");
 }
 
 void check_nebulae(const Scene& scene) {

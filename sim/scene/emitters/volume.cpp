@@ -75,33 +75,21 @@ std::vector<Declaration> volume_rows() {
 }
 
 void check_the_volume(const Scene& scene, const Volume& volume) {
-  const auto refuse = [&](const Complaint& complaint, const char* key) {
-    complain(complaint, {scene.file, 0, "volume." + volume.name + "." + key});
-  };
-  if (volume.file.empty()) refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
+  const ElementCheck check(scene, "volume." + volume.name);
+  if (volume.file.empty()) check.refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
   if (volume.frame == VolumeFrame::sun && !scene.sun.shown)
-    refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
-  if (!volume.density_rayleigh.empty() && volume.density_rayleigh.size() != scene.emission.lines.size())
-    refuse({std::to_string(volume.density_rayleigh.size()) + " numbers for " +
-                std::to_string(scene.emission.lines.size()) + " emission lines",
-            "one per line of emission.lines, in its order", ""},
-           "density_rayleigh");
+    check.refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
+  check.check_lines(volume.density_rayleigh, true, "density_rayleigh");
   if (volume.lamp == VolumeLamp::none) return;
   if (volume.lamp == VolumeLamp::sun) {
-    if (!scene.sun.shown) refuse({"the Sun is not in the scene", "shown = true in [sun]", ""}, "lamp_kind");
+    if (!scene.sun.shown)
+      check.refuse({"the Sun is not in the scene", "shown = true in [sun]", ""}, "lamp_kind");
     if (all_zero(scene.sun.photosphere_rayleigh))
-      refuse({"the scene's Sun is dark", "photosphere_rayleigh in [sun]", "or another lamp"}, "lamp_kind");
+      check.refuse({"the scene's Sun is dark", "photosphere_rayleigh in [sun]", "or another lamp"},
+                   "lamp_kind");
     return;
   }
-  if (volume.lamp_flux.size() != scene.emission.lines.size())
-    refuse({std::to_string(volume.lamp_flux.size()) + " numbers for " +
-                std::to_string(scene.emission.lines.size()) + " emission lines",
-            "one per line of emission.lines, in its order", ""},
-           "lamp_flux");
-}
-
-void check_volumes(const Scene& scene) {
-  for (const Volume& volume : scene.volumes) check_the_volume(scene, volume);
+  check.check_lines(volume.lamp_flux, false, "lamp_flux");
 }
 
 OnSun volumes_on_sun(const Scene& scene) {
@@ -148,7 +136,7 @@ EmitterKind volume_kind() {
   kind.moves = volumes_move;
   kind.stay_at = volumes_stay_at;
   kind.rows = volume_rows;
-  kind.check = check_volumes;
+  kind.check = check_each<&Scene::volumes, check_the_volume>;
   kind.on_sun = volumes_on_sun;
   kind.light_locations = where_volumes_are;
   return kind;

@@ -24,30 +24,20 @@ struct Table {
 };
 
 std::string words_of(const Declaration& d, const ValueRef& value) {
-  struct Words {
-    const Declaration& d;
-    std::string operator()(const double* v) const { return real_text(*v); }
-    std::string operator()(const int* v) const { return std::to_string(*v); }
-    std::string operator()(const std::uint64_t* v) const { return std::to_string(*v); }
-    std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
-    std::string operator()(const std::string* v) const { return quoted_text(*v); }
-    std::string operator()(const KindRef& v) const {
-      return quoted_text(kind_word(*d.kind_type, v.number()));
-    }
-  };
-  return std::visit(Words{d}, value);
+  if (const auto* number = std::get_if<double*>(&value)) return real_text(**number);
+  if (const auto* number = std::get_if<int*>(&value)) return std::to_string(**number);
+  if (const auto* number = std::get_if<std::uint64_t*>(&value)) return std::to_string(**number);
+  if (const auto* truth = std::get_if<bool*>(&value)) return **truth ? "true" : "false";
+  if (const auto* text = std::get_if<std::string*>(&value)) return quoted_text(**text);
+  return quoted_text(kind_word(*d.kind_type, std::get<KindRef>(value).number()));
 }
 
 ParameterKind kind_of(const ValueRef& value) {
-  struct Kind {
-    ParameterKind operator()(const double*) const { return ParameterKind::real; }
-    ParameterKind operator()(const int*) const { return ParameterKind::integer; }
-    ParameterKind operator()(const std::uint64_t*) const { return ParameterKind::integer; }
-    ParameterKind operator()(const bool*) const { return ParameterKind::boolean; }
-    ParameterKind operator()(const std::string*) const { return ParameterKind::text; }
-    ParameterKind operator()(const KindRef&) const { return ParameterKind::text; }
-  };
-  return std::visit(Kind{}, value);
+  if (std::holds_alternative<double*>(value)) return ParameterKind::real;
+  if (std::holds_alternative<bool*>(value)) return ParameterKind::boolean;
+  return std::holds_alternative<int*>(value) || std::holds_alternative<std::uint64_t*>(value)
+             ? ParameterKind::integer
+             : ParameterKind::text;
 }
 
 /// The key without its unit, in words.
