@@ -1,7 +1,6 @@
 #include <string>
 
-#include "sim/scene/file/free_parameters_toml.h"
-#include "sim/scene/file/photo_entries_toml.h"
+#include "sim/scene/file/fit_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"

@@ -3,7 +3,7 @@
 #include <toml++/toml.h>
 
 #include "sim/base/error.h"
-#include "sim/scene/file/free_parameters_toml.h"
+#include "sim/scene/file/fit_entries_toml.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/bounded_toml.h"

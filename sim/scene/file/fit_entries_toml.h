@@ -1,15 +1,12 @@
-// fit.free in a scene file: an array of paths and of tables { path, start, min, max, prior = { mean, sigma }
-// }; and fit.tied: an array of tables { path, equals }.
-//
-// For the files of this folder only.
+// The entries of fit.free, fit.tied and [[fit.photo]] as TOML, read and written.
 #pragma once
 
+#include <toml++/toml.h>
 #include <string>
 #include <vector>
 
-#include <toml++/toml.h>
-
 #include "sim/scene/structs/fit.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::sim {
@@ -24,5 +21,11 @@ std::string free_parameters_text(const std::vector<FreeParameter>& free);
 /// The same for fit.tied.
 std::vector<TiedParameter> read_tied_parameters(const toml::node& node, const Origin& origin);
 std::string tied_parameters_text(const std::vector<TiedParameter>& tied);
+
+/// Reads the entries and checks types and keys; check_photos() checks the contents. Throws Error(scene).
+std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin& origin);
+
+/// Returns the tables as TOML text, each after an empty line.
+std::string photo_entries_text(const std::vector<PhotoEntry>& photos);
 
 }  // namespace vegard::sim
