@@ -27,7 +27,6 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/auroral_run.h"
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/scene/lines/solar_lines.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "sim/light/emitter.h"
-#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 
-/// Returns the factor on a line's light at a temperature in MK, above 0 (sim/scene/lines/solar_lines.h).
+/// Returns the factor on a line's light at a temperature in MK, above 0 (sim/scene/lines/emission_lines.h).
 template <class T>
 T response_at(const TemperatureResponse& response, const T& temperature_mk) {
   const T off = (logarithm(temperature_mk) * (1.0 / std::log(10.0)) + (6.0 - response.peak_log_k)) *
@@ -19,7 +19,7 @@ T response_at(const TemperatureResponse& response, const T& temperature_mk) {
 }
 
 /// Returns `rayleigh`, per line of the scene (or empty: dark). If the temperature in MK is not 0, lines with
-/// a response to temperature are multiplied by it (sim/scene/lines/solar_lines.h).
+/// a response to temperature are multiplied by it (sim/scene/lines/emission_lines.h).
 template <class T>
 std::vector<T> line_light(const Scene& scene, const std::vector<double>& rayleigh,
                           const double& temperature_mk, const NumberAs<T>& number) {

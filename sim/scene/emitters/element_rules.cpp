@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

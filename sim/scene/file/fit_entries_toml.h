@@ -1,4 +1,8 @@
-// The entries of fit.free, fit.tied and [[fit.photo]] as TOML, read and written.
+// The entries of a fit in a scene file, read and written: fit.free, an array of paths and of tables { path,
+// start, min, max, prior = { mean, sigma } }; fit.tied, an array of tables { path, equals }; and
+// [[fit.photo]], photographs that are fitted together, each with its own settings.
+//
+// For the files of this folder only.
 #pragma once
 
 #include <toml++/toml.h>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/lines/solar_lines.h"
-
 namespace vegard::sim {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 
 #include <cmath>
 

@@ -10,7 +10,7 @@
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/strand/cooling_strand.h"
-#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 namespace {

@@ -12,7 +12,6 @@
 #include "sim/light/tables/emission_table.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/scene_lines.h"
-#include "sim/scene/lines/solar_lines.h"
 #include "tests/support/glow.h"
 
 namespace vegard::sim::emission_lines_test {

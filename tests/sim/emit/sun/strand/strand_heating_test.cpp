@@ -13,7 +13,7 @@
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_emitter.h"
 #include "sim/emit/sun/strand/strand_field.h"
-#include "sim/scene/lines/solar_lines.h"
+#include "sim/scene/lines/emission_lines.h"
 #include "tests/support/light_derivatives.h"
 #include "tests/support/seeded_numbers.h"
 #include "tests/support/sun_rays.h"
