@@ -15,7 +15,7 @@
 #include "apps/options/standard_streams.h"
 #include "sim/base/shown_text.h"
 #include "sim/base/text.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 
 namespace vegard::apps {
 namespace {

@@ -15,7 +15,7 @@
 #include "fit/measure/profile_bins.h"
 #include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
-#include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/structs/sensor.h"
 
 namespace vegard::fit {
 namespace {

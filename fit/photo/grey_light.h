@@ -2,8 +2,8 @@
 // channel is compared.
 #pragma once
 
-#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/structs/scene.h"
+#include "sim/scene/structs/sensor.h"
 
 namespace vegard::fit {
 

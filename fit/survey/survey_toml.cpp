@@ -9,7 +9,6 @@
 #include "sim/base/file/sha256.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/decoding_word.h"
-#include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/checked_table.h"
 

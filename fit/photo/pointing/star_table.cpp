@@ -10,7 +10,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/text.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {

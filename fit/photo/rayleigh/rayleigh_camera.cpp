@@ -7,7 +7,7 @@
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/text.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/table/checked_table.h"
 
 namespace vegard::fit {

@@ -7,7 +7,7 @@
 #include "sim/scene/freedom/expression.h"
 #include "sim/scene/freedom/inert_parameter.h"
 #include "sim/scene/freedom/ties.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <tuple>
 
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/toml_value.h"

@@ -10,7 +10,7 @@
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/fit_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/line_of.h"

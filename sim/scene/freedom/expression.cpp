@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,10 +1,10 @@
 // [sensor]: from light to numbers.
 #include <algorithm>
 
-#include "sim/scene/lines/camera_responses.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/row.h"
+#include "sim/scene/structs/sensor.h"
 
 namespace vegard::sim {
 namespace {

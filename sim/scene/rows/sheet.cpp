@@ -64,6 +64,31 @@ Row<Sheet> of_profile(ProfileKind profile, const char* else_do, Row<Sheet> row) 
                       "the sheet's profile is {profile}", else_do);
 }
 
+/// The row of the electrons' energy, which is not what every sheet's light depends on.
+Row<Sheet> of_energy(Row<Sheet> row) {
+  row.noted_if([](const Sheet& s) { return s.profile == ProfileKind::form; },
+               "the heights of the light are those of a form's curve (peak_km, lower_km, upper_km), so "
+               "energy_kev sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" "
+               "has heights by energy")
+      .not_free_if(
+          is_footprint_of_brightness,
+          {"the sheet's brightness is given, and how the energy flux of its footprint depends on its energy "
+           "then is not known",
+           "a sheet of given energy_flux_mw_m2",
+           "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of fit.free"});
+  return but_of_points(row, &Sheet::point_energy_kev)
+      .inert_if([](const Sheet& s) { return s.profile == ProfileKind::file; },
+                {"the sheet's profile comes from a file, so the energy of its electrons has no effect",
+                 affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
+      .inert_if([](const Sheet& s) { return s.profile == ProfileKind::layer; },
+                {"the sheet's light is in layers of the scene's own lines, so the energy of its electrons "
+                 "counts for nothing",
+                 affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
+      .inert_if([](const Sheet& s) { return s.profile == ProfileKind::spline; },
+                {"the sheet's profile is free, so the electrons' energy has no effect", affects_light,
+                 "leave it out of fit.free; sheet.{element}.spline_rate is the light"});
+}
+
 /// Who asks for a number of beams does not want a form's, which goes by the length.
 void count_beams(Scene& scene, int sheet) { scene.sheets.at(sheet).beams_per_km = 0.0; }
 
@@ -106,11 +131,8 @@ std::vector<Declaration> sheet_rows() {
           .means("standard deviation of a layer's Gaussian cross-section"),
       row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("electron beams in each layer; sets beams_per_km to 0"),
-      but_of_points(Row("energy_kev", &Sheet::energy_kev).noted_if([](const Sheet& s) { return s.profile == ProfileKind::form; }, "the heights of the light are those of a form's curve (peak_km, lower_km, upper_km), so energy_kev sets the ratios of the lines and their brightness alone; profile = \"maxwellian\" has heights by energy").not_free_if(is_footprint_of_brightness, {"the sheet's brightness is given, and how the energy flux of its footprint depends on its energy then is not known", "a sheet of given energy_flux_mw_m2", "set energy_flux_mw_m2 in the place of brightness_kilorayleigh, or leave it out of fit.free"}), &Sheet::point_energy_kev).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); else the central energy")
-          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::file; }, {"the sheet's profile comes from a file, so the energy of its electrons has no effect", affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
-          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::layer; }, {"the sheet's light is in layers of the scene's own lines, so the energy of its electrons counts for nothing", affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
-          .inert_if([](const Sheet& s) { return s.profile == ProfileKind::spline; }, {"the sheet's profile is free, so the electrons' energy has no effect", affects_light, "leave it out of fit.free; sheet.{element}.spline_rate is the light"}),
+      of_energy(Row("energy_kev", &Sheet::energy_kev)).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
+          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); else the central energy"),
       of_profile(ProfileKind::gaussian, "set profile to \"gaussian\"", row("energy_spread", &Sheet::energy_spread)).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("relative standard deviation of a Gaussian energy"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace vegard::sim {
 
@@ -69,5 +70,16 @@ struct Sensor {
   std::string colour_table = "none";  ///< false colours of display files, by name or file
   double calibration_error = 0.0;     ///< relative error of the absolute scale; 0: not calibrated
 };
+
+enum class ResponseKind {
+  cie,      ///< "cie", the CIE 1931 observer
+  filters,  ///< "filters", a narrow filter per line
+  grey,     ///< "grey", the same response to every photon
+  measured  ///< anything else: a camera or a table
+};
+ResponseKind response_kind(const std::string& response);
+
+/// Returns the names of the built-in cameras; each has a table data/cameras/NAME.csv.
+const std::vector<std::string>& built_in_cameras();
 
 }  // namespace vegard::sim

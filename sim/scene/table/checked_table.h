@@ -14,7 +14,6 @@
 #include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/scene/rows/complaint.h"
-#include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/toml_value.h"
 

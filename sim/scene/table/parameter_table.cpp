@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/text.h"
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/alternative_forms.h"
 #include "sim/scene/table/parameter_declarations.h"

@@ -6,8 +6,8 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/decoding_word.h"
-#include "sim/scene/rows/nearest_name.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/free_entry_keys.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"

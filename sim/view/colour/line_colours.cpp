@@ -1,9 +1,8 @@
 #include "sim/view/colour/line_colours.h"
 
 #include <cmath>
-
-#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/colour/sensor_response.h"
 

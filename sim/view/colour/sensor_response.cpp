@@ -7,10 +7,10 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/scene/lines/camera_responses.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/structs/line_of.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/scene/table/table_files.h"
 #include "sim/view/colour/colour.h"
 

@@ -8,7 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
-#include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/line_colours.h"
 
 namespace vegard::sim::line_estimate_test {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/structs/sensor.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/structs/sensor.h"
 
 namespace vegard::sim::spectral_resolution_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/scene/rows/nearest_name.h"
+#include "sim/scene/rows/complaint.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/expect_error.h"
 
-namespace vegard::sim::nearest_name_test {
+namespace vegard::sim::complaint_test {
 namespace {
 
 TEST(EditDistance, CountsEditsAndSwaps) {
@@ -47,4 +47,4 @@ TEST(NearestHint, IsGivenToNamesAPersonWouldWrite) {
 }
 
 }  // namespace
-}  // namespace vegard::sim::nearest_name_test
+}  // namespace vegard::sim::complaint_test

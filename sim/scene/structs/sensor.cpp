@@ -1,4 +1,4 @@
-#include "sim/scene/lines/camera_responses.h"
+#include "sim/scene/structs/sensor.h"
 
 namespace vegard::sim {
 
