@@ -13,7 +13,7 @@ foreach(path IN LISTS INPUTS)
   string(APPEND body "  if (name == \"${name}\") return R\"csv(${text})csv\";\n")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by cmake/embed_data_script.cmake from data/; do not edit.
-#include \"sim/base/embedded_table.h\"
+#include \"sim/base/data_folders.h\"
 
 namespace vegard::sim {
 

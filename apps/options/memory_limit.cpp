@@ -4,7 +4,6 @@
 
 #include "apps/options/standard_streams.h"
 #include "fit/needed_memory.h"
-#include "sim/base/available_memory.h"
 #include "sim/base/memory_limit.h"
 #include "sim/render/needed_memory.h"
 

@@ -16,7 +16,7 @@ Option add_memory_option(
         "Refuse work that needs more memory: 500M, 8G (default: four fifths of what is free)");
 
 /// Returns the limit in bytes; if `words` is empty, four fifths of the machine's free memory
-/// (sim/base/available_memory.h), or infinity where that is not known.
+/// (sim/base/memory_limit.h), or infinity where that is not known.
 double memory_limit_bytes(const std::string& words);
 
 /// sim::threads_to_render() within that limit.

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fit/report/report_style.h"
-#include "sim/base/file/html_text.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/version.h"
 
 namespace vegard::apps {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"
-#include "sim/base/file/output_error.h"
+#include "sim/base/error.h"
 #include "sim/base/text.h"
 #include "sim/base/version.h"
 #include "sim/scene/lines/emission_lines.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 

@@ -7,7 +7,7 @@
 
 #include "fit/measure/profile.h"
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/image.h"
 #include "sim/base/utc_time.h"

@@ -11,7 +11,7 @@
 #include "fit/map/map_record.h"
 #include "fit/report/netcdf/map_dataset.h"
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"

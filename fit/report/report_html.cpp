@@ -15,8 +15,9 @@
 #include "fit/report/table/curve_steps_table.h"
 #include "fit/report/table/report_bins.h"
 #include "fit/report/table/validation_table.h"
-#include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/shown_text.h"
+#include "sim/base/version.h"
 
 namespace vegard::fit {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
-#include "sim/base/file/html_text.h"
+#include "sim/base/shown_text.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {

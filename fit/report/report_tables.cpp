@@ -10,8 +10,8 @@
 #include "fit/answer/light_source_names.h"
 #include "fit/answer/result_numbers.h"
 #include "fit/version.h"
-#include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_id.h"
 

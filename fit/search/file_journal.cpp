@@ -15,7 +15,6 @@
 #include "fit/search/step_record.h"
 #include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
-#include "sim/base/file/output_error.h"
 #include "sim/base/text.h"
 
 namespace vegard::fit {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 
 namespace vegard::fit {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fit/uncertainty/sample_summary.h"
 #include "sim/base/number/dense_solvers.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::fit {

@@ -1,5 +1,7 @@
 #include "sim/base/error.h"
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include "sim/base/shown_text.h"
@@ -21,6 +23,24 @@ std::string message_of(const ErrorDetails& d) {
   if (!d.expected.empty()) text += " (expected " + shortened_quotes(d.expected) + ")";
   if (!d.hint.empty()) text += "; " + shortened_quotes(d.hint);
   return text;
+}
+
+std::string hint_for(int error_number) {
+  switch (error_number) {
+    case ENOENT:
+    case ENOTDIR:
+      return "does its folder exist?";
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+      return "nothing was left behind; make room or choose another disk";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose a folder that you may write to";
+    default:
+      return {};
+  }
 }
 
 }  // namespace
@@ -63,6 +83,22 @@ void refuse_key(ErrorKind kind, const std::string& key, const std::string& probl
 void refuse_scene_key(const std::string& file, const std::string& key, const std::string& problem,
                       const std::string& expected, const std::string& hint) {
   throw Error(ErrorKind::scene, {problem, file, 0, key, expected, hint});
+}
+
+Error unwritable(const std::string& target, int error_number) {
+  ErrorDetails details;
+  details.file = target;
+  details.problem = "cannot be written: " + std::generic_category().message(error_number);
+  details.hint = hint_for(error_number);
+  return Error(ErrorKind::unwritable_output, details);
+}
+
+Error already_exists(const std::string& target) {
+  ErrorDetails details;
+  details.file = target;
+  details.problem = "exists already";
+  details.hint = "use --overwrite to replace it, or choose another name";
+  return Error(ErrorKind::existing_output, details);
 }
 
 }  // namespace vegard::sim

@@ -28,10 +28,10 @@ struct ErrorDetails {
   std::string hint;      ///< what to do, "did you mean 'width'?"
 };
 
-/// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h). The parts
-/// that a place knows are added by name:
+/// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h). The
+/// parts that a place knows are added by name:
 ///
-///   throw Error(ErrorKind::scene, "unknown key 'widht'").file(path).line(7).key("camera").hint("did you mean 'width'?");
+///   throw Error(ErrorKind::scene, "unknown key 'widht'").file(path).line(7).hint("did you mean 'width'?");
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string problem);
@@ -67,5 +67,11 @@ class Error : public std::exception {
 [[noreturn]] void refuse_scene_key(const std::string& file, const std::string& key,
                                    const std::string& problem, const std::string& expected = {},
                                    const std::string& hint = {});
+
+/// Returns Error(unwritable_output) about a file or directory, for an errno value.
+Error unwritable(const std::string& target, int error_number);
+
+/// Returns Error(existing_output) with a hint about --overwrite.
+Error already_exists(const std::string& target);
 
 }  // namespace vegard::sim

@@ -1,4 +1,5 @@
-// Text of inputs made safe for a terminal: control characters appear as numbers, and long text is shortened.
+// Text of inputs made safe for a terminal, where control characters appear as numbers and long text is
+// shortened, and for an HTML page.
 #pragma once
 
 #include <cstddef>
@@ -26,5 +27,12 @@ std::string shortened_text(std::string_view text, std::size_t most = 200);
 /// Shortens each part of the text between single quotes separately, and then the whole text if it is still
 /// longer than `most`.
 std::string shortened_quotes(std::string_view text, std::size_t most = 1200);
+
+/// Returns text that is safe between tags and inside attributes in double quotes: & < > " ' are escaped,
+/// control characters become spaces, bytes that are not UTF-8 a replacement character.
+std::string html_text(std::string_view text);
+
+/// Returns bytes as base64, for pictures inside of a page: RFC 4648, section 4, with padding.
+std::string base64(std::string_view bytes);
 
 }  // namespace vegard::sim

@@ -36,7 +36,7 @@ if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$pr
 fi
 
 # What is not promised, or needed by what is, is not installed.
-for header in sim/base/embedded_table.h sim/render/beams/kernel.h fit/search/search.h; do
+for header in sim/base/data_folders.h sim/render/beams/kernel.h fit/search/search.h; do
   [[ -e $source/$header && ! -e $prefix/include/vegard/$header ]] || fail "$header is installed, or no more there"
 done
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fit/photo/photo.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::tests {

@@ -8,7 +8,7 @@
 #include "fit/photo/pointing/pointing.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/number/constants.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::tests {

@@ -22,7 +22,7 @@
 #include "fit/report/plot/plot.h"
 #include "fit/report/quenching_plot.h"
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/auroral_run.h"

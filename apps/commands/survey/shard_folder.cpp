@@ -10,7 +10,6 @@
 #include "fit/survey/survey_results.h"
 #include "fit/survey/survey_run.h"
 #include "sim/base/error.h"
-#include "sim/base/file/output_error.h"
 
 namespace vegard::apps {
 namespace {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "fit/photo/composite_pictures.h"
+#include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
 #include "sim/base/file/input_file.h"
-#include "sim/base/file/output_error.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/file/stale_partial.h"
 #include "sim/base/file/whole_file.h"

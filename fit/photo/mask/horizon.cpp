@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 
 namespace vegard::fit {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/version.h"
 #include "sim/view/camera/camera.h"
 

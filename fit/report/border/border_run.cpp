@@ -8,7 +8,7 @@
 
 #include "fit/border/border_distance.h"
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"

@@ -4,7 +4,6 @@
 
 #include "fit/report/plot/plot.h"
 #include "fit/report/plot/plot_canvas.h"
-#include "sim/base/file/html_text.h"
 #include "sim/base/image.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/shown_text.h"

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "fit/answer/information_criteria.h"
-#include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::fit {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "fit/photo/averaging.h"
 #include "fit/report/table/report_bins.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 #include "sim/scene/lines/emission_lines.h"

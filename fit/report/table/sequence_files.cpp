@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/version.h"
 

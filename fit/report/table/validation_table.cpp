@@ -5,9 +5,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::fit {
 namespace {

@@ -1,10 +1,9 @@
 #include "fit/survey/filter/frame_filter.h"
 
+#include "sim/base/data_folders.h"
+#include "sim/base/error.h"
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "sim/base/embedded_table.h"
-#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "fit/report/report_style.h"
-#include "sim/base/file/html_text.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 #include "sim/base/version.h"

@@ -1,11 +1,13 @@
 #include "sim/base/file/csv_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/data_folders.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 
@@ -154,5 +156,24 @@ CsvTable read_csv_table(std::string_view text, const std::string& name) {
 }
 
 CsvTable embedded_csv_table(const std::string& name) { return read_csv_table(embedded_table(name), name); }
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
+
+std::string csv_comment(const std::string& words) {
+  std::string line = "# " + words;
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return line + "\n";
+}
 
 }  // namespace vegard::sim

@@ -1,4 +1,5 @@
-// Tables of numbers as comma-separated text with a line of column names, from users and from data/.
+// Tables of numbers as comma-separated text with a line of column names, from users and from data/, and the
+// cells of tables to be written (RFC 4180).
 #pragma once
 
 #include <cstddef>
@@ -39,7 +40,16 @@ struct CsvTable {
 /// have one name.
 CsvTable read_csv_table(std::string_view text, const std::string& name);
 
-/// Reads an embedded table of data/ (sim/base/embedded_table.h).
+/// Reads an embedded table of data/ (embedded_table()).
 CsvTable embedded_csv_table(const std::string& name);
+
+/// Returns a text cell, in quotes if it contains a comma, a quote or a line break.
+std::string csv_cell(const std::string& text);
+
+/// Returns the shortest number that reads back as the same double; empty if it is not finite.
+std::string csv_number(double value);
+
+/// Returns "# words" and a line break on a single line; line breaks in `words` become blanks.
+std::string csv_comment(const std::string& words);
 
 }  // namespace vegard::sim

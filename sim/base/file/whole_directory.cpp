@@ -12,8 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
-#include "sim/base/file/output_error.h"
 
 namespace vegard::sim {
 namespace fs = std::filesystem;

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
-#include "sim/base/file/output_error.h"
 
 namespace vegard::sim {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "sim/base/file/output_error.h"
+#include "sim/base/error.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/file/whole_file.h"
 

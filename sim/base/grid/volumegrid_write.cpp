@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/base/file/output_error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/grid/grid_planes.h"
 #include "sim/base/grid/volumegrid_text.h"

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
+
 
 namespace vegard::sim {
 namespace {

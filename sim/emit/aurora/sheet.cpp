@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/light/electron.h"

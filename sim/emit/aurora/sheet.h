@@ -9,7 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/base/number/gauss_hermite.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/aurora/curl.h"
 #include "sim/emit/aurora/fold.h"
 #include "sim/light/sample.h"

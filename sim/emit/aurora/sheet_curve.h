@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/base/number/smooth_curve.h"
 #include "sim/scene/structs/sheet.h"
 

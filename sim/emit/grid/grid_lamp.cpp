@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/base/number/vec3.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/grid/grid_home.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/base/number/noise_lattice.h"
+#include "sim/base/number/noise.h"
 #include "sim/emit/nebula/node_shapes.h"
 
 namespace vegard::sim {

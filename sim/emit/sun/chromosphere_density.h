@@ -6,7 +6,7 @@
 //   density   = F(x) + peak texel(latitude, longitude), 0 where that is negative;
 // without the cutoff F(x) is x. The turbulence is that of M. Pharr and G. Humphreys, "Physically based
 // rendering" (2004), chapter 11, whose lattice becomes finer by 1.99 and not 2 per octave, so that the zeros
-// of the lattices do not coincide; n is the gradient noise of sim/base/number/noise_lattice.h. Where the Sun
+// of the lattices do not coincide; n is the gradient noise of sim/base/number/noise.h. Where the Sun
 // turns (solar_rotation.h), noise and map are evaluated at the place that has moved to this point by the
 // instant.
 #pragma once
@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "sim/base/image.h"
-#include "sim/base/number/noise_lattice.h"
+#include "sim/base/number/noise.h"
 #include "sim/emit/sun/latitude_map.h"
 #include "sim/emit/sun/solar_rotation.h"
 #include "sim/light/emitter.h"

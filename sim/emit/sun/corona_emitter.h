@@ -11,7 +11,7 @@
 
 #include <vector>
 
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/sun/corona_source.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/data_folders.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 

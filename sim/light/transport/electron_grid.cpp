@@ -4,7 +4,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
+
 
 namespace vegard::sim {
 namespace {

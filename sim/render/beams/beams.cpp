@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/curve_foot.h"

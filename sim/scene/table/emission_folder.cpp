@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "sim/base/data_folders.h"
-#include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/scene/structs/line_of.h"

@@ -5,8 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/base/number/normal_quantile.h"
-#include "sim/base/number/poisson.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/base/parallel.h"
 #include "sim/view/camera/camera.h"

@@ -6,7 +6,8 @@
 #include <charconv>
 #include <string_view>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/data_folders.h"
+
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/base/parallel.h"
 #include "sim/view/camera/camera.h"

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "tests/sim/light/made_tables.h"
 

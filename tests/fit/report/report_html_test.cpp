@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/file/html_text.h"
+#include "sim/base/shown_text.h"
 #include "tests/support/small_fit.h"
 
 namespace vegard::fit::report_html_test {

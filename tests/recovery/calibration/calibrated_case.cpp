@@ -14,7 +14,7 @@
 #include "fit/uncertainty/converged_fit.h"
 #include "fit/uncertainty/fit_chain.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/noise.h"
-#include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/render/render.h"
 #include "sim/view/camera/camera.h"

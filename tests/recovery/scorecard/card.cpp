@@ -4,7 +4,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
+
 
 namespace vegard::scorecard {
 namespace {

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/render/render.h"
 #include "sim/view/colour/colour.h"

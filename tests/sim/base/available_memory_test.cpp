@@ -1,10 +1,10 @@
-#include "sim/base/available_memory.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "sim/base/memory_limit.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::sim::available_memory_test {

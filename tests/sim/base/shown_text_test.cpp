@@ -5,7 +5,6 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/base/file/html_text.h"
 
 namespace vegard::sim::shown_text_test {
 namespace {

@@ -1,3 +1,4 @@
+#include "sim/base/number/distributions.h"
 #include "sim/light/excited_atom.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <sstream>
 #include <string>
 
-#include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/light/height_profile.h"
 #include "sim/scene/lines/emission_lines.h"

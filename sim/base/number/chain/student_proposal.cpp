@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/base/number/dense_solvers.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::sim {

@@ -8,7 +8,6 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
-#include "sim/base/picture/image_io/words.h"
 
 namespace vegard::sim {
 namespace {

@@ -12,7 +12,6 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
-#include "sim/base/picture/image_io/words.h"
 #include "sim/base/picture/whole_picture.h"
 
 namespace vegard::sim {

@@ -1,7 +1,6 @@
 #include "sim/base/picture/coded_picture.h"
 
 #include "sim/base/picture/image_io/library.h"
-#include "sim/base/picture/image_io/memory_file.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {

@@ -1,7 +1,10 @@
 #include "sim/base/picture/image_io/library.h"
 
 #include <OpenImageIO/filesystem.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
@@ -108,6 +111,62 @@ std::string image_library_version() {
   const int version = OIIO::openimageio_version();  // what runs, not what was compiled against
   return std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
          std::to_string(version % 100);
+}
+
+MemoryFile::MemoryFile(std::string_view bytes, const std::string& name)
+    : descriptor_(::memfd_create("image", MFD_CLOEXEC)) {
+  while (descriptor_ >= 0 && !bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) break;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  if (descriptor_ >= 0 && bytes.empty()) return;
+  if (descriptor_ >= 0) ::close(descriptor_);
+  throw failure(ErrorKind::unreadable_input, name, "there is not enough memory for this file");
+}
+
+MemoryFile::~MemoryFile() { ::close(descriptor_); }
+
+std::string MemoryFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+std::string exif_time(std::string time) {
+  if (time.empty()) return unknown_time;
+  if (time.size() >= 19 && time[4] == '-' && time[7] == '-' && (time[10] == 'T' || time[10] == ' ')) {
+    time.resize(19);
+    time[4] = time[7] = ':';
+    time[10] = ' ';
+  }
+  return time;
+}
+
+std::string value_or_empty(const ImageAttributes& attributes, const std::string& key) {
+  const auto found = attributes.find(key);
+  return found == attributes.end() ? std::string() : found->second;
+}
+
+std::string description_of(const ImageAttributes& attributes) {
+  std::string text = value_or_empty(attributes, "ImageDescription");
+  for (const auto& [key, value] : attributes) {
+    if (key == "DateTime" || key == "ImageDescription" || value.empty()) continue;
+    if (!text.empty()) text += '\n';
+    text += key;
+    text += '=';
+    text += value;
+  }
+  return text;
+}
+
+void describe_in_own_keys(OIIO::ImageSpec& spec, const ImageAttributes& attributes) {
+  for (const auto& [key, value] : attributes) {
+    if (key == "DateTime" || value.empty()) continue;
+    spec.attribute(key == "ImageDescription" ? key : own_prefix + key, value);
+  }
+}
+
+void describe_in_one_text(OIIO::ImageSpec& spec, const std::string& text) {
+  // OpenImageIO 2.4 ends the process over an empty text in a JPEG: "encode_iptc_iim_one_tag: Assertion".
+  if (!text.empty()) spec.attribute("ImageDescription", text);
 }
 
 }  // namespace vegard::sim

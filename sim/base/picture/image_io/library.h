@@ -1,4 +1,5 @@
-// Common parts of the readers and writers of this folder: set-up of OpenImageIO, errors, the encoder.
+// Common parts of the readers and writers of this folder: set-up of OpenImageIO, errors, the encoder, files in
+// memory, and ImageAttributes in the forms of the file formats.
 //
 // Only this folder includes OpenImageIO, and only this folder may include this header.
 #pragma once
@@ -6,8 +7,10 @@
 #include <OpenImageIO/imageio.h>
 
 #include <string>
+#include <string_view>
 
 #include "sim/base/error.h"
+#include "sim/base/picture/image_io.h"
 
 namespace vegard::sim {
 
@@ -39,5 +42,40 @@ std::string decoder_version(const std::string& format);
 /// are about `name`. Throws Error(unwritable_output).
 std::string encode(const std::string& file_name, const std::string& name, const OIIO::ImageSpec& spec,
                    const void* pixels);
+
+/// A file in memory, in no folder, for decoders that open files by name, that exists as long as this object. Linux only (memfd_create, /proc).
+class MemoryFile {
+ public:
+  /// Throws Error(unreadable_input) about the file `name` if there is no memory for it.
+  MemoryFile(std::string_view bytes, const std::string& name);
+  ~MemoryFile();
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  std::string path() const;
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// EXIF's value for an unknown time. Without a DateTime, OpenImageIO writes the computer's time into EXR and
+/// TIFF.
+inline const char* const unknown_time = "    :  :     :  :  ";
+inline const char* const own_prefix = "vegard:";
+
+/// Converts "2019-09-05T10:11:12Z" to EXIF's form; returns other text unchanged, and unknown_time for an
+/// empty text.
+std::string exif_time(std::string time);
+
+std::string value_or_empty(const ImageAttributes& attributes, const std::string& key);
+
+/// Returns all attributes except the time as lines of one text.
+std::string description_of(const ImageAttributes& attributes);
+
+/// Adds every attribute except the time with its own key.
+void describe_in_own_keys(OIIO::ImageSpec& spec, const ImageAttributes& attributes);
+
+/// Sets the image's description, if the text is not empty.
+void describe_in_one_text(OIIO::ImageSpec& spec, const std::string& text);
 
 }  // namespace vegard::sim

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/strand/flux_rope.h"
 #include "sim/emit/sun/sun_frame.h"

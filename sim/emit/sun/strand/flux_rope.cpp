@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/sun/strand/strand_joints.h"
 #include "sim/light/sky_frame.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/base/number/gauss_legendre.h"
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/base/number/name_number.h"
 #include "sim/base/number/random.h"
 #include "sim/base/number/vec3.h"

@@ -7,7 +7,7 @@
 
 #include "fit/photo/picture_field_of_view.h"
 #include "sim/base/number/constants.h"
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/scene/structs/body.h"
 #include "sim/view/camera/camera.h"

@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
-#include "sim/base/number/poisson.h"
+#include "sim/base/number/distributions.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/night_sky.h"

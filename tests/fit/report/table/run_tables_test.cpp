@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fit/report/table/run_tables.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "tests/support/small_fit.h"
 
 namespace vegard::fit::run_tables_test {

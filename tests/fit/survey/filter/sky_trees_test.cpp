@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/base/embedded_table.h"
+#include "sim/base/data_folders.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::sky_trees_test {

@@ -1,11 +1,12 @@
 // Means over a normal distribution.
-#include "sim/base/number/gauss_hermite.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "sim/base/number/gauss_quadrature.h"
 
 namespace vegard::sim::gauss_hermite_test {
 namespace {

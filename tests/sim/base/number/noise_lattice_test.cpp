@@ -1,9 +1,10 @@
-#include "sim/base/number/noise_lattice.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "sim/base/number/noise.h"
 
 namespace vegard::sim::noise_lattice_test {
 namespace {

@@ -1,8 +1,9 @@
-#include "sim/base/number/normal_quantile.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "sim/base/number/distributions.h"
 
 namespace vegard::sim::normal_quantile_test {
 namespace {

@@ -1,11 +1,12 @@
 // Seed 7 throughout; tolerances are four standard errors of what is measured.
-#include "sim/base/number/poisson.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <vector>
+
+#include "sim/base/number/distributions.h"
 
 namespace vegard::sim::poisson_test {
 namespace {

@@ -1,4 +1,5 @@
 // A grid that scatters the light of a lamp once: against integrals that are known, and its derivatives.
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/grid/grid_lamp.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <functional>
 #include <limits>
 
-#include "sim/base/number/gauss_legendre.h"
 #include "sim/emit/grid/grid_emitter.h"
 #include "sim/emit/grid/phase_function.h"
 #include "tests/support/seeded_numbers.h"

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "sim/base/data_folders.h"
-#include "sim/base/embedded_table.h"
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"

@@ -1,3 +1,4 @@
+#include "sim/base/number/distributions.h"
 #include "sim/view/colour/line_estimate.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,6 @@
 #include <cstdio>
 
 #include "sim/base/error.h"
-#include "sim/base/number/normal_quantile.h"
 #include "sim/base/number/random.h"
 #include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/line_colours.h"

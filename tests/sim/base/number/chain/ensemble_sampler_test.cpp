@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/base/number/normal_quantile.h"
+#include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "tests/support/chain_mean.h"
 

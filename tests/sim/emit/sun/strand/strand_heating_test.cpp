@@ -1,4 +1,5 @@
 // Strands that flares heat at random: how one cools, when flares come, and what light that makes.
+#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/sun/strand/strand_heating.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <functional>
 
-#include "sim/base/number/gauss_legendre.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/strand/cooling_strand.h"
 #include "sim/emit/sun/strand/macro_loop.h"

@@ -1,4 +1,4 @@
-#include "sim/base/number/gauss_hermite.h"
+#include "sim/base/number/gauss_quadrature.h"
 
 #include <cmath>
 #include <cstddef>
