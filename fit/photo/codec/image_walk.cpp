@@ -1,7 +1,6 @@
 #include "fit/photo/codec/picture_format.h"
 
 #include "fit/photo/codec/pnm_header.h"
-#include "fit/photo/codec/tiff_directory.h"
 #include "sim/base/picture/pixel_limit.h"
 
 #include <algorithm>
@@ -39,7 +38,8 @@ std::uint32_t crc32(std::string_view bytes) {
   return crc ^ 0xffffffffu;
 }
 
-using namespace tiff_tag;
+using namespace sim::tiff_tag;
+using sim::TiffDirectory;
 
 int checked_orientation(std::uint64_t value) {
   return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
@@ -218,6 +218,21 @@ ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
   check_kind(directory, image, file);
   check_strips_are_inside(directory, bytes.size(), file);
   return image;
+}
+
+void check_strips_are_inside(const TiffDirectory& directory, std::size_t file_size, const std::string& file) {
+  const bool tiled = directory.values(kTileOffsets, 1).has_value();
+  const auto offsets = directory.values(tiled ? kTileOffsets : kStripOffsets);
+  const auto counts = directory.values(tiled ? kTileBytes : kStripBytes);
+  if (!directory.inside()) throw_truncated(file, "the list of its TIFF strips lies beyond the end");
+  if (!offsets || offsets->empty()) throw_damaged(file, "a TIFF without a picture in it");
+  for (std::size_t i = 0; i < offsets->size(); ++i) {
+    const std::uint64_t begin = (*offsets)[i];
+    const std::uint64_t length = counts && i < counts->size() ? (*counts)[i] : 1;
+    if (begin > file_size || length > file_size - begin)
+      throw_truncated(file, "TIFF strip " + std::to_string(i + 1) + " of " + std::to_string(offsets->size()) +
+                                " reaches beyond the end");
+  }
 }
 
 ImageFile walk_pnm(std::string_view bytes, const std::string& file) {

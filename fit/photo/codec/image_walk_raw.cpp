@@ -2,16 +2,17 @@
 #include <vector>
 
 #include "fit/photo/codec/picture_format.h"
-#include "fit/photo/codec/tiff_directory.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 using namespace std::string_view_literals;
+using namespace sim::tiff_tag;
+using sim::TiffDirectory;
 
-// TIFF/EP and DNG 1.4; compressions of Nikon, Sony, Pentax and Samsung.
+// Photometric interpretations of TIFF/EP and DNG 1.4; compressions of Nikon, Sony, Pentax and Samsung.
 constexpr std::uint64_t kColourFilters = 32803, kLinearRaw = 34892;
-constexpr int kCompression = 259, kDngVersion = 50706;
 constexpr std::uint64_t kMakersCompressions[] = {32767, 32769, 32770, 34713, 65535};
 
 bool is_tiff(std::string_view bytes) {
@@ -31,7 +32,7 @@ std::vector<TiffDirectory> directories(std::string_view bytes) {
   std::vector<TiffDirectory> all = {TiffDirectory(bytes)};
   if (!all.front().complete()) return all;
   constexpr std::size_t kMax = 16;
-  const auto below = all.front().values(tiff_tag::kSubDirectories, kMax);
+  const auto below = all.front().values(kSubDirectories, kMax);
   if (below)
     for (const std::uint64_t at : *below) all.emplace_back(bytes, at);
   return all;
@@ -39,7 +40,7 @@ std::vector<TiffDirectory> directories(std::string_view bytes) {
 
 bool holds_raw(const TiffDirectory& directory) {
   if (!directory.complete()) return false;
-  const auto photometric = directory.value(tiff_tag::kPhotometric, 0);
+  const auto photometric = directory.value(kPhotometric, 0);
   const auto compression = directory.value(kCompression, 1);
   return photometric == kColourFilters || photometric == kLinearRaw || directory.value(kDngVersion, 0) != 0 ||
          std::find(std::begin(kMakersCompressions), std::end(kMakersCompressions), compression) !=
@@ -66,15 +67,15 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
     if (!directory.complete()) throw_truncated(file, "one of its TIFF directories lies beyond the end");
     // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
     constexpr std::uint64_t kMax = 0xffffffffu;
-    const auto width = static_cast<long long>(std::min(directory.value(tiff_tag::kWidth, 0), kMax));
-    const auto height = static_cast<long long>(std::min(directory.value(tiff_tag::kHeight, 0), kMax));
+    const auto width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMax));
+    const auto height = static_cast<long long>(std::min(directory.value(kHeight, 0), kMax));
     if (width > image.width || height > image.height) image.width = width, image.height = height;
     constexpr std::uint64_t kMaxSamples = 4;
-    const std::uint64_t samples = directory.value(tiff_tag::kSamples, 1);
+    const std::uint64_t samples = directory.value(kSamples, 1);
     if (samples < 1 || samples > kMaxSamples)
       throw_damaged(file, "a camera raw file of " + std::to_string(samples) + " samples per pixel");
-    const bool has_picture = directory.values(tiff_tag::kStripOffsets, 1).has_value() ||
-                             directory.values(tiff_tag::kTileOffsets, 1).has_value();
+    const bool has_picture =
+        directory.values(kStripOffsets, 1).has_value() || directory.values(kTileOffsets, 1).has_value();
     if (has_picture) check_strips_are_inside(directory, bytes.size(), file);
   }
   return image;

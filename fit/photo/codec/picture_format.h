@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/photo/codec/picture_codes.h"
+#include "sim/base/picture/tiff_directory.h"
 
 namespace vegard::fit {
 
@@ -78,6 +79,11 @@ std::string kind_of_codes(const ImageFile& image);
 /// True if, by the file's header, one of the pictures in a HEIC has this size, upright or turned; or at least
 /// this size, if the picture is cropped.
 bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
+
+/// Throws sim::Error(unreadable_input) unless every strip or tile of the directory's picture lies inside the
+/// file.
+void check_strips_are_inside(const sim::TiffDirectory& directory, std::size_t file_size,
+                             const std::string& file);
 
 /// Returns the orientation in EXIF data that begin with a TIFF header; 1 if they have none or are invalid.
 int exif_orientation(std::string_view tiff);

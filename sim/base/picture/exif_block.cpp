@@ -78,7 +78,7 @@ ExifBlock in_png(std::string_view bytes) {
 /// Raw files keep a small picture in the first directory, and the large one elsewhere: their size is known
 /// only to who decodes them.
 ExifBlock in_tiff(std::string_view bytes) {
-  constexpr int kSubfileType = 254, kWidth = 256, kHeight = 257, kSubDirectories = 330, kDngVersion = 50706;
+  using namespace tiff_tag;
   ExifBlock block;
   const auto directory = TiffDirectory::first(bytes);
   if (!directory) return block;

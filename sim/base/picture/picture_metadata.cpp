@@ -20,7 +20,7 @@ namespace vegard::sim {
 namespace {
 
 // Tags of EXIF 2.32, tables 3 to 16.
-constexpr int kMake = 271, kModel = 272, kOrientation = 274, kExifDirectory = 34665, kGpsDirectory = 34853;
+constexpr int kMake = 271, kModel = 272, kExifDirectory = 34665, kGpsDirectory = 34853;
 constexpr int kExposureTime = 33434, kFNumber = 33437, kSensitivity = 34855, kTimeOriginal = 36867,
               kOffsetOriginal = 36881, kFocalLength = 37386, kSubsecondOriginal = 37521, kExifWidth = 40962,
               kExifHeight = 40963, kFocalPlaneX = 41486, kFocalPlaneUnit = 41488, kFocal35mm = 41989,
@@ -145,7 +145,7 @@ PictureMetadata picture_metadata_of(std::string_view bytes) {
   if (const auto directory = TiffDirectory::first(block.tiff)) {
     metadata.make = directory->text(kMake);
     metadata.model = directory->text(kModel);
-    const auto orientation = between(directory->number(kOrientation), 1.0, 8.0);
+    const auto orientation = between(directory->number(tiff_tag::kOrientation), 1.0, 8.0);
     if (orientation && block.exif_turns) metadata.orientation = static_cast<int>(*orientation);
     if (const auto exif = directory->at_tag(kExifDirectory)) read_exif(*exif, metadata);
     if (const auto gps = directory->at_tag(kGpsDirectory)) read_gps(*gps, metadata);

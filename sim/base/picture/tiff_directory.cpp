@@ -10,7 +10,8 @@ namespace vegard::sim {
 namespace {
 
 constexpr int kByte = 1, kAscii = 2, kShort = 3, kLong = 4, kRational = 5, kSignedByte = 6, kSignedShort = 8,
-              kSignedLong = 9, kSignedRational = 10, kFloat = 11, kDouble = 12, kPointer = 13, kUtf8 = 129;
+              kSignedLong = 9, kSignedRational = 10, kFloat = 11, kDouble = 12, kPointer = 13, kLong8 = 16,
+              kUtf8 = 129;
 
 /// Bytes of one value; 0 for a type that is not read.
 std::size_t size_of(int type) {
@@ -31,6 +32,7 @@ std::size_t size_of(int type) {
     case kRational:
     case kSignedRational:
     case kDouble:
+    case kLong8:
       return 8;
     default:
       return 0;
@@ -48,18 +50,23 @@ std::optional<double> finite(double value) {
 
 }  // namespace
 
-TiffDirectory::TiffDirectory(std::string_view tiff, bool big_endian, std::size_t offset)
-    : tiff_(tiff), big_endian_(big_endian) {
-  constexpr std::size_t kEntryBytes = 12;
-  if (offset > tiff.size() || tiff.size() - offset < 2) return;
-  const std::size_t said = word(offset, 2);
-  const std::size_t count = std::min(said, (tiff.size() - offset - 2) / kEntryBytes);
-  entries_.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = offset + 2 + i * kEntryBytes;
-    entries_.push_back(
-        {static_cast<int>(word(at, 2)), static_cast<int>(word(at + 2, 2)), word(at + 4, 4), at + 8});
-  }
+TiffDirectory::TiffDirectory(std::string_view tiff, std::uint64_t offset) : tiff_(tiff) {
+  constexpr std::uint64_t kBigTiff = 43;
+  if (tiff.size() < 8) return;
+  big_endian_ = tiff[0] == 'M';
+  big_ = word(2, 2) == kBigTiff;
+  if (big_ && tiff.size() < 16) return;
+  read_head(offset != 0 ? offset : big_ ? word(8, 8) : word(4, 4));
+}
+
+void TiffDirectory::read_head(std::uint64_t place) {
+  const std::size_t count_bytes = big_ ? 8 : 2, entry_bytes = big_ ? 20 : 12;
+  if (place > tiff_.size() || tiff_.size() - place < count_bytes) return;
+  begin_ = place + count_bytes;
+  const std::uint64_t said = word(place, static_cast<int>(count_bytes)),
+                      room = (tiff_.size() - begin_) / entry_bytes;
+  complete_ = said <= room;
+  count_ = std::min(said, room);
 }
 
 std::optional<TiffDirectory> TiffDirectory::first(std::string_view tiff) {
@@ -69,24 +76,25 @@ std::optional<TiffDirectory> TiffDirectory::first(std::string_view tiff) {
   if (tiff.size() < 8 ||
       std::find(std::begin(kStarts), std::end(kStarts), tiff.substr(0, 4)) == std::end(kStarts))
     return std::nullopt;
-  const bool big_endian = tiff[0] == 'M';
-  const TiffDirectory reader(tiff, big_endian, tiff.size());  // for its words only
-  return TiffDirectory(tiff, big_endian, reader.word(4, 4));
+  return TiffDirectory(tiff);
 }
 
 std::optional<TiffDirectory> TiffDirectory::at_tag(int tag) const {
-  const Entry* entry = find(tag);
-  if (entry == nullptr || (entry->type != kLong && entry->type != kPointer) || entry->count == 0)
-    return std::nullopt;
+  const auto entry = find(tag);
+  if (!entry || (entry->type != kLong && entry->type != kPointer) || entry->count == 0) return std::nullopt;
   const auto place = values_of(*entry, 1);
   if (!place) return std::nullopt;
-  return TiffDirectory(tiff_, big_endian_, word(*place, 4));
+  TiffDirectory directory = *this;
+  directory.begin_ = directory.count_ = 0;
+  directory.complete_ = false;
+  directory.read_head(word(*place, 4));
+  return directory;
 }
 
 std::vector<double> TiffDirectory::numbers(int tag, std::size_t most) const {
   std::vector<double> list;
-  const Entry* entry = find(tag);
-  if (entry == nullptr || entry->type == kAscii || entry->type == kUtf8) return list;
+  const auto entry = find(tag);
+  if (!entry || entry->type == kAscii || entry->type == kUtf8) return list;
   const std::size_t wanted = std::min<std::size_t>(entry->count, most);
   const auto place = values_of(*entry, wanted);
   if (!place) return list;
@@ -105,8 +113,8 @@ std::optional<double> TiffDirectory::number(int tag) const {
 
 std::optional<std::string> TiffDirectory::text(int tag) const {
   constexpr std::size_t kMax = 200;
-  const Entry* entry = find(tag);
-  if (entry == nullptr || (entry->type != kAscii && entry->type != kUtf8)) return std::nullopt;
+  const auto entry = find(tag);
+  if (!entry || (entry->type != kAscii && entry->type != kUtf8)) return std::nullopt;
   const std::size_t wanted = std::min<std::size_t>(entry->count, kMax);
   const auto place = values_of(*entry, wanted);
   if (!place) return std::nullopt;
@@ -118,24 +126,48 @@ std::optional<std::string> TiffDirectory::text(int tag) const {
   return text.empty() ? std::nullopt : std::optional(text);
 }
 
-const TiffDirectory::Entry* TiffDirectory::find(int tag) const {
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [tag](const Entry& entry) { return entry.tag == tag; });
-  return found == entries_.end() ? nullptr : &*found;
+std::optional<std::vector<std::uint64_t>> TiffDirectory::values(int tag, std::size_t most) const {
+  const auto entry = find(tag);
+  if (!entry) return std::nullopt;
+  const bool unsigned_integer = entry->type == kByte || entry->type == kShort || entry->type == kLong ||
+                                entry->type == kPointer || entry->type == kLong8;
+  if (!unsigned_integer) return std::nullopt;
+  const auto place = values_of(*entry, entry->count);
+  inside_ = inside_ && place;
+  if (!place) return std::nullopt;
+  const int size = static_cast<int>(size_of(entry->type));
+  std::vector<std::uint64_t> list(std::min<std::uint64_t>(entry->count, most));
+  for (std::size_t k = 0; k < list.size(); ++k) list[k] = word(*place + k * size, size);
+  return list;
 }
 
-std::optional<std::size_t> TiffDirectory::values_of(const Entry& entry, std::size_t wanted) const {
-  const std::size_t size = size_of(entry.type);
+std::uint64_t TiffDirectory::value(int tag, std::uint64_t if_absent) const {
+  const auto list = values(tag, 1);
+  return list && !list->empty() ? list->front() : if_absent;
+}
+
+std::optional<TiffDirectory::Entry> TiffDirectory::find(int tag) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    const std::size_t at = begin_ + i * (big_ ? 20 : 12);
+    if (static_cast<int>(word(at, 2)) == tag)
+      return Entry{static_cast<int>(word(at + 2, 2)), word(at + 4, big_ ? 8 : 4), at + (big_ ? 12 : 8)};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> TiffDirectory::values_of(const Entry& entry, std::uint64_t wanted) const {
+  const std::size_t size = size_of(entry.type), of_offset = big_ ? 8 : 4;
   if (size == 0) return std::nullopt;
-  // Up to four bytes stand in the entry itself, by its own count, not by how many are wanted.
-  const bool inside = entry.count <= 4 / size;
-  const std::size_t place = inside ? entry.place : word(entry.place, 4);
+  // What is no longer than an offset stands in the entry itself, by its own count, not by how many are
+  // wanted.
+  const bool inside = entry.count <= of_offset / size;
+  const std::size_t place = inside ? entry.place : word(entry.place, static_cast<int>(of_offset));
   if (place > tiff_.size() || wanted > (tiff_.size() - place) / size) return std::nullopt;
   return place;
 }
 
-std::uint32_t TiffDirectory::word(std::size_t place, int size) const {
-  std::uint32_t value = 0;
+std::uint64_t TiffDirectory::word(std::size_t place, int size) const {
+  std::uint64_t value = 0;
   for (int i = 0; i < size; ++i)
     value = value << 8 | static_cast<unsigned char>(tiff_[place + (big_endian_ ? i : size - 1 - i)]);
   return value;
@@ -147,32 +179,30 @@ std::optional<double> TiffDirectory::number_at(std::size_t place, int type) cons
   };
   switch (type) {
     case kByte:
-      return word(place, 1);
+      return static_cast<double>(word(place, 1));
     case kSignedByte:
       return static_cast<std::int8_t>(word(place, 1));
     case kShort:
-      return word(place, 2);
+      return static_cast<double>(word(place, 2));
     case kSignedShort:
       return static_cast<std::int16_t>(word(place, 2));
     case kLong:
     case kPointer:
-      return word(place, 4);
+      return static_cast<double>(word(place, 4));
     case kSignedLong:
       return signed_long(place);
     case kRational:
-      return fraction(word(place, 4), word(place + 4, 4));
+      return fraction(static_cast<double>(word(place, 4)), static_cast<double>(word(place + 4, 4)));
     case kSignedRational:
       return fraction(signed_long(place), signed_long(place + 4));
     case kFloat: {
-      const std::uint32_t bits = word(place, 4);
+      const auto bits = static_cast<std::uint32_t>(word(place, 4));
       float value = 0.0f;
       std::memcpy(&value, &bits, sizeof value);
       return finite(value);
     }
     case kDouble: {
-      const std::uint64_t high = word(place + (big_endian_ ? 0 : 4), 4),
-                          low = word(place + (big_endian_ ? 4 : 0), 4);
-      const std::uint64_t bits = high << 32 | low;
+      const std::uint64_t bits = word(place, 8);
       double value = 0.0;
       std::memcpy(&value, &bits, sizeof value);
       return finite(value);
