@@ -27,8 +27,10 @@ Decoding of_curve(const sim::ToneCurve& curve, const std::string& words) {
 
 Decoding decoding_of_word(const std::string& text, const sim::Scene* scene, const std::string& beside) {
   if (const auto complaint = sim::decoding_complaint(text))
-    throw sim::Error(sim::ErrorKind::usage,
-                     {complaint->problem, "", 0, "--decoding", complaint->expected, complaint->hint});
+    throw sim::Error(sim::ErrorKind::usage, complaint->problem)
+        .key("--decoding")
+        .expected(complaint->expected)
+        .hint(complaint->hint);
   const sim::DecodingWord word = sim::decoding_word(text);
   switch (word.kind) {
     case Kind::automatic:

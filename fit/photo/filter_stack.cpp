@@ -16,12 +16,7 @@ constexpr std::size_t kChannels = 3;
 
 [[noreturn]] void refuse_filter(const std::string& problem, const std::string& expected,
                                 const std::string& hint = {}) {
-  sim::ErrorDetails details;
-  details.key = "--line";
-  details.problem = problem;
-  details.expected = expected;
-  details.hint = hint;
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage, problem).key("--line").expected(expected).hint(hint);
 }
 
 std::string nm_text(double wavelength_nm) { return sim::short_number(wavelength_nm, 5) + " nm"; }
@@ -41,7 +36,7 @@ std::size_t channel_of(double wavelength_nm, const std::vector<double>& lines_nm
 void check_grey(const Photo& photo, const std::string& file) {
   for (std::size_t i = 0; i < photo.linear.data.size(); i += kChannels)
     if (photo.linear.data[i] != photo.linear.data[i + 1] || photo.linear.data[i] != photo.linear.data[i + 2])
-      refuse_image(file, "a picture through one filter has no colours", "a grey picture");
+      throw sim::unreadable(file, "a picture through one filter has no colours").expected("a grey picture");
 }
 
 void take_channel(const Photo& from, std::size_t channel, Photo& to) {
@@ -85,11 +80,10 @@ Photo read_filters(const std::vector<FilterFile>& files, const std::vector<doubl
       stack.decoding = "one file per filter";
       stack.file_name.clear();
     } else if (photo.linear.width != stack.linear.width || photo.linear.height != stack.linear.height) {
-      refuse_image(filter.file,
-                   "the picture has " + std::to_string(photo.linear.width) + " x " +
-                       std::to_string(photo.linear.height) + " pixels",
-                   std::to_string(stack.linear.width) + " x " + std::to_string(stack.linear.height) +
-                       ", the size of " + files[0].file);
+      throw sim::unreadable(filter.file, "the picture has " + std::to_string(photo.linear.width) + " x " +
+                                             std::to_string(photo.linear.height) + " pixels")
+          .expected(std::to_string(stack.linear.width) + " x " + std::to_string(stack.linear.height) +
+                    ", the size of " + files[0].file);
     }
     take_channel(photo, channel, stack);
     stack.bits = std::min(stack.bits, photo.bits);

@@ -8,6 +8,7 @@
 
 #include "fit/photo/codec/jpeg_rows.h"
 #include "fit/photo/codec/picture_format.h"
+#include "sim/base/error.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/image.h"
 #include "sim/view/sensor/sensor.h"
@@ -178,11 +179,12 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
   photo.unknowns = decoding.unknowns;
   constexpr double kMaxCodes = 65535.0;
   if (photo.unknowns > 0 && (codes.floating || codes.white > kMaxCodes * codes.step))
-    refuse_image(
+    throw sim::unreadable(
         file,
         std::string("an unknown curve is found of integers of up to 16 bits only, and this file holds ") +
-            (codes.floating ? "floats" : "wider ones"),
-        "JPEG, PNG or TIFF of integers", "such files are linear light as a rule: --decoding linear");
+            (codes.floating ? "floats" : "wider ones"))
+        .expected("JPEG, PNG or TIFF of integers")
+        .hint("such files are linear light as a rule: --decoding linear");
   if (decoding == Decoding::sensor) {
     assert(scene != nullptr);
     sim::Scene decoded = *scene;
@@ -216,9 +218,9 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
     }
     if (averages) photo.averaged_from = averaging.from;
   } catch (const std::bad_alloc&) {
-    refuse_image(file,
-                 "there is not enough memory for " + sim::size_text(codes.width, codes.height) + " pixels",
-                 "", "scale or crop it first");
+    throw sim::unreadable(
+        file, "there is not enough memory for " + sim::size_text(codes.width, codes.height) + " pixels")
+        .hint("scale or crop it first");
   }
   return photo;
 }
@@ -253,8 +255,8 @@ void apply_mask(Photo& photo, const std::string& mask_file) {
   const PictureCodes mask = picture_codes(picture.bytes, mask_file);
   const sim::PictureSize size = size_of_file(photo);
   if (mask.width != size.width || mask.height != size.height)
-    refuse_image(mask_file, "the mask has " + sim::size_text(mask.width, mask.height) + " pixels",
-                 sim::size_text(size.width, size.height) + ", the size of " + photo.file_name, "");
+    throw sim::unreadable(mask_file, "the mask has " + sim::size_text(mask.width, mask.height) + " pixels")
+        .expected(sim::size_text(size.width, size.height) + ", the size of " + photo.file_name);
   std::vector<std::uint8_t> used(static_cast<std::size_t>(mask.width) * mask.height);
   for (std::size_t pixel = 0; pixel < used.size(); ++pixel) {
     double sum = 0.0;
@@ -266,8 +268,9 @@ void apply_mask(Photo& photo, const std::string& mask_file) {
     if (used[pixel] == 0)
       for (int c = 0; c < 3; ++c) photo.usable[3 * pixel + c] = 0;
   if (std::find(used.begin(), used.end(), 1) == used.end())
-    refuse_image(mask_file, "the mask leaves no pixel", "white where the photograph is to be used",
-                 "invert it?");
+    throw sim::unreadable(mask_file, "the mask leaves no pixel")
+        .expected("white where the photograph is to be used")
+        .hint("invert it?");
   photo.mask_name = file_name_of(picture.name);
   photo.mask_sha256 = picture.file_sha256.empty() ? sim::sha256(picture.bytes) : picture.file_sha256;
 }

@@ -30,8 +30,8 @@ sim::ImageFormat format_of(const std::string& file, const std::string& what) {
   try {
     return sim::image_format(file);
   } catch (const sim::Error&) {
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "its name does not say that it holds " + what,
-                     "an EXR, FITS, or a TIFF of floats");
+    throw sim::unreadable(file, "its name does not say that it holds " + what)
+        .expected("an EXR, FITS, or a TIFF of floats");
   }
 }
 
@@ -56,13 +56,13 @@ sim::Image read_plane(const std::string& file, const std::vector<std::string>& c
       if (named != names.end()) return one_channel(exr.image, static_cast<int>(named - names.begin()));
     }
     if (names.size() == 1) return exr.image;
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "which of its channels is meant is not known",
-                     "one named " + channels.front() + ", or only one");
+    throw sim::unreadable(file, "which of its channels is meant is not known")
+        .expected("one named " + channels.front() + ", or only one");
   }
   const sim::PictureFile picture = sim::read_picture(file);
   if (!picture.floating)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "it holds integers, no " + what,
-                     "an EXR, FITS, or a TIFF of floats");
+    throw sim::unreadable(file, "it holds integers, no " + what)
+        .expected("an EXR, FITS, or a TIFF of floats");
   return one_channel(picture.image, 0);
 }
 

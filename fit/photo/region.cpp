@@ -15,10 +15,11 @@ Region checked_region(const std::array<int, 4>& roi_px, int image_width, int ima
   if (!inside) {
     std::string text;
     for (const int number : roi_px) text += (text.empty() ? "[" : ", ") + std::to_string(number);
-    sim::refuse_key(sim::ErrorKind::scene, "fit.roi_px",
-                    "the region " + text + "] does not lie inside the image of " + image + " pixels",
-                    "[x, y, width, height] with x + width at most " + std::to_string(image_width) +
-                        " and y + height at most " + std::to_string(image_height));
+    throw sim::Error(sim::ErrorKind::scene,
+                     "the region " + text + "] does not lie inside the image of " + image + " pixels")
+        .key("fit.roi_px")
+        .expected("[x, y, width, height] with x + width at most " + std::to_string(image_width) +
+                  " and y + height at most " + std::to_string(image_height));
   }
   return {x, y, width, height};
 }

@@ -58,12 +58,11 @@ const StoredArray& angles_of(const sim::ArrayFile& file, const Names& names) {
   }
   const std::string what(names.front());
   if (largest == nullptr)
-    sim::refuse_file(ErrorKind::unreadable_input, file.name(),
-                     std::string("there is no map of ") + what + " in this " + file.format() + " file",
-                     "an array of two dimensions called " + what + ", or with that behind an underscore");
+    throw sim::unreadable(file.name(),
+                          std::string("there is no map of ") + what + " in this " + file.format() + " file")
+        .expected("an array of two dimensions called " + what + ", or with that behind an underscore");
   if (!is_alone)
-    sim::refuse_file(ErrorKind::unreadable_input, file.name(),
-                     "there are several maps of " + what + " of one size in it");
+    throw sim::unreadable(file.name(), "there are several maps of " + what + " of one size in it");
   return *largest;
 }
 
@@ -71,7 +70,7 @@ sim::Image image_of_angles(sim::ArrayFile& file, const StoredArray& array) {
   const auto [height, width] = *plane_of(array);
   if (height > static_cast<std::uint64_t>(sim::longest_side_px) ||
       width > static_cast<std::uint64_t>(sim::longest_side_px))
-    sim::refuse_file(ErrorKind::unreadable_input, file.name(), "'" + array.name + "' is too large");
+    throw sim::unreadable(file.name(), "'" + array.name + "' is too large");
   sim::check_pixel_limit(static_cast<long long>(width), static_cast<long long>(height), file.name());
   const std::vector<double> numbers = file.read_numbers(array);
   sim::Image image(static_cast<int>(width), static_cast<int>(height), {array.name});
@@ -124,12 +123,12 @@ SkyMapFile read_planes(const std::string& file) {
   const sim::FitsImage fits = sim::read_fits_image(bytes, file);
   const std::size_t planes = fits.image.channel_names.size();
   if (planes != 2)
-    sim::refuse_file(
-        ErrorKind::unreadable_input, file,
-        "there " + std::string(planes == 1 ? "is one plane" : "are " + std::to_string(planes) + " planes") +
-            " in this FITS file",
-        "two, azimuth and elevation",
-        "where each has a file of its own: --azimuth-map AZ.fits --elevation-map EL.fits");
+    throw sim::unreadable(
+        file, "there " +
+                  std::string(planes == 1 ? "is one plane" : "are " + std::to_string(planes) + " planes") +
+                  " in this FITS file")
+        .expected("two, azimuth and elevation")
+        .hint("where each has a file of its own: --azimuth-map AZ.fits --elevation-map EL.fits");
   sim::Image angles[2];
   for (std::size_t plane = 0; plane < planes; ++plane) {
     angles[plane] = sim::Image(fits.image.width, fits.image.height, {plane == 0 ? "azimuth" : "elevation"});

@@ -72,33 +72,42 @@ Error&& Error::line(int number) && {
 
 void refuse_file(ErrorKind kind, const std::string& file, const std::string& problem,
                  const std::string& expected, const std::string& hint) {
-  throw Error(kind, {problem, file, 0, {}, expected, hint});
+  throw Error(kind, problem).file(file).expected(expected).hint(hint);
 }
 
 void refuse_key(ErrorKind kind, const std::string& key, const std::string& problem,
                 const std::string& expected, const std::string& hint) {
-  throw Error(kind, {problem, {}, 0, key, expected, hint});
+  throw Error(kind, problem).key(key).expected(expected).hint(hint);
 }
 
 void refuse_scene_key(const std::string& file, const std::string& key, const std::string& problem,
                       const std::string& expected, const std::string& hint) {
-  throw Error(ErrorKind::scene, {problem, file, 0, key, expected, hint});
+  throw Error(ErrorKind::scene, problem).file(file).key(key).expected(expected).hint(hint);
+}
+
+Error unreadable(const std::string& file, const std::string& problem) {
+  return Error(ErrorKind::unreadable_input, problem).file(file);
+}
+
+Error truncated(const std::string& file, const std::string& what_is_missing) {
+  return unreadable(file, "the file is truncated: " + what_is_missing).hint(kCopyAgain);
+}
+
+Error damaged(const std::string& file, const std::string& problem) {
+  return unreadable(file, "the file is damaged: " + problem).hint(kCopyAgain);
 }
 
 Error unwritable(const std::string& target, int error_number) {
-  ErrorDetails details;
-  details.file = target;
-  details.problem = "cannot be written: " + std::generic_category().message(error_number);
-  details.hint = hint_for(error_number);
-  return Error(ErrorKind::unwritable_output, details);
+  return Error(ErrorKind::unwritable_output,
+               "cannot be written: " + std::generic_category().message(error_number))
+      .file(target)
+      .hint(hint_for(error_number));
 }
 
 Error already_exists(const std::string& target) {
-  ErrorDetails details;
-  details.file = target;
-  details.problem = "exists already";
-  details.hint = "use --overwrite to replace it, or choose another name";
-  return Error(ErrorKind::existing_output, details);
+  return Error(ErrorKind::existing_output, "exists already")
+      .file(target)
+      .hint("use --overwrite to replace it, or choose another name");
 }
 
 }  // namespace vegard::sim

@@ -68,6 +68,14 @@ class Error : public std::exception {
                                    const std::string& problem, const std::string& expected = {},
                                    const std::string& hint = {});
 
+/// Returns Error(unreadable_input) about a file; truncated() and damaged() begin with "the file is truncated:
+/// " or "the file is damaged: ", and hint at kCopyAgain.
+Error unreadable(const std::string& file, const std::string& problem);
+Error truncated(const std::string& file, const std::string& what_is_missing);
+Error damaged(const std::string& file, const std::string& problem);
+
+inline constexpr const char* kCopyAgain = "copy it again from where it came";
+
 /// Returns Error(unwritable_output) about a file or directory, for an errno value.
 Error unwritable(const std::string& target, int error_number);
 

@@ -60,10 +60,11 @@ double usable_memory_bytes() {
 void require_memory(const MemoryLimit& limit, double bytes, const std::string& what,
                     const std::string& hint) {
   if (bytes <= limit.bytes) return;
-  refuse_key(
-      ErrorKind::usage, limit.option, what + " would take about " + memory_text(bytes) + " of memory",
-      "at most " + memory_text(limit.bytes) + (limit.given ? ", as given" : ", four fifths of what is free"),
-      hint);
+  throw Error(ErrorKind::usage, what + " would take about " + memory_text(bytes) + " of memory")
+      .key(limit.option)
+      .expected("at most " + memory_text(limit.bytes) +
+                (limit.given ? ", as given" : ", four fifths of what is free"))
+      .hint(hint);
 }
 
 std::uint64_t available_memory(const std::string& root) {

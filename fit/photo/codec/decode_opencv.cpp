@@ -55,8 +55,8 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
       cv::Mat alpha;
       cv::extractChannel(codes, alpha, 3);
       if (image.colour_times_alpha && cv::countNonZero(alpha != 255) > 0)
-        refuse_image(file, "an 8-bit TIFF that is transparent in places is not read", "",
-                     "save it without its alpha channel");
+        throw sim::unreadable(file, "an 8-bit TIFF that is transparent in places is not read")
+            .hint("save it without its alpha channel");
       cv::Mat colour(codes.size(), CV_MAKETYPE(codes.depth(), 3));
       cv::mixChannels(codes, colour, {0, 0, 1, 1, 2, 2});
       codes = colour;
@@ -68,16 +68,17 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
     codes.release();
   }
   if (codes.empty())
-    refuse_image(file, "the image cannot be decoded", std::string("a sound ") + image.format->name,
-                 "open it in an image viewer and save it again");
+    throw sim::unreadable(file, "the image cannot be decoded")
+        .expected(std::string("a sound ") + image.format->name)
+        .hint("open it in an image viewer and save it again");
   const bool turned = image.orientation >= 5;
   const int depth = image.floating ? CV_32F : image.bits == 16 ? CV_16U : CV_8U;
   const bool as_promised = codes.cols == (turned ? image.height : image.width) &&
                            codes.rows == (turned ? image.width : image.height) && codes.depth() == depth &&
                            (codes.channels() == 1 || codes.channels() == 3);
   if (!as_promised)
-    refuse_image(file, "the image decodes to something else than its header promises", "",
-                 "open it in an image viewer and save it again");
+    throw sim::unreadable(file, "the image decodes to something else than its header promises")
+        .hint("open it in an image viewer and save it again");
   return codes;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/pnm_header.h"
+#include "sim/base/error.h"
 #include "sim/base/picture/coded_picture.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
@@ -34,7 +35,8 @@ PictureCodes decode_exr(std::string_view bytes, const ImageFile& /*image*/, cons
     from = {place("Y")};
     if (from[0] < 0 && all.channels() == 1) from[0] = 0;
     if (from[0] < 0)
-      refuse_image(file, "there is no picture in it", "the channels R, G and B, or Y, or only one channel");
+      throw sim::unreadable(file, "there is no picture in it")
+          .expected("the channels R, G and B, or Y, or only one channel");
   }
   PictureCodes codes;
   codes.width = all.width;
@@ -63,8 +65,8 @@ PictureCodes decode_fits(std::string_view bytes, const ImageFile& /*image*/, con
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   const int planes = fits.image.channels();
   if (planes != 1 && planes != 3)
-    refuse_image(file, "this FITS image has " + std::to_string(planes) + " planes",
-                 "one, or three for red, green and blue");
+    throw sim::unreadable(file, "this FITS image has " + std::to_string(planes) + " planes")
+        .expected("one, or three for red, green and blue");
   PictureCodes codes;
   codes.width = fits.image.width;
   codes.height = fits.image.height;
@@ -95,8 +97,8 @@ PictureCodes decode_fits(std::string_view bytes, const ImageFile& /*image*/, con
 PictureCodes decode_heif(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
   const sim::CodedPicture picture = sim::read_heif(bytes, file);
   if (!heif_promises(bytes, picture.width, picture.height, file))
-    refuse_image(file, "the image decodes to something else than its header promises", "",
-                 "open it in an image viewer and save it again");
+    throw sim::unreadable(file, "the image decodes to something else than its header promises")
+        .hint("open it in an image viewer and save it again");
   PictureCodes codes;
   codes.width = picture.width;
   codes.height = picture.height;
@@ -123,15 +125,15 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
     long long number = 0;
     if (header.in_words) {
       number = next_pnm_number(bytes, at);
-      if (number < 0 && at >= bytes.size()) throw_truncated(file, "it ends before its last pixel");
-      if (number < 0) throw_damaged(file, "there is something else than numbers among its pixels");
+      if (number < 0 && at >= bytes.size()) throw sim::truncated(file, "it ends before its last pixel");
+      if (number < 0) throw sim::damaged(file, "there is something else than numbers among its pixels");
     } else {
       number = static_cast<long long>(unsigned_at(bytes, at, size, true));
       at += size;
     }
     if (number > header.largest)
-      throw_damaged(file, "a pixel is " + std::to_string(number) + ", above the header's largest value " +
-                              std::to_string(header.largest));
+      throw sim::damaged(file, "a pixel is " + std::to_string(number) +
+                                   ", above the header's largest value " + std::to_string(header.largest));
     value = static_cast<float>(number);
   }
   return codes;

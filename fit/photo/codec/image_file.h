@@ -35,12 +35,7 @@ struct ImageFile {
   std::array<double, 3> block_error{};
 };
 
-/// Throws sim::Error(unreadable_input) about the file.
-[[noreturn]] void refuse_image(const std::string& file, const std::string& problem,
-                               const std::string& expected = {}, const std::string& hint = {});
-
-[[noreturn]] void throw_truncated(const std::string& file, const std::string& what_is_missing);
-[[noreturn]] void throw_damaged(const std::string& file, const std::string& problem);
+/// Throws sim::Error(unreadable_input) about a variant of a format.
 [[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
 
 /// Returns the unsigned integer of `size` bytes at `at`; the caller must check that it lies inside `bytes`.

@@ -1,6 +1,7 @@
 #include "fit/photo/codec/picture_format.h"
 
 #include "fit/photo/codec/pnm_header.h"
+#include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 
 #include <algorithm>
@@ -130,17 +131,17 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
       ++at;
     }
     if (at + 1 >= bytes.size())
-      throw_truncated(file,
-                      scan_seen ? "the JPEG end-of-image marker is missing" : "it ends before the picture");
+      throw sim::truncated(
+          file, scan_seen ? "the JPEG end-of-image marker is missing" : "it ends before the picture");
     const int marker = static_cast<unsigned char>(bytes[at + 1]);
     at += 2;
     if (marker == kEndOfImage) break;
     if (marker == kTemporary || marker == kStartOfImage) continue;
 
-    if (at + 2 > bytes.size()) throw_truncated(file, "it ends inside a JPEG segment");
+    if (at + 2 > bytes.size()) throw sim::truncated(file, "it ends inside a JPEG segment");
     const std::size_t length = unsigned_at(bytes, at, 2, true);
-    if (length < 2) throw_damaged(file, "a JPEG segment of impossible length");
-    if (at + length > bytes.size()) throw_truncated(file, "it ends inside a JPEG segment");
+    if (length < 2) throw sim::damaged(file, "a JPEG segment of impossible length");
+    if (at + length > bytes.size()) throw sim::truncated(file, "it ends inside a JPEG segment");
     const std::string_view segment = bytes.substr(at + 2, length - 2);
     at += length;
 
@@ -159,7 +160,7 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
       scan_seen = true;
     }
   }
-  if (!frame_seen || !scan_seen) throw_damaged(file, "a JPEG without a picture in it");
+  if (!frame_seen || !scan_seen) throw sim::damaged(file, "a JPEG without a picture in it");
   if (image.bits != 8) throw_unsupported(file, "a JPEG of " + std::to_string(image.bits) + " bits");
   image.block_error = block_error(frame, steps);
   return image;
@@ -170,19 +171,19 @@ ImageFile walk_png(std::string_view bytes, const std::string& file) {
   bool first = true, data_seen = false;
   std::size_t at = 8;
   while (true) {
-    if (at + 12 > bytes.size()) throw_truncated(file, "the PNG end chunk is missing");
+    if (at + 12 > bytes.size()) throw sim::truncated(file, "the PNG end chunk is missing");
     const std::size_t length = unsigned_at(bytes, at, 4, true);
-    if (length > bytes.size() - at - 12) throw_truncated(file, "it ends inside a PNG chunk");
+    if (length > bytes.size() - at - 12) throw sim::truncated(file, "it ends inside a PNG chunk");
     const std::string_view type = bytes.substr(at + 4, 4);
     const std::string_view data = bytes.substr(at + 8, length);
     const bool critical = type[0] >= 'A' && type[0] <= 'Z';
     // A wrong checksum in an ancillary chunk (lower-case initial) harms no pixel.
     if (critical && crc32(bytes.substr(at + 4, 4 + length)) != unsigned_at(bytes, at + 8 + length, 4, true))
-      throw_damaged(file, "the checksum of its PNG chunk " + std::string(type) + " is wrong");
+      throw sim::damaged(file, "the checksum of its PNG chunk " + std::string(type) + " is wrong");
     at += 12 + length;
 
     if (first) {
-      if (type != "IHDR" || length != 13) throw_damaged(file, "a PNG without its header");
+      if (type != "IHDR" || length != 13) throw sim::damaged(file, "a PNG without its header");
       image.width = static_cast<long long>(unsigned_at(data, 0, 4, true));
       image.height = static_cast<long long>(unsigned_at(data, 4, 4, true));
       image.bits = static_cast<int>(unsigned_at(data, 8, 1, true));
@@ -195,7 +196,7 @@ ImageFile walk_png(std::string_view bytes, const std::string& file) {
       break;
     }
   }
-  if (!data_seen) throw_damaged(file, "a PNG without a picture in it");
+  if (!data_seen) throw sim::damaged(file, "a PNG without a picture in it");
   return image;
 }
 
@@ -208,7 +209,7 @@ int exif_orientation(std::string_view tiff) {
 
 ImageFile walk_tiff(std::string_view bytes, const std::string& file) {
   const TiffDirectory directory(bytes);
-  if (!directory.complete()) throw_truncated(file, "its TIFF directory lies beyond the end");
+  if (!directory.complete()) throw sim::truncated(file, "its TIFF directory lies beyond the end");
   ImageFile image;
   // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
   constexpr std::uint64_t kMax = 0xffffffffu;
@@ -224,14 +225,14 @@ void check_strips_are_inside(const TiffDirectory& directory, std::size_t file_si
   const bool tiled = directory.values(kTileOffsets, 1).has_value();
   const auto offsets = directory.values(tiled ? kTileOffsets : kStripOffsets);
   const auto counts = directory.values(tiled ? kTileBytes : kStripBytes);
-  if (!directory.inside()) throw_truncated(file, "the list of its TIFF strips lies beyond the end");
-  if (!offsets || offsets->empty()) throw_damaged(file, "a TIFF without a picture in it");
+  if (!directory.inside()) throw sim::truncated(file, "the list of its TIFF strips lies beyond the end");
+  if (!offsets || offsets->empty()) throw sim::damaged(file, "a TIFF without a picture in it");
   for (std::size_t i = 0; i < offsets->size(); ++i) {
     const std::uint64_t begin = (*offsets)[i];
     const std::uint64_t length = counts && i < counts->size() ? (*counts)[i] : 1;
     if (begin > file_size || length > file_size - begin)
-      throw_truncated(file, "TIFF strip " + std::to_string(i + 1) + " of " + std::to_string(offsets->size()) +
-                                " reaches beyond the end");
+      throw sim::truncated(file, "TIFF strip " + std::to_string(i + 1) + " of " +
+                                     std::to_string(offsets->size()) + " reaches beyond the end");
   }
 }
 
@@ -248,8 +249,8 @@ ImageFile walk_pnm(std::string_view bytes, const std::string& file) {
   const std::size_t least = header.in_words ? 2 * numbers - 1 : numbers * (header.largest > 255 ? 2 : 1);
   const std::size_t there = bytes.size() - header.data;
   if (there < least)
-    throw_truncated(file, "its header promises " + std::to_string(least) + " bytes of pixels and " +
-                              std::to_string(there) + " are there");
+    throw sim::truncated(file, "its header promises " + std::to_string(least) + " bytes of pixels and " +
+                                   std::to_string(there) + " are there");
   return image;
 }
 

@@ -5,6 +5,7 @@
 
 #include "fit/photo/codec/hevc_size.h"
 #include "fit/photo/codec/picture_format.h"
+#include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::fit {
@@ -19,18 +20,19 @@ struct Box {
 /// The box that `bytes` begin with; throws if it does not lie inside them.
 Box first_box(std::string_view bytes, const std::string& file) {
   std::size_t head = 8;
-  if (bytes.size() < head) throw_truncated(file, "it ends inside the head of a box");
+  if (bytes.size() < head) throw sim::truncated(file, "it ends inside the head of a box");
   std::uint64_t size = unsigned_at(bytes, 0, 4, true);
   if (size == 1) {
     head = 16;
-    if (bytes.size() < head) throw_truncated(file, "it ends inside the head of a box");
+    if (bytes.size() < head) throw sim::truncated(file, "it ends inside the head of a box");
     size = unsigned_at(bytes, 8, 8, true);
   } else if (size == 0) {
     size = bytes.size();
   }
   const std::string_view type = bytes.substr(4, 4);
-  if (size < head) throw_damaged(file, "a box of impossible size");
-  if (size > bytes.size()) throw_truncated(file, "its box " + std::string(type) + " reaches beyond the end");
+  if (size < head) throw sim::damaged(file, "a box of impossible size");
+  if (size > bytes.size())
+    throw sim::truncated(file, "its box " + std::string(type) + " reaches beyond the end");
   return {type, bytes.substr(head, size - head), size};
 }
 
@@ -40,7 +42,7 @@ class BoxNumbers {
   BoxNumbers(std::string_view bytes, const char* what, const std::string& file)
       : bytes_(bytes), what_(what), file_(file) {}
   std::uint64_t next(std::size_t size) {
-    if (bytes_.size() < size) throw_damaged(file_, std::string(what_) + " is cut");
+    if (bytes_.size() < size) throw sim::damaged(file_, std::string(what_) + " is cut");
     const std::uint64_t value = size == 0 ? 0 : unsigned_at(bytes_, 0, static_cast<int>(size), true);
     bytes_.remove_prefix(size);
     return value;
@@ -73,7 +75,7 @@ std::pair<long long, long long> size_of(const Box& property) {
 /// Of two tables of a kind libheif takes one: which, nobody here is to have to know.
 void take_table(const Box& box, std::string_view& table, const std::string& file) {
   if (table.data() != nullptr)
-    throw_damaged(file, "two boxes " + std::string(box.type) + " contradict each other");
+    throw sim::damaged(file, "two boxes " + std::string(box.type) + " contradict each other");
   table = box.body;
 }
 
@@ -82,7 +84,7 @@ void take_table(const Box& box, std::string_view& table, const std::string& file
 void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, int depth = 0,
                 bool properties = false) {
   constexpr int kDeepest = 8;
-  if (depth > kDeepest) throw_damaged(file, "boxes inside boxes without end");
+  if (depth > kDeepest) throw sim::damaged(file, "boxes inside boxes without end");
   while (!bytes.empty()) {
     const Box box = first_box(bytes, file);
     if (properties) sizes.properties.push_back(box);
@@ -142,7 +144,7 @@ std::optional<std::string_view> bytes_of_item(std::uint64_t item, const ItemTabl
   const std::size_t offset_size = size_at(12), length_size = size_at(8), base_size = size_at(4),
                     index_size = version == 0 ? 0 : size_at(0);
   for (const std::size_t size : {offset_size, length_size, base_size, index_size})
-    if (size > 8) throw_damaged(file, "the list of where its items are has numbers of impossible size");
+    if (size > 8) throw sim::damaged(file, "the list of where its items are has numbers of impossible size");
   std::optional<std::string_view> found;
   for (std::uint64_t left = list.next(version < 2 ? 2 : 4); left > 0; --left) {
     const std::uint64_t number = list.next(version < 2 ? 2 : 4);
@@ -180,13 +182,13 @@ void check_main_picture(std::string_view bytes, const Sizes& sizes, std::uint64_
   const std::optional<std::string> type = type_of_item(main_picture, sizes.items, file);
   if (has_stream && type == "hvc1") return;
   if (type != "grid" || has_stream)
-    throw_damaged(file, "its main picture is neither an HEVC stream nor put together of tiles");
+    throw sim::damaged(file, "its main picture is neither an HEVC stream nor put together of tiles");
   const std::optional<std::string_view> grid = bytes_of_item(main_picture, sizes.items, bytes, file);
   const auto size = grid ? size_of_grid(*grid) : std::nullopt;
   for (const auto& [width, height] : promised)
     if (!size || size->first != width || size->second != height)
-      throw_damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                              " pixels by its header is put together of tiles to another size");
+      throw sim::damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                                   " pixels by its header is put together of tiles to another size");
 }
 
 /// Throws where an item is promised to be larger or smaller than its stream, or the main picture than its
@@ -223,10 +225,10 @@ void check_items(std::string_view bytes, const Sizes& sizes, const std::string& 
     const auto size = hevc_size(*stream);
     for (const auto& [width, height] : promised)
       if (!size || !fits(width, size->first) || !fits(height, size->second))
-        throw_damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                                " pixels by its header is of another size in its stream");
+        throw sim::damaged(file, "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                                     " pixels by its header is of another size in its stream");
   }
-  if (main_pictures != 1) throw_damaged(file, "it does not say once what its main picture is");
+  if (main_pictures != 1) throw sim::damaged(file, "it does not say once what its main picture is");
 }
 
 }  // namespace
@@ -250,7 +252,7 @@ ImageFile walk_heif(std::string_view bytes, const std::string& file) {
   for (const auto& [width, height] : sizes.promised)
     if (pixels(width, height) >= pixels(image.width, image.height))
       image.width = width, image.height = height;
-  if (sizes.promised.empty()) throw_damaged(file, "a HEIC that does not say its size");
+  if (sizes.promised.empty()) throw sim::damaged(file, "a HEIC that does not say its size");
   sim::check_pixel_limit(image.width, image.height, file);
   check_items(bytes, sizes, file);
   return image;

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "fit/photo/codec/picture_format.h"
+#include "sim/base/error.h"
 #include "sim/base/text.h"
 
 namespace vegard::fit {
@@ -64,7 +65,7 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
   image.bits = 16;
   if (!is_tiff(bytes)) return image;
   for (const TiffDirectory& directory : directories(bytes)) {
-    if (!directory.complete()) throw_truncated(file, "one of its TIFF directories lies beyond the end");
+    if (!directory.complete()) throw sim::truncated(file, "one of its TIFF directories lies beyond the end");
     // A size beyond 32 bits is no image's: cut where the check of the size still refuses it.
     constexpr std::uint64_t kMax = 0xffffffffu;
     const auto width = static_cast<long long>(std::min(directory.value(kWidth, 0), kMax));
@@ -73,7 +74,7 @@ ImageFile walk_camera_raw(std::string_view bytes, const std::string& file) {
     constexpr std::uint64_t kMaxSamples = 4;
     const std::uint64_t samples = directory.value(kSamples, 1);
     if (samples < 1 || samples > kMaxSamples)
-      throw_damaged(file, "a camera raw file of " + std::to_string(samples) + " samples per pixel");
+      throw sim::damaged(file, "a camera raw file of " + std::to_string(samples) + " samples per pixel");
     const bool has_picture =
         directory.values(kStripOffsets, 1).has_value() || directory.values(kTileOffsets, 1).has_value();
     if (has_picture) check_strips_are_inside(directory, bytes.size(), file);

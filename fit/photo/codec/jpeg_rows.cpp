@@ -8,6 +8,7 @@
 #include <jpeglib.h>
 
 #include "fit/photo/codec/image_file.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 
@@ -66,8 +67,9 @@ struct JpegRows::Decoder {
   }
 
   [[noreturn]] void refuse() const {
-    refuse_image(file, "the image cannot be decoded", "a sound JPEG",
-                 "open it in an image viewer and save it again");
+    throw sim::unreadable(file, "the image cannot be decoded")
+        .expected("a sound JPEG")
+        .hint("open it in an image viewer and save it again");
   }
 };
 
@@ -87,7 +89,7 @@ int JpegRows::channels() const { return decoder_->channels; }
 int JpegRows::next_rows(int count, std::uint8_t* to) {
   const int rows = decoder_->read(count, to);
   if (rows < 0) decoder_->refuse();
-  if (decoder_->damaged) throw_damaged(decoder_->file, "its compressed data are not sound");
+  if (decoder_->damaged) throw sim::damaged(decoder_->file, "its compressed data are not sound");
   return rows;
 }
 

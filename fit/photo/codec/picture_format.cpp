@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/quiet_decoder.h"
 #include "sim/base/text.h"
@@ -25,7 +26,7 @@ bool begins_as(const PictureFormat& format, std::string_view bytes) {
 
 ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
   if (bytes.empty())
-    refuse_image(file, "the file is empty", known_formats(), "copy it again from where it came");
+    throw sim::unreadable(file, "the file is empty").expected(known_formats()).hint(sim::kCopyAgain);
   for (const PictureFormat& format : picture_formats()) {
     if (!format.beginnings.empty() && !begins_as(format, bytes)) continue;
     if (format.is_format != nullptr && !format.is_format(bytes)) continue;
@@ -36,9 +37,9 @@ ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
     if (size_is_known || !image.size_comes_later) sim::check_pixel_limit(image.width, image.height, file);
     return image;
   }
-  refuse_image(file, "this is no image that can be read",
-               known_formats() + ", by its contents and not by its name",
-               "convert it to a 16-bit TIFF, unpack it if it is compressed");
+  throw sim::unreadable(file, "this is no image that can be read")
+      .expected(known_formats() + ", by its contents and not by its name")
+      .hint("convert it to a 16-bit TIFF, unpack it if it is compressed");
 }
 
 std::string kind_of_codes(const ImageFile& image) {
@@ -53,7 +54,7 @@ PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
     codes.block_error = image.block_error;
     return codes;
   } catch (const std::bad_alloc&) {
-    refuse_image(file, "there is not enough memory for this image", "", "scale or crop it first");
+    throw sim::unreadable(file, "there is not enough memory for this image").hint("scale or crop it first");
   }
 }
 

@@ -1,6 +1,7 @@
 #include "fit/photo/codec/pnm_header.h"
 
 #include "fit/photo/codec/image_file.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 namespace {
@@ -32,16 +33,16 @@ PnmHeader pnm_header(std::string_view bytes, const std::string& file) {
   const auto number = [&](const char* what) {
     const long long value = next_pnm_number(bytes, at);
     if (value >= 0 && at < bytes.size()) return value;
-    if (at >= bytes.size()) throw_truncated(file, "it ends inside its header");
-    throw_damaged(file, std::string("its header has no ") + what);
+    if (at >= bytes.size()) throw sim::truncated(file, "it ends inside its header");
+    throw sim::damaged(file, std::string("its header has no ") + what);
   };
   header.width = number("width");
   header.height = number("height");
   const long long largest = number("largest value");
   if (largest < 1 || largest > 65535)
-    throw_damaged(file, "its largest value is " + std::to_string(largest) + ", not 1 to 65535");
+    throw sim::damaged(file, "its largest value is " + std::to_string(largest) + ", not 1 to 65535");
   header.largest = static_cast<int>(largest);
-  if (!is_space(bytes[at])) throw_damaged(file, "its header does not end with a space");
+  if (!is_space(bytes[at])) throw sim::damaged(file, "its header does not end with a space");
   header.data = at + 1;
   return header;
 }

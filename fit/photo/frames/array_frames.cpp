@@ -7,6 +7,7 @@
 
 #include "fit/photo/codec/image_file.h"
 #include "fit/photo/frames/array_times.h"
+#include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/pixel_limit.h"
 
@@ -46,8 +47,8 @@ std::vector<std::size_t> images_of(const sim::ArrayFile& file) {
     largest.push_back(i);
   }
   if (largest.empty())
-    refuse_image(file.name(), std::string("there are no images in this ") + file.format() + " file",
-                 "an array of two to four dimensions");
+    throw sim::unreadable(file.name(), std::string("there are no images in this ") + file.format() + " file")
+        .expected("an array of two to four dimensions");
   if (largest.size() == 1) return largest;
   const StoredArray& first = arrays[largest[0]];
   const auto is_like_first = [&](std::size_t i) {
@@ -56,11 +57,11 @@ std::vector<std::size_t> images_of(const sim::ArrayFile& file) {
            arrays[i].kind == first.kind;
   };
   if (!std::all_of(largest.begin(), largest.end(), is_like_first))
-    refuse_image(
-        file.name(),
-        "which of its arrays is the images is not known: '" + first.name + "', '" + arrays[largest[1]].name +
-            "' are as large",
-        "one that is larger than all others, or frames that are told apart by a number behind their name");
+    throw sim::unreadable(file.name(), "which of its arrays is the images is not known: '" + first.name +
+                                           "', '" + arrays[largest[1]].name + "' are as large")
+        .expected(
+            "one that is larger than all others, or frames that are told apart by a number behind their "
+            "name");
   std::sort(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) {
     return numbered(arrays[a].name).second < numbered(arrays[b].name).second;
   });
@@ -87,11 +88,10 @@ Axes axes_of_images(const std::vector<std::uint64_t>& dims, const sim::ArrayFile
   if (may_be_behind && may_be_before) return tells_times(dims[0]) && !tells_times(dims[3]) ? before : behind;
   if (may_be_behind) return behind;
   if (may_be_before) return before;
-  refuse_image(file.name(),
-               "'" + file.arrays()[images].name +
-                   "' has four dimensions, and none of them is of "
-                   "three colours where it could be",
-               "height, width, 3, frames, or frames, height, width, 3");
+  throw sim::unreadable(file.name(), "'" + file.arrays()[images].name +
+                                         "' has four dimensions, and none of them is of "
+                                         "three colours where it could be")
+      .expected("height, width, 3, frames, or frames, height, width, 3");
 }
 
 class ArrayFrames : public FrameStore {
@@ -200,21 +200,21 @@ ImageStack find_images(const sim::ArrayFile& file) {
   const std::uint64_t height = lengths[axes.row], width = lengths[axes.column];
   const std::uint64_t frames = axes.frame >= 0 ? lengths[axes.frame] : stack.arrays.size();
   if (axes.frame >= 0 && stack.arrays.size() > 1)
-    refuse_image(file.name(), "'" + array.name + "' and others as large each hold several images",
-                 "one array of them");
+    throw sim::unreadable(file.name(), "'" + array.name + "' and others as large each hold several images")
+        .expected("one array of them");
   // What a few bytes of such a file claim to be is bounded as what gzip has packed.
   if (width > static_cast<std::uint64_t>(kMaxPackedPixels) ||
       height > static_cast<std::uint64_t>(kMaxPackedPixels) ||
       width * height > static_cast<std::uint64_t>(kMaxPackedPixels))
-    refuse_image(file.name(),
-                 "'" + array.name + "' claims images of " + std::to_string(width) + " x " +
-                     std::to_string(height) + " pixels",
-                 "at most 2^25 in all");
+    throw sim::unreadable(file.name(), "'" + array.name + "' claims images of " + std::to_string(width) +
+                                           " x " + std::to_string(height) + " pixels")
+        .expected("at most 2^25 in all");
   sim::check_pixel_limit(static_cast<long long>(width), static_cast<long long>(height), file.name());
   if (frames > static_cast<std::uint64_t>(kMaxFrames))
-    refuse_image(file.name(), "'" + array.name + "' claims " + std::to_string(frames) + " images",
-                 "at most " + std::to_string(kMaxFrames), "cut it up");
-  if (frames == 0) refuse_image(file.name(), "'" + array.name + "' holds no image");
+    throw sim::unreadable(file.name(), "'" + array.name + "' claims " + std::to_string(frames) + " images")
+        .expected("at most " + std::to_string(kMaxFrames))
+        .hint("cut it up");
+  if (frames == 0) throw sim::unreadable(file.name(), "'" + array.name + "' holds no image");
   stack.frames = static_cast<std::size_t>(frames);
   stack.width_px = static_cast<long long>(width);
   stack.height_px = static_cast<long long>(height);

@@ -11,7 +11,6 @@
 namespace vegard::fit {
 namespace {
 
-constexpr const char* kCopyAgain = "copy it again from where it came";
 constexpr std::size_t kKindBytes = 2;
 
 bool is_frame_kind(std::string_view bytes) {
@@ -49,14 +48,14 @@ FrameReader::FrameReader(std::unique_ptr<FrameStore> store, std::string name)
 }
 
 void FrameReader::refuse(const std::string& problem, const std::string& hint) const {
-  refuse_image(name_, "its frame " + std::to_string(head_.number) + " " + problem, "", hint);
+  throw sim::unreadable(name_, "its frame " + std::to_string(head_.number) + " " + problem).hint(hint);
 }
 
 void FrameReader::refuse_cut(std::uint64_t there) const {
   const std::string whose =
       head_.number == 0 ? "its header" : "the header of its frame " + std::to_string(head_.number);
-  throw_truncated(name_, whose + " promises " + std::to_string(head_.bytes - pnm_.data) +
-                             " bytes of pixels and " + std::to_string(there) + " are there");
+  throw sim::truncated(name_, whose + " promises " + std::to_string(head_.bytes - pnm_.data) +
+                                  " bytes of pixels and " + std::to_string(there) + " are there");
 }
 
 bool FrameReader::next() {
@@ -70,18 +69,17 @@ bool FrameReader::next() {
   if (kind.empty() && head_.number >= 0) return false;
   if (!is_frame_kind(kind)) {
     if (head_.number < 0)
-      refuse_image(name_, "there are no frames in it", "PGM or PPM of bytes (P5, P6), one behind the other");
+      throw sim::unreadable(name_, "there are no frames in it")
+          .expected("PGM or PPM of bytes (P5, P6), one behind the other");
     // What stands behind the only picture of a plain file has always been passed over.
     if (head_.number == 0 && !stream_->is_packed()) return false;
-    refuse_image(name_,
-                 "the file is damaged: behind its frame " + std::to_string(head_.number) +
-                     " stands something else than a frame",
-                 "", kCopyAgain);
+    throw sim::damaged(
+        name_, "behind its frame " + std::to_string(head_.number) + " stands something else than a frame");
   }
   ++head_.number;
   if (head_.number >= kMaxFrames)
-    refuse_image(name_, "there are more than " + std::to_string(kMaxFrames) + " frames in it", "",
-                 "cut it up");
+    throw sim::unreadable(name_, "there are more than " + std::to_string(kMaxFrames) + " frames in it")
+        .hint("cut it up");
   read_header();
   return true;
 }
@@ -100,8 +98,9 @@ void FrameReader::read_header() {
   pnm_ = pnm_header(begun, of_frame);
   sim::check_pixel_limit(pnm_.width, pnm_.height, of_frame);
   if (stream_->is_packed() && pnm_.width * pnm_.height > kMaxPackedPixels)
-    refuse_image(of_frame, "a packed frame claims " + pixels_text(pnm_.width, pnm_.height),
-                 "at most 2^25 in all", "unpack the file first");
+    throw sim::unreadable(of_frame, "a packed frame claims " + pixels_text(pnm_.width, pnm_.height))
+        .expected("at most 2^25 in all")
+        .hint("unpack the file first");
   header_.resize(pnm_.data);
   stream_->read(header_.data(), header_.size());
   head_.width_px = static_cast<int>(pnm_.width);

@@ -66,13 +66,14 @@ int frame_at(const std::vector<FrameHead>& frames, double utc_s, const std::stri
   for (const FrameHead& frame : frames)
     if (frame.time) timed.push_back(&frame);
   if (timed.empty())
-    refuse_image(file, "no frame of it says when it was taken", "",
-                 "choose one by its number: " + file + "#0");
+    throw sim::unreadable(file, "no frame of it says when it was taken")
+        .hint("choose one by its number: " + file + "#0");
   const auto distance = [&](const FrameHead* frame) { return std::abs(frame->time->seconds - utc_s); };
   const FrameHead* nearest = *std::min_element(
       timed.begin(), timed.end(), [&](const auto* a, const auto* b) { return distance(a) < distance(b); });
   if (distance(nearest) > reach_s(timed))
-    refuse_image(file, "no frame of it was taken at " + sim::utc_text(utc_s), frames_text(frames));
+    throw sim::unreadable(file, "no frame of it was taken at " + sim::utc_text(utc_s))
+        .expected(frames_text(frames));
   return nearest->number;
 }
 
@@ -91,12 +92,10 @@ std::string numbers_text(std::size_t frames) {
 }
 
 void refuse_without_frame(const std::vector<FrameHead>& frames, const std::string& file) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = "there is more than one picture in it: " + frames_text(frames);
-  details.expected = numbers_text(frames.size()) + " behind its name";
-  details.hint = "or the time behind it, or --at; vegard describe lists them";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage, "there is more than one picture in it: " + frames_text(frames))
+      .file(file)
+      .expected(numbers_text(frames.size()) + " behind its name")
+      .hint("or the time behind it, or --at; vegard describe lists them");
 }
 
 }  // namespace vegard::fit

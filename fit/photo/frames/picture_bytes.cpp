@@ -21,20 +21,23 @@ std::string bytes_of_file(const std::string& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (!fs::exists(status))
-    refuse_image(file, error ? error.message() : "no such file", "an image file", "check the path");
-  if (fs::is_directory(status)) refuse_image(file, "this is a folder", "an image file");
-  if (!fs::is_regular_file(status)) refuse_image(file, "this is not a regular file", "an image file");
+    throw sim::unreadable(file, error ? error.message() : "no such file")
+        .expected("an image file")
+        .hint("check the path");
+  if (fs::is_directory(status)) throw sim::unreadable(file, "this is a folder").expected("an image file");
+  if (!fs::is_regular_file(status))
+    throw sim::unreadable(file, "this is not a regular file").expected("an image file");
   const auto size = fs::file_size(file, error);
-  if (error) refuse_image(file, error.message());
+  if (error) throw sim::unreadable(file, error.message());
   // cv::imdecode counts bytes in an int, and no photograph has more.
   if (size > static_cast<std::uintmax_t>(std::numeric_limits<int>::max()))
-    refuse_image(file, "the file is larger than 2 GiB", "", "scale or crop it first");
+    throw sim::unreadable(file, "the file is larger than 2 GiB").hint("scale or crop it first");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse_image(file, "the file cannot be opened", "", "check its permissions");
+  if (!stream) throw sim::unreadable(file, "the file cannot be opened").hint("check its permissions");
   std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size)
-    refuse_image(file, "the file cannot be read to its end");
+    throw sim::unreadable(file, "the file cannot be read to its end");
   return bytes;
 }
 
@@ -51,8 +54,8 @@ std::optional<std::string> unpacked_fits(const std::string& file) {
   if (!is_packed_fits(first)) return std::nullopt;
   const std::uint64_t size = first.skip(kMaxUnpackedFits + 1);
   if (size > kMaxUnpackedFits)
-    refuse_image(file, "the FITS file in it is larger than " + sim::bytes_text(kMaxUnpackedFits), "",
-                 "unpack it first");
+    throw sim::unreadable(file, "the FITS file in it is larger than " + sim::bytes_text(kMaxUnpackedFits))
+        .hint("unpack it first");
   std::string bytes(static_cast<std::size_t>(size), '\0');
   sim::ByteStream again(file);
   bytes.resize(again.read(bytes.data(), bytes.size()));
@@ -61,7 +64,7 @@ std::optional<std::string> unpacked_fits(const std::string& file) {
 
 [[noreturn]] void refuse_choice(const std::string& file, const std::string& problem,
                                 const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::usage, {problem, file, 0, {}, expected, {}});
+  throw sim::Error(sim::ErrorKind::usage, problem).file(file).expected(expected);
 }
 
 [[noreturn]] void refuse_number(const std::string& file, int number, std::size_t frames) {

@@ -6,6 +6,7 @@
 
 #include "fit/photo/codec/image_file.h"
 #include "fit/photo/frames/imager_name.h"
+#include "sim/base/error.h"
 #include "sim/base/file/tar_file.h"
 #include "sim/base/text.h"
 
@@ -31,10 +32,11 @@ class TarFrames : public FrameStore {
     for (const sim::TarEntry& entry : tar_.entries())
       if (const std::string plain = small_file_name(entry.name); is_png_name(plain))
         frames_.push_back({entry, imager_name(plain)});
-    if (frames_.empty()) refuse_image(name, "there is no PNG in this tar", "PNGs, as TREx's *.png.tar");
+    if (frames_.empty())
+      throw sim::unreadable(name, "there is no PNG in this tar").expected("PNGs, as TREx's *.png.tar");
     if (frames_.size() > static_cast<std::size_t>(kMaxFrames))
-      refuse_image(name, "there are more than " + std::to_string(kMaxFrames) + " frames in it", "",
-                   "cut it up");
+      throw sim::unreadable(name, "there are more than " + std::to_string(kMaxFrames) + " frames in it")
+          .hint("cut it up");
     std::stable_sort(frames_.begin(), frames_.end(), [](const InTar& a, const InTar& b) {
       const auto order = [](const InTar& one) {
         return std::make_pair(one.says ? one.says->begin_s : -1e300, one.entry.name);
@@ -83,7 +85,7 @@ class TarFrames : public FrameStore {
     constexpr std::string_view kBegins("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
     constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kColoursAt = 25;
     if (png.size() <= kColoursAt || png.substr(0, kBegins.size()) != kBegins)
-      refuse_image(name_, "'" + of + "' in it is no PNG");
+      throw sim::unreadable(name_, "'" + of + "' in it is no PNG");
     const bool is_coloured = (png[kColoursAt] & 2) != 0;
     return {static_cast<long long>(unsigned_at(png, kWidthAt, 4, true)),
             static_cast<long long>(unsigned_at(png, kHeightAt, 4, true)), is_coloured ? 3 : 1};

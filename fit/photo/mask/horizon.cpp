@@ -10,11 +10,9 @@ namespace vegard::fit {
 namespace {
 
 [[noreturn]] void refuse_line(const std::string& key, const std::string& problem) {
-  sim::ErrorDetails details;
-  details.key = key;
-  details.problem = problem;
-  details.expected = "at least two points x,y at different x";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage, problem)
+      .key(key)
+      .expected("at least two points x,y at different x");
 }
 
 }  // namespace

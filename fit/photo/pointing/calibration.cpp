@@ -195,15 +195,12 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
   check_stars(stars, static_cast<int>(fewest), name, words_of(evidence));
   const LensChoice choice = choose_lens(settings, stars, frame);
   if (choice.chosen < 0) {
-    sim::ErrorDetails details;
-    details.file = name;
-    details.problem = std::string("no lens brings the ") + words_of(evidence) + " to where they were seen";
-    details.hint =
-        evidence == CalibrationEvidence::stars
-            ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
-            : "do both maps belong to one camera, and say degrees from north to the east and above the "
-              "horizon?";
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+    throw sim::unreadable(
+        name, std::string("no lens brings the ") + words_of(evidence) + " to where they were seen")
+        .hint(evidence == CalibrationEvidence::stars
+                  ? "are they the stars they are called? Check the time, the site, and the columns' meaning"
+                  : "do both maps belong to one camera, and say degrees from north to the east and above the "
+                    "horizon?");
   }
   Calibration calibration;
   calibration.evidence = evidence;

@@ -165,31 +165,38 @@ HorizonDescent best_descent(const HorizonProblem& p, double side) {
 
 void check_horizon(const HorizonProblem& p) {
   if (p.points.size() < 2)
-    sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    std::to_string(p.points.size()) + " point on the horizon", "at least two points");
+    throw sim::Error(sim::ErrorKind::usage, std::to_string(p.points.size()) + " point on the horizon")
+        .key("--points")
+        .expected("at least two points");
   for (const PixelPoint& point : p.points)
     if (!(point.x_px >= 0.0 && point.x_px <= p.width_px && point.y_px >= 0.0 && point.y_px <= p.height_px))
-      sim::refuse_key(sim::ErrorKind::usage, "--points", "a point lies outside of the picture",
-                      "0,0 to " + std::to_string(p.width_px) + "," + std::to_string(p.height_px));
+      throw sim::Error(sim::ErrorKind::usage, "a point lies outside of the picture")
+          .key("--points")
+          .expected("0,0 to " + std::to_string(p.width_px) + "," + std::to_string(p.height_px));
   const auto [a, b] = farthest(p.points);
   const double distance_px = std::hypot(a.x_px - b.x_px, a.y_px - b.y_px);
   if (distance_px < std::max(1.0, 5.0 * p.point_error_px))
-    sim::refuse_key(sim::ErrorKind::usage, "--points", "the points are all one, as well as they are known",
-                    "points far apart from each other");
+    throw sim::Error(sim::ErrorKind::usage, "the points are all one, as well as they are known")
+        .key("--points")
+        .expected("points far apart from each other");
   if (!p.sky && std::abs(a.x_px - b.x_px) < std::max(1.0, p.point_error_px))
-    sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    "the horizon is vertical in the picture: on which side is the sky?", "--sky X,Y");
+    throw sim::Error(sim::ErrorKind::usage,
+                     "the horizon is vertical in the picture: on which side is the sky?")
+        .key("--points")
+        .expected("--sky X,Y");
   if (!p.hfov_deg && p.dip_deg <= 0.0)
-    sim::refuse_key(sim::ErrorKind::usage, "--hfov",
-                    "a straight horizon says nothing about the field of view", "--hfov or --focal-35mm",
-                    "seen from far above (--altitude-m) it is bent, and does");
+    throw sim::Error(sim::ErrorKind::usage, "a straight horizon says nothing about the field of view")
+        .key("--hfov")
+        .expected("--hfov or --focal-35mm")
+        .hint("seen from far above (--altitude-m) it is bent, and does");
   const std::size_t unknowns = free_numbers(p).size();
   if (p.points.size() < unknowns)
-    sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    std::to_string(p.points.size()) + " points cannot determine " +
-                        (p.free_dip ? "the dip" : "the field of view") + " and elevation and roll",
-                    "at least " + std::to_string(unknowns) + " points",
-                    p.free_dip ? "" : "or give --hfov or --focal-35mm");
+    throw sim::Error(sim::ErrorKind::usage, std::to_string(p.points.size()) + " points cannot determine " +
+                                                (p.free_dip ? "the dip" : "the field of view") +
+                                                " and elevation and roll")
+        .key("--points")
+        .expected("at least " + std::to_string(unknowns) + " points")
+        .hint(p.free_dip ? "" : "or give --hfov or --focal-35mm");
 }
 
 /// A horizon that bends says by itself where the sky is.
@@ -199,17 +206,21 @@ void check_side(const HorizonProblem& p, const HorizonDescent& chosen) {
   if (p.sky && !(PointResidual{p.sky->x_px - 0.5 * p.width_px, p.sky->y_px - 0.5 * p.height_px, 1.0}(
                      chosen.numbers.data(), &height) &&
                  height > 0.0))
-    sim::refuse_key(sim::ErrorKind::usage, "--sky", "this point lies below the horizon of the others",
-                    "a point in the sky");
+    throw sim::Error(sim::ErrorKind::usage, "this point lies below the horizon of the others")
+        .key("--sky")
+        .expected("a point in the sky");
   if (p.points.size() < 3) return;
   const HorizonDescent other = best_descent(p, -1.0);
   if (!other.usable || other.chi2 + kClear >= chosen.chi2) return;
   if (p.sky)
-    sim::refuse_key(sim::ErrorKind::usage, "--sky", "the horizon bends the other way than with the sky there",
-                    "a point in the sky");
-  sim::refuse_key(sim::ErrorKind::usage, "--points",
-                  "the horizon bends the other way than with the sky at the picture's top",
-                  "points on the edge of the Earth, from above", "say where the sky is with --sky X,Y");
+    throw sim::Error(sim::ErrorKind::usage, "the horizon bends the other way than with the sky there")
+        .key("--sky")
+        .expected("a point in the sky");
+  throw sim::Error(sim::ErrorKind::usage,
+                   "the horizon bends the other way than with the sky at the picture's top")
+      .key("--points")
+      .expected("points on the edge of the Earth, from above")
+      .hint("say where the sky is with --sky X,Y");
 }
 
 ErrorBar degrees(double radians, double sigma_radians) {
@@ -232,8 +243,10 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
   check_horizon(p);
   const HorizonDescent found = best_descent(p, 1.0);
   if (!found.usable)
-    sim::refuse_key(sim::ErrorKind::usage, "--points", "no horizon goes through these points",
-                    "points on one horizon", "are the field of view and --altitude-m right?");
+    throw sim::Error(sim::ErrorKind::usage, "no horizon goes through these points")
+        .key("--points")
+        .expected("points on one horizon")
+        .hint("are the field of view and --altitude-m right?");
   check_side(p, found);
 
   const std::vector<int> free = free_numbers(p);
@@ -262,12 +275,14 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
       std::sin(result.hfov_deg.value * kRadiansPerDegree) * sigma[kLogFocal] / kRadiansPerDegree;
   const auto too_open = [](const ErrorBar& bar) { return !(bar.sigma < std::abs(bar.value) / 3.0); };
   if (!p.hfov_deg && too_open(result.hfov_deg))
-    sim::refuse_key(sim::ErrorKind::usage, "--points",
-                    "the horizon is not bent enough to determine the field of view", "--hfov or --focal-35mm",
-                    "or more points, farther apart");
+    throw sim::Error(sim::ErrorKind::usage, "the horizon is not bent enough to determine the field of view")
+        .key("--points")
+        .expected("--hfov or --focal-35mm")
+        .hint("or more points, farther apart");
   if (p.free_dip && too_open(result.dip_deg))
-    sim::refuse_key(sim::ErrorKind::usage, "--points", "the horizon is not bent enough to determine its dip",
-                    "more points, farther apart");
+    throw sim::Error(sim::ErrorKind::usage, "the horizon is not bent enough to determine its dip")
+        .key("--points")
+        .expected("more points, farther apart");
   return result;
 }
 

@@ -81,12 +81,11 @@ double agreement(const SkyCamera& camera, const Frame& frame, const std::vector<
 constexpr double kMaxCameras = 2e6;  // some minutes
 
 [[noreturn]] void refuse_search(double cameras) {
-  sim::ErrorDetails details;
-  details.key = "--twist, --shift, --scale";
-  details.problem = "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried";
-  details.expected = "at most " + sim::short_number(kMaxCameras, 2);
-  details.hint = "say better where the camera points: --centre, or a narrower search";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage,
+                   "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried")
+      .key("--twist, --shift, --scale")
+      .expected("at most " + sim::short_number(kMaxCameras, 2))
+      .hint("say better where the camera points: --centre, or a narrower search");
 }
 
 SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,

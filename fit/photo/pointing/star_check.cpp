@@ -20,11 +20,10 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
   // Four residuals more than numbers, two to a star.
   const int needed = (free_numbers + 4 + 1) / 2;
   if (n < needed)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     std::to_string(n) + " " + (n == 1 && called == "stars" ? "star" : called) +
-                         " for a camera of " + std::to_string(free_numbers) + " numbers",
-                     "at least " + std::to_string(needed),
-                     "add " + called + ", or hold numbers with --free and --camera");
+    throw sim::unreadable(name, std::to_string(n) + " " + (n == 1 && called == "stars" ? "star" : called) +
+                                    " for a camera of " + std::to_string(free_numbers) + " numbers")
+        .expected("at least " + std::to_string(needed))
+        .hint("add " + called + ", or hold numbers with --free and --camera");
   Eigen::MatrixXd places(n, 2), directions(n, 3);
   for (int i = 0; i < n; ++i) {
     places.row(i) << stars[i].x_px, stars[i].y_px;
@@ -34,21 +33,20 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
   const Eigen::VectorXd spread =
       sim::symmetric_eigen(about.transpose() * about / n).values.cwiseMax(0.0).cwiseSqrt();
   if (spread[1] < 1.0)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " are at one point of the picture", called + " all over it", "");
+    throw sim::unreadable(name, "all " + called + " are at one point of the picture")
+        .expected(called + " all over it");
   if (spread[0] < kStarsNarrowest * spread[1])
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     "all " + called + " are on one line of the picture", called + " on both sides of it",
-                     "");
+    throw sim::unreadable(name, "all " + called + " are on one line of the picture")
+        .expected(called + " on both sides of it");
   const Eigen::MatrixXd across = directions.rowwise() - directions.colwise().mean();
   const Eigen::VectorXd width =
       sim::symmetric_eigen(across.transpose() * across / n).values.cwiseMax(0.0).cwiseSqrt();
   if (width[2] < 1e-5)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name, "all " + called + " are at one point of the sky",
-                     "different " + called, "");
+    throw sim::unreadable(name, "all " + called + " are at one point of the sky")
+        .expected("different " + called);
   if (width[1] < kStarsNarrowest * width[2])
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name, "all " + called + " are on one line of the sky",
-                     called + " on both sides of it", "");
+    throw sim::unreadable(name, "all " + called + " are on one line of the sky")
+        .expected(called + " on both sides of it");
 }
 
 void check_star_places(const std::vector<StarSighting>& stars, const Frame& frame, const std::string& name) {
@@ -57,17 +55,15 @@ void check_star_places(const std::vector<StarSighting>& stars, const Frame& fram
     if (star.x_px >= -kSlack_px && star.x_px <= frame.width_px + kSlack_px && star.y_px >= -kSlack_px &&
         star.y_px <= frame.height_px + kSlack_px)
       continue;
-    sim::ErrorDetails details;
-    details.file = name;
-    details.line = star.line;
-    details.problem = "a star at (" + sim::short_number(star.x_px, 6) + ", " +
-                      sim::short_number(star.y_px, 6) + ") px, outside of the picture of " +
-                      std::to_string(frame.width_px) + " x " + std::to_string(frame.height_px) + " px";
-    details.expected = "the places of stars in this picture, at this size";
-    details.hint =
-        "is the table another picture's, or this one's before it was made smaller? --offset is for a "
-        "table of a crop";
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+    throw sim::unreadable(name, "a star at (" + sim::short_number(star.x_px, 6) + ", " +
+                                    sim::short_number(star.y_px, 6) + ") px, outside of the picture of " +
+                                    std::to_string(frame.width_px) + " x " + std::to_string(frame.height_px) +
+                                    " px")
+        .line(star.line)
+        .expected("the places of stars in this picture, at this size")
+        .hint(
+            "is the table another picture's, or this one's before it was made smaller? --offset is for a "
+            "table of a crop");
   }
 }
 

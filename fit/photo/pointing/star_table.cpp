@@ -56,14 +56,7 @@ class Reader {
 
   [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& key = {},
                          const std::string& hint = {}) const {
-    sim::ErrorDetails details;
-    details.file = name_;
-    details.line = line_;
-    details.key = key;
-    details.problem = problem;
-    details.expected = expected;
-    details.hint = hint;
-    throw sim::Error(sim::ErrorKind::unreadable_input, details);
+    throw sim::unreadable(name_, problem).line(line_).key(key).expected(expected).hint(hint);
   }
 
   bool has(const char* column) const { return columns_.count(column) != 0; }
@@ -155,12 +148,11 @@ constexpr double kFieldMaxPixels = 1e6;
 
 void require_sky(const SkyOfPicture& sky, const std::string& file) {
   if (sky.julian_date && sky.observer) return;
-  sim::ErrorDetails details;
-  details.file = file;
-  details.key = sky.julian_date ? "--site" : "--time";
-  details.problem = "directions of stars by name or by right ascension depend on time and site";
-  details.expected = "--time and --site";
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage,
+                   "directions of stars by name or by right ascension depend on time and site")
+      .file(file)
+      .key(sky.julian_date ? "--site" : "--time")
+      .expected("--time and --site");
 }
 
 std::vector<StarSighting> parse_star_table(const std::string& text, const std::string& name,
@@ -189,14 +181,13 @@ std::vector<StarSighting> solved_field(std::string_view bytes, const std::string
   for (std::size_t c = 0; c < kNames.size(); ++c) {
     const auto found = table.columns.find(kNames[c]);
     if (found == table.columns.end())
-      sim::refuse_file(sim::ErrorKind::unreadable_input, file,
-                       std::string("this FITS table has no column ") + kNames[c],
-                       "the .corr file of solve-field: field_x, field_y, index_ra, index_dec");
+      throw sim::unreadable(file, std::string("this FITS table has no column ") + kNames[c])
+          .expected("the .corr file of solve-field: field_x, field_y, index_ra, index_dec");
     columns[c] = &found->second;
   }
   if (columns[0]->empty())
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "this FITS table has no rows",
-                     "a star in each: was the field solved?");
+    throw sim::unreadable(file, "this FITS table has no rows")
+        .expected("a star in each: was the field solved?");
   require_sky(sky, file);
 
   std::vector<StarSighting> stars;
@@ -205,10 +196,10 @@ std::vector<StarSighting> solved_field(std::string_view bytes, const std::string
     for (std::size_t c = 0; c < kNames.size(); ++c) {
       numbers[c] = (*columns[c])[row];
       if (!(numbers[c] >= kLimits[c][0] && numbers[c] <= kLimits[c][1]))
-        sim::refuse_file(sim::ErrorKind::unreadable_input, file,
-                         std::string(kNames[c]) + " of row " + std::to_string(row + 1) + " is out of range",
-                         std::to_string(static_cast<int>(kLimits[c][0])) + " to " +
-                             std::to_string(static_cast<int>(kLimits[c][1])));
+        throw sim::unreadable(
+            file, std::string(kNames[c]) + " of row " + std::to_string(row + 1) + " is out of range")
+            .expected(std::to_string(static_cast<int>(kLimits[c][0])) + " to " +
+                      std::to_string(static_cast<int>(kLimits[c][1])));
     }
     StarSighting star;
     star.name = "row " + std::to_string(row + 1);

@@ -39,17 +39,15 @@ int channel_number(const std::string& channel) { return channel == "red" ? 0 : c
 FileCounts file_counts(const std::string& name, const std::string& channel) {
   const PictureBytes picture = read_picture_bytes(name);
   if (inspect_image_file(picture.bytes, name).format->is_lossy)
-    refuse_image(name, "its numbers are no counts: they were bent and packed for the eye",
-                 "FITS, PGM, TIFF, PNG or an imager's frame");
+    throw sim::unreadable(name, "its numbers are no counts: they were bent and packed for the eye")
+        .expected("FITS, PGM, TIFF, PNG or an imager's frame");
   const PictureCodes codes = picture_codes(picture.bytes, name);
   int from = 0;
   if (codes.channels == 3) {
     if (channel.empty()) {
-      sim::ErrorDetails details;
-      details.file = name;
-      details.problem = "it has three colours, and its filter is one of them";
-      details.expected = "channel = \"green\" in the filter's table";
-      throw sim::Error(sim::ErrorKind::usage, details);
+      throw sim::Error(sim::ErrorKind::usage, "it has three colours, and its filter is one of them")
+          .file(name)
+          .expected("channel = \"green\" in the filter's table");
     }
     from = channel_number(channel);
   }
@@ -71,8 +69,8 @@ FileCounts counts_beside(const std::string& name, const std::string& what, const
                          const std::string& channel) {
   FileCounts counts = file_counts(name, channel);
   if (counts.width != picture.width || counts.height != picture.height)
-    refuse_image(name, what + " has " + sim::size_text(counts.width, counts.height) + " pixels",
-                 sim::size_text(picture.width, picture.height) + ", the picture's size");
+    throw sim::unreadable(name, what + " has " + sim::size_text(counts.width, counts.height) + " pixels")
+        .expected(sim::size_text(picture.width, picture.height) + ", the picture's size");
   return counts;
 }
 
@@ -92,7 +90,8 @@ std::vector<float> flat_field(const std::string& name, const FileCounts& picture
       sum += counts.numbers[at];
       ++pixels;
     }
-  if (!(sum > 0.0)) refuse_image(name, "the flat field is dark in its middle", "light on an even screen");
+  if (!(sum > 0.0))
+    throw sim::unreadable(name, "the flat field is dark in its middle").expected("light on an even screen");
   std::vector<float> flat = counts.numbers;
   for (std::size_t i = 0; i < flat.size(); ++i)
     flat[i] = counts.usable[i] != 0 ? static_cast<float>(flat[i] * pixels / sum) : 0.0f;
@@ -105,8 +104,9 @@ double seconds_of(const std::string& picture, const FileCounts& counts, const Ra
   if (!exposure_s) exposure_s = photo_metadata(picture).exposure_s;
   if (!exposure_s) exposure_s = filter.exposure_s;
   if (!exposure_s || !(*exposure_s > 0.0))
-    refuse_image(picture, "it does not say how long it was exposed", "--exposure SECONDS",
-                 "or exposure_s in the camera's file");
+    throw sim::unreadable(picture, "it does not say how long it was exposed")
+        .expected("--exposure SECONDS")
+        .hint("or exposure_s in the camera's file");
   return *exposure_s;
 }
 

@@ -191,13 +191,12 @@ const RayleighFilter& filter_called(const RayleighCamera& camera, const std::str
     if (filter.name == name) return filter;
     names.push_back(filter.name);
   }
-  sim::ErrorDetails details;
-  details.file = camera.file;
-  details.key = "--filter";
-  details.problem = name.empty() ? "it has several filters" : "it has no filter '" + name + "'";
-  details.expected = sim::joined(names);
-  if (!name.empty()) details.hint = sim::nearest_hint(name, names);
-  throw sim::Error(sim::ErrorKind::usage, details);
+  throw sim::Error(sim::ErrorKind::usage,
+                   name.empty() ? "it has several filters" : "it has no filter '" + name + "'")
+      .file(camera.file)
+      .key("--filter")
+      .expected(sim::joined(names))
+      .hint(name.empty() ? "" : sim::nearest_hint(name, names));
 }
 
 std::string with_factor(const std::string& text, const std::string& file, const std::string& filter,

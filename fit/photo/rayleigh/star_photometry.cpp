@@ -220,11 +220,11 @@ StarFactor StarPhotometer::answer(const std::string& name) const {
   }
   const std::optional<FactorFit> fit = fit_factor(data, depth);
   if (!fit)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, name,
-                     fmt::format("{} stars of the catalogue could be measured in it, which agree on nothing",
-                                 stars.size()),
-                     "six or more",
-                     "look at --stars-out, the camera, or a longer exposure; --catalogue-magnitude");
+    throw sim::unreadable(
+        name, fmt::format("{} stars of the catalogue could be measured in it, which agree on nothing",
+                          stars.size()))
+        .expected("six or more")
+        .hint("look at --stars-out, the camera, or a longer exposure; --catalogue-magnitude");
 
   answer.degrees_of_freedom = fit->degrees_of_freedom;
   answer.star_error = fit->ln_factor_error * student_68(fit->degrees_of_freedom);

@@ -56,7 +56,7 @@ std::uint64_t StoredArray::count() const { return product(dims); }
 
 void ArrayFile::refuse(const std::string& problem, const std::string& expected,
                        const std::string& hint) const {
-  refuse_file(ErrorKind::unreadable_input, name_, problem, expected, hint);
+  throw unreadable(name_, problem).expected(expected).hint(hint);
 }
 
 std::string ArrayFile::read(const StoredArray& array, const std::vector<std::uint64_t>& start,

@@ -28,8 +28,6 @@ constexpr std::size_t kNameBytes = 256;
 constexpr std::uint64_t kMaxUnpackedFile = std::uint64_t{1} << 29;
 constexpr std::size_t kMaxBlocks = std::size_t{1} << 20;
 constexpr int kDeepestIndex = 8;
-constexpr const char* kCopyIt = "copy it again from where it came";
-
 /// Of the records that are read.
 enum RecordType : std::uint64_t {
   kDescriptor = 1,
@@ -175,7 +173,7 @@ class CdfFile : public ArrayFile {
 
  private:
   [[noreturn]] void refuse_damaged(const std::string& what) const {
-    refuse("the file is damaged: " + what, "", kCopyIt);
+    refuse("the file is damaged: " + what, "", kCopyAgain);
   }
 
   /// A record's head behind its size and type, which are to be these.

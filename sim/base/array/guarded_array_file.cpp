@@ -65,10 +65,7 @@ class Received {
     if (things > bytes_.size() / bytes_each) refuse();
     return static_cast<std::size_t>(things);
   }
-  [[noreturn]] void refuse() const {
-    refuse_file(ErrorKind::unreadable_input, file_, "the file is damaged: its library fails on it", "",
-                "copy it again from where it came");
-  }
+  [[noreturn]] void refuse() const { throw damaged(file_, "its library fails on it"); }
 
  private:
   std::string_view take(std::uint64_t size) {

@@ -220,12 +220,10 @@ class Hdf5File : public ArrayFile {
  public:
   Hdf5File(const std::string& name, std::string_view bytes)
       : ArrayFile(name, "HDF5"), file_(open(name, bytes), H5Fclose) {
-    if (!file_.is_open())
-      refuse("the file is truncated, or no HDF5 file", "", "copy it again from where it came");
+    if (!file_.is_open()) refuse("the file is truncated, or no HDF5 file", "", kCopyAgain);
     Listing listing;
     if (H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, take_object, &listing, H5O_INFO_BASIC) < 0)
-      refuse(std::string(kDamagedPart) + "what it holds cannot be listed", "",
-             "copy it again from where it came");
+      refuse(std::string(kDamagedPart) + "what it holds cannot be listed", "", kCopyAgain);
     if (listing.is_too_much)
       refuse("it holds too much", std::to_string(kMaxArrays) + " arrays and groups, and words of " +
                                       std::to_string(kMaxWordBytes >> 20) + " MB");
@@ -279,8 +277,7 @@ class Hdf5File : public ArrayFile {
   }
 
   [[noreturn]] void refuse_array(const StoredArray& array) const {
-    refuse(std::string(kDamagedPart) + "'" + array.name + "' cannot be read", "",
-           "copy it again from where it came");
+    refuse(std::string(kDamagedPart) + "'" + array.name + "' cannot be read", "", kCopyAgain);
   }
 
   Handle opened(const StoredArray& array) const {

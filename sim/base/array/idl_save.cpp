@@ -24,8 +24,6 @@ namespace {
 constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 29;
 constexpr int kDeepestPart = 6;
 constexpr std::uint32_t kMaxTags = 4096;
-constexpr const char* kAgain = "copy it again from where it came";
-
 enum : std::uint32_t { kVariableRecord = 2, kEndRecord = 6 };
 enum : std::uint32_t { kArrayFlag = 4, kSystemFlag = 2, kStructureFlag = 32 };
 enum : std::uint32_t { kTextType = 7, kStructureType = 8 };
@@ -109,8 +107,7 @@ class Xdr {
   bool is_at_end() const { return at_ == bytes_.size(); }
 
   [[noreturn]] void refuse(const std::string& what) const {
-    refuse_file(ErrorKind::unreadable_input, file_, "the file is damaged: a record of it " + what, "",
-                kAgain);
+    throw unreadable(file_, "the file is damaged: a record of it " + what).hint(kCopyAgain);
   }
 
  private:
@@ -131,19 +128,19 @@ class IdlSave : public ArrayFile {
     if (file.size() > kMaxBytes) refuse("the file is larger than 512 MB");
     const std::string all = file.bytes(0, file.size());
     constexpr std::size_t kBegin = 4;
-    if (all.size() < kBegin) refuse("the file is truncated", "", kAgain);
+    if (all.size() < kBegin) refuse("the file is truncated", "", kCopyAgain);
     const bool is_packed = all[3] == '\6';
     std::size_t place = kBegin;
     for (std::size_t records = 0;; ++records) {
       if (records > kMaxArrays) refuse("it holds too many records");
       constexpr std::size_t kHead = 16;
-      if (all.size() - place < kHead) refuse("the file is truncated: it has no last record", "", kAgain);
+      if (all.size() - place < kHead) refuse("the file is truncated: it has no last record", "", kCopyAgain);
       Xdr head(std::string_view(all).substr(place, kHead), name_);
       const std::uint32_t type = head.number();
       const std::uint64_t low = head.number(), next = low | static_cast<std::uint64_t>(head.number()) << 32;
       if (type == kEndRecord) break;
       if (next <= place + kHead - 1 || next > all.size())
-        refuse("the file is truncated, or damaged: a record ends where there is none", "", kAgain);
+        refuse("the file is truncated, or damaged: a record ends where there is none", "", kCopyAgain);
       if (type == kVariableRecord) {
         const std::string_view stored =
             std::string_view(all).substr(place + kHead, static_cast<std::size_t>(next) - place - kHead);

@@ -14,14 +14,13 @@
 #include <utility>
 
 #include "sim/base/array/guarded_array_file.h"
+#include "sim/base/error.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr int kMaxVariables = 10000;
 constexpr int kDeepestStructure = 3;
-constexpr const char* kCopy = "copy it again from where it came";
-
 struct CloseMat {
   void operator()(mat_t* file) const { Mat_Close(file); }
 };
@@ -120,7 +119,7 @@ class MatFile : public ArrayFile {
       : ArrayFile(name, "MATLAB"), place_(bytes.data() != nullptr ? file_of_bytes(bytes) : name) {
     const OpenMat file = opened();
     if (Mat_GetVersion(file.get()) == MAT_FT_MAT5 && !has_whole_elements(place_))
-      refuse("the file is truncated: its elements end behind its end", "", kCopy);
+      refuse("the file is truncated: its elements end behind its end", "", kCopyAgain);
     for (int variables = 0;; ++variables) {
       if (variables == kMaxVariables)
         refuse("it holds more than " + std::to_string(kMaxVariables) + " variables");
@@ -133,13 +132,13 @@ class MatFile : public ArrayFile {
         take(*variable, variable->name);
     }
     if (arrays_.empty())
-      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "", kCopy);
+      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "", kCopyAgain);
   }
 
  private:
   OpenMat opened() const {
     OpenMat file(Mat_Open(place_.c_str(), MAT_ACC_RDONLY));
-    if (file == nullptr) refuse("the file is truncated, or no MATLAB file", "", kCopy);
+    if (file == nullptr) refuse("the file is truncated, or no MATLAB file", "", kCopyAgain);
     return file;
   }
 
@@ -200,7 +199,7 @@ class MatFile : public ArrayFile {
     const matvar_t* found = find(array.name);
     const std::uint64_t bytes = array.count() * size_of(array.kind);
     if (found == nullptr || found->data == nullptr || found->nbytes < bytes)
-      refuse("the file is damaged: '" + array.name + "' cannot be read", "", kCopy);
+      refuse("the file is damaged: '" + array.name + "' cannot be read", "", kCopyAgain);
     return block_of({static_cast<const char*>(found->data), static_cast<std::size_t>(bytes)}, array, start,
                     count);
   }

@@ -26,7 +26,7 @@ class PlainBytes {
   explicit PlainBytes(const std::string& path) : name_(path) {
     std::string problem;
     descriptor_ = open_input(path, problem, size_);
-    if (descriptor_ < 0) refuse_file(ErrorKind::unreadable_input, path, problem);
+    if (descriptor_ < 0) throw unreadable(path, problem);
   }
   PlainBytes(std::string_view bytes, std::string name)
       : name_(std::move(name)), bytes_(bytes), size_(bytes.size()) {}
@@ -49,9 +49,7 @@ class PlainBytes {
     while (done < count) {
       const ssize_t got = ::read(descriptor_, to + done, count - done);
       if (got < 0 && errno == EINTR) continue;
-      if (got < 0)
-        refuse_file(ErrorKind::unreadable_input, name_,
-                    "cannot be read: " + std::generic_category().message(errno));
+      if (got < 0) throw unreadable(name_, "cannot be read: " + std::generic_category().message(errno));
       if (got == 0) break;
       done += static_cast<std::size_t>(got);
     }
@@ -63,8 +61,7 @@ class PlainBytes {
     count = std::min<std::uint64_t>(count, size_ > at_ ? size_ - at_ : 0);
     at_ += static_cast<std::size_t>(count);
     if (descriptor_ >= 0 && ::lseek(descriptor_, static_cast<off_t>(at_), SEEK_SET) < 0)
-      refuse_file(ErrorKind::unreadable_input, name_,
-                  "cannot be read: " + std::generic_category().message(errno));
+      throw unreadable(name_, "cannot be read: " + std::generic_category().message(errno));
     return count;
   }
 
@@ -107,8 +104,8 @@ class Unpacker {
     }
     unpacked_ += done;
     if (unpacked_ > kMaxUnpackedBytes)
-      refuse_file(ErrorKind::unreadable_input, from_.name(),
-                  "unpacks to more than " + bytes_text(kMaxUnpackedBytes), "", "unpack it, and cut it up");
+      throw unreadable(from_.name(), "unpacks to more than " + bytes_text(kMaxUnpackedBytes))
+          .hint("unpack it, and cut it up");
     return done;
   }
 
@@ -138,14 +135,10 @@ class Unpacker {
   }
 
   [[noreturn]] void refuse_cut() const {
-    refuse_file(ErrorKind::unreadable_input, from_.name(),
-                std::string("the file is truncated: its ") + word() + " data end early", "",
-                "copy it again from where it came");
+    throw truncated(from_.name(), std::string("its ") + word() + " data end early");
   }
   [[noreturn]] void refuse_damaged(const std::string& why) const {
-    refuse_file(ErrorKind::unreadable_input, from_.name(),
-                std::string("the file is damaged: of its ") + word() + " data, " + why, "",
-                "copy it again from where it came");
+    throw damaged(from_.name(), std::string("of its ") + word() + " data, " + why);
   }
 
   const char* word() const { return is_gzip_ ? "gzip" : "zlib"; }

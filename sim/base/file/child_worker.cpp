@@ -111,8 +111,9 @@ std::string error_text(const Error& error) {
 
 [[noreturn]] void throw_again(const std::string& file, const std::string& text) {
   const std::size_t first = text.find('\0'), second = text.find('\0', first + 1);
-  refuse_file(ErrorKind::unreadable_input, file, text.substr(0, first),
-              text.substr(first + 1, second - first - 1), text.substr(second + 1));
+  throw unreadable(file, text.substr(0, first))
+      .expected(text.substr(first + 1, second - first - 1))
+      .hint(text.substr(second + 1));
 }
 
 /// SIGPROF ends the child when it has worked for so long; 0: never.
@@ -177,7 +178,7 @@ void ChildWorker::end() {
 
 void ChildWorker::refuse(const std::string& problem, const std::string& hint) {
   end();
-  refuse_file(ErrorKind::unreadable_input, name_, problem, "", hint);
+  throw unreadable(name_, problem).hint(hint);
 }
 
 void ChildWorker::start() {
@@ -210,7 +211,7 @@ void ChildWorker::refuse_end() {
   const bool took_too_long = signal == SIGPROF || signal == SIGXCPU || signal == SIGALRM;
   refuse(std::string(kDamagedFile) + ": " + library_ +
              (took_too_long ? " does not come to an end with it" : " fails on it"),
-         "copy it again from where it came");
+         kCopyAgain);
 }
 
 void ChildWorker::send(std::string_view bytes) {
@@ -225,8 +226,7 @@ void ChildWorker::receive(char* to, std::size_t count, double until_s) {
     const int ready = left_s > 0.0 ? ::poll(&waited, 1, static_cast<int>(left_s * kMilliseconds) + 1) : 0;
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0)
-      refuse(std::string(kDamagedFile) + ": " + library_ + " does not come to an end with it",
-             "copy it again from where it came");
+      refuse(std::string(kDamagedFile) + ": " + library_ + " does not come to an end with it", kCopyAgain);
     const ssize_t got = ::recv(socket_, to, count, 0);
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) refuse_end();

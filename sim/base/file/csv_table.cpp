@@ -16,13 +16,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file, int line, const std::string& problem,
                        const std::string& expected, const std::string& hint = {}) {
-  ErrorDetails details;
-  details.problem = problem;
-  details.file = file;
-  details.line = line;
-  details.expected = expected;
-  details.hint = hint;
-  throw Error(ErrorKind::unreadable_input, details);
+  throw unreadable(file, problem).line(line).expected(expected).hint(hint);
 }
 
 std::vector<std::string_view> cells_of(std::string_view line) {

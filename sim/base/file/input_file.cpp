@@ -97,7 +97,7 @@ InputFile read_input(const std::string& path, std::size_t max_bytes) {
 
 std::string input_bytes(const std::string& path, const std::string& expected, std::size_t max_bytes) {
   InputFile file = read_input(path, max_bytes);
-  if (!file.problem.empty()) refuse_file(ErrorKind::unreadable_input, path, file.problem, expected);
+  if (!file.problem.empty()) throw unreadable(path, file.problem).expected(expected);
   return std::move(file.bytes);
 }
 

@@ -68,8 +68,8 @@ NetcdfFile::~NetcdfFile() {
 
 void NetcdfFile::require(int code) const {
   if (code == NC_NOERR) return;
-  throw Error(ErrorKind::unwritable_output,
-              {std::string("cannot be written: ") + nc_strerror(code), shown_name_, 0, {}, {}, {}});
+  throw Error(ErrorKind::unwritable_output, std::string("cannot be written: ") + nc_strerror(code))
+      .file(shown_name_);
 }
 
 NetcdfFile::Dimension NetcdfFile::dimension(const std::string& name, std::size_t size) {

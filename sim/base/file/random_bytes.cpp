@@ -17,7 +17,7 @@ RandomBytes::RandomBytes(std::string name, std::string_view bytes)
   if (bytes.data() != nullptr) return;
   std::string problem;
   descriptor_ = open_input(name_, problem, size_);
-  if (descriptor_ < 0) refuse_file(ErrorKind::unreadable_input, name_, problem);
+  if (descriptor_ < 0) throw unreadable(name_, problem);
 }
 
 RandomBytes::~RandomBytes() {
@@ -35,9 +35,7 @@ std::size_t RandomBytes::read(std::uint64_t place, char* to, std::size_t count) 
   while (done < count) {
     const ssize_t got = ::pread(descriptor_, to + done, count - done, static_cast<off_t>(place + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0)
-      refuse_file(ErrorKind::unreadable_input, name_,
-                  "cannot be read: " + std::generic_category().message(errno));
+    if (got < 0) throw unreadable(name_, "cannot be read: " + std::generic_category().message(errno));
     if (got == 0) break;
     done += static_cast<std::size_t>(got);
   }
@@ -51,9 +49,8 @@ std::string RandomBytes::bytes(std::uint64_t place, std::uint64_t count) const {
     all.resize(read(place, all.data(), all.size()));
   }
   if (all.size() != count)
-    refuse_file(ErrorKind::unreadable_input, name_,
-                "the file is truncated, or damaged: what it points to lies behind its end", "",
-                "copy it again from where it came");
+    throw unreadable(name_, "the file is truncated, or damaged: what it points to lies behind its end")
+        .hint(kCopyAgain);
   return all;
 }
 

@@ -54,9 +54,9 @@ struct CloseArchive {
 
 [[noreturn]] void refuse_damaged(const std::string& name, archive* tar) {
   const char* why = archive_error_string(tar);
-  refuse_file(ErrorKind::unreadable_input, name,
-              std::string("the tar is damaged or cut short: ") + (why != nullptr ? why : "it makes no sense"),
-              "", "copy it again from where it came");
+  throw unreadable(
+      name, std::string("the tar is damaged or cut short: ") + (why != nullptr ? why : "it makes no sense"))
+      .hint(kCopyAgain);
 }
 
 /// A tar ends with blocks of zeros (POSIX, pax); libarchive does not miss them.
@@ -66,8 +66,7 @@ void check_end(const RandomBytes& tar) {
       tar.size() >= kTarBlock && tar.size() % kTarBlock == 0 &&
       tar.bytes(tar.size() - kTarBlock, kTarBlock).find_first_not_of('\0') == std::string::npos;
   if (!is_whole)
-    refuse_file(ErrorKind::unreadable_input, tar.name(), "the tar is damaged or cut short: it has no end", "",
-                "copy it again from where it came");
+    throw unreadable(tar.name(), "the tar is damaged or cut short: it has no end").hint(kCopyAgain);
 }
 
 /// At the beginning, or at the header of an entry.
@@ -101,17 +100,16 @@ TarFile::TarFile(std::string name, std::string_view bytes) : name_(std::move(nam
     if (code == ARCHIVE_EOF) break;
     if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_damaged(name_, tar.get());
     if (passed >= kMaxEntries)
-      refuse_file(ErrorKind::unreadable_input, name_,
-                  "there are more than " + std::to_string(kMaxEntries) + " files in it", "", "cut it up");
+      throw unreadable(name_, "there are more than " + std::to_string(kMaxEntries) + " files in it")
+          .hint("cut it up");
     const char* path = archive_entry_pathname(entry);
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr ||
         path == nullptr || archive_entry_size_is_set(entry) == 0)
       continue;
     const la_int64_t size = archive_entry_size(entry);
     if (size < 0 || static_cast<std::uint64_t>(size) > kMaxEntryBytes)
-      refuse_file(ErrorKind::unreadable_input, name_,
-                  "a file in it claims " + std::to_string(size) + " bytes",
-                  "at most " + bytes_text(kMaxEntryBytes) + " each");
+      throw unreadable(name_, "a file in it claims " + std::to_string(size) + " bytes")
+          .expected("at most " + bytes_text(kMaxEntryBytes) + " each");
     entries_.push_back({path, static_cast<std::uint64_t>(archive_read_header_position(tar.get())),
                         static_cast<std::uint64_t>(size)});
   }
@@ -134,11 +132,10 @@ std::string TarFile::read(const TarEntry& wanted) const {
     if (content.size() > wanted.bytes) break;
   }
   if (content.size() != wanted.bytes)
-    refuse_file(ErrorKind::unreadable_input, name_,
-                "the tar is damaged or cut short: of '" + wanted.name + "' " +
-                    std::to_string(content.size()) + " bytes are there, " + std::to_string(wanted.bytes) +
-                    " are promised",
-                "", "copy it again from where it came");
+    throw unreadable(name_, "the tar is damaged or cut short: of '" + wanted.name + "' " +
+                                std::to_string(content.size()) + " bytes are there, " +
+                                std::to_string(wanted.bytes) + " are promised")
+        .hint(kCopyAgain);
   return content;
 }
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Error not_replaced(const std::string& target, const std::string& why, const std::string& hint) {
-  return Error(ErrorKind::existing_output, {"is not replaced: " + why, target, 0, {}, {}, hint});
+  return Error(ErrorKind::existing_output, "is not replaced: " + why).file(target).hint(hint);
 }
 
 /// Entries that the kind does not know, in the order of their names, as messages call them. Throws
@@ -99,11 +99,9 @@ bool check_target(const std::string& target, bool overwrite, const DirectoryKind
     return false;
   }
   if (!fs::is_directory(status)) {
-    ErrorDetails details;
-    details.file = target;
-    details.hint = "choose another name";
-    details.problem = "exists and is not a directory";
-    throw Error(ErrorKind::existing_output, details);
+    throw Error(ErrorKind::existing_output, "exists and is not a directory")
+        .file(target)
+        .hint("choose another name");
   }
   if (!overwrite) throw already_exists(target);
   refuse_special_place(target);

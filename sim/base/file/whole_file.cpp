@@ -36,11 +36,9 @@ mode_t check_target(const std::string& target, bool overwrite) {
     return 0;
   }
   if (!S_ISREG(status.st_mode)) {
-    ErrorDetails details;
-    details.file = target;
-    details.problem = S_ISDIR(status.st_mode) ? "is a directory" : "is a device";
-    details.expected = "the name of a file";
-    throw Error(ErrorKind::unwritable_output, details);
+    throw Error(ErrorKind::unwritable_output, S_ISDIR(status.st_mode) ? "is a directory" : "is a device")
+        .file(target)
+        .expected("the name of a file");
   }
   if (!overwrite) throw already_exists(target);
   return status.st_mode & 07777;

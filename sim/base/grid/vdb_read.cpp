@@ -21,16 +21,11 @@ using openvdb::FloatGrid;
 
 constexpr float kVdbMaxNumber = 1e30f;  // sums along a ray and a gain stay floats
 constexpr double kVdbMaxEdge = 1e9, kVdbMaxPlace = 1e12;
-Error unreadable(const std::string& path, const std::string& problem, const std::string& expected = {},
-                 const std::string& hint = {}) {
-  return Error(ErrorKind::unreadable_input, {problem, path, 0, "", expected, hint});
-}
-
 Error too_large(const std::string& path, double bytes, std::uint64_t max_bytes) {
   char text[160];
   std::snprintf(text, sizeof text, "its grids take at least %.3g MB of memory, of which %.3g MB may be used",
                 bytes / 1048576.0, static_cast<double>(max_bytes) / 1048576.0);
-  return unreadable(path, text, "smaller grids, or larger voxels");
+  return unreadable(path, text).expected("smaller grids, or larger voxels");
 }
 
 void take_metadata(const openvdb::MetaMap& from, VdbMetadata& to) {
@@ -137,7 +132,8 @@ class VdbReader : public openvdb::io::Archive {
 void take_place(const std::string& path, const FloatGrid& from, double centre_index, SparseGrid& to) {
   const std::string expected = "a shift, a turn and one scale for all axes";
   if (!from.transform().isLinear())
-    throw unreadable(path, "the grid '" + from.getName() + "' is not placed by a linear transform", expected);
+    throw unreadable(path, "the grid '" + from.getName() + "' is not placed by a linear transform")
+        .expected(expected);
   const openvdb::math::Mat4d m = from.transform().baseMap()->getAffineMap()->getMat4();
   double length[3];
   for (int a = 0; a < 3; ++a)
@@ -151,10 +147,11 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
            std::abs(across) < 1e-6 * length[0] * length[0];
   }
   if (!good)
-    throw unreadable(path, "the grid '" + from.getName() + "' has voxels that are no cubes", expected,
-                     "Resample it onto cubes");
+    throw unreadable(path, "the grid '" + from.getName() + "' has voxels that are no cubes")
+        .expected(expected)
+        .hint("Resample it onto cubes");
   if (!(to.voxel >= 1.0 / kVdbMaxEdge && to.voxel <= kVdbMaxEdge))
-    throw unreadable(path, "the edge of its voxels is out of range", "1e-9 to 1e9");
+    throw unreadable(path, "the edge of its voxels is out of range").expected("1e-9 to 1e9");
   for (int c = 0; c < 3; ++c) {
     to.origin[c] = m(3, c);
     for (int a = 0; a < 3; ++a) {
@@ -162,7 +159,8 @@ void take_place(const std::string& path, const FloatGrid& from, double centre_in
       to.origin[c] += (centre_index - 0.5) * m(a, c);
     }
     if (!(std::abs(to.origin[c]) <= kVdbMaxPlace))
-      throw unreadable(path, "a grid's place is no number, or out of range", "at most 1e12 from the origin");
+      throw unreadable(path, "a grid's place is no number, or out of range")
+          .expected("at most 1e12 from the origin");
   }
 }
 
@@ -213,10 +211,9 @@ class BrickFilling {
  private:
   float checked(float number, std::size_t channel) const {
     if (!(std::abs(number) <= kVdbMaxNumber))
-      throw unreadable(
-          path_,
-          "the grid '" + to_.channels[channel].name + "' holds numbers that are not finite or above 1e30",
-          "finite numbers below 1e30");
+      throw unreadable(path_, "the grid '" + to_.channels[channel].name +
+                                  "' holds numbers that are not finite or above 1e30")
+          .expected("finite numbers below 1e30");
     return number;
   }
 
@@ -258,23 +255,24 @@ VdbFile read_from(VdbReader& file, const std::string& path, const std::vector<st
   for (const std::string& name : wanted) {
     if (std::find(out.names.begin(), out.names.end(), name) == out.names.end()) continue;
     if (std::count(all.begin(), all.end(), name) > 1)
-      throw unreadable(path, "it has several grids called '" + name + "'", "one grid of a name");
+      throw unreadable(path, "it has several grids called '" + name + "'").expected("one grid of a name");
     const FloatGrid::Ptr grid = file.grid(name);
     if (grid->getGridClass() == openvdb::GRID_LEVEL_SET)
-      throw unreadable(path, "the grid '" + name + "' is a level set", "a fog volume");
+      throw unreadable(path, "the grid '" + name + "' is a level set").expected("a fog volume");
     take_metadata(*grid, out.metadata);
     const auto centre = out.metadata.numbers.find(kVoxelCentreIndex);
     const double centre_index = centre == out.metadata.numbers.end() ? 0.0 : centre->second;
     if (!(centre_index >= 0.0 && centre_index <= 1.0))
-      throw unreadable(path, std::string("its metadata ") + kVoxelCentreIndex + " is out of range", "0 to 1");
+      throw unreadable(path, std::string("its metadata ") + kVoxelCentreIndex + " is out of range")
+          .expected("0 to 1");
     SparseGrid place;
     take_place(path, *grid, centre_index, place);
     if (grids.empty()) {
       out.grid = place;
     } else if (!same_place(out.grid, place)) {
       throw unreadable(
-          path, "the grids '" + out.grid.channels[0].name + "' and '" + name + "' have different transforms",
-          "grids with one transform");
+          path, "the grids '" + out.grid.channels[0].name + "' and '" + name + "' have different transforms")
+          .expected("grids with one transform");
     }
     const auto unit = grid->getMetadata<openvdb::StringMetadata>("unit");
     out.grid.channels.push_back({name, unit ? unit->value() : ""});
@@ -299,7 +297,7 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
   const std::string expected = "a whole OpenVDB file of format 222 or later";
   const auto refused = [&](std::string why) {
     why = why.substr(0, why.find('\n'));
-    return unreadable(path, "cannot be read as OpenVDB: " + why, expected);
+    return unreadable(path, "cannot be read as OpenVDB: " + why).expected(expected);
   };
   const VdbOutline outline = vdb_outline(path, wanted);
   if (!outline.complaint.empty()) throw refused(outline.complaint);

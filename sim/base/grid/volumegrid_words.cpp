@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 
 namespace vegard::sim {
@@ -27,7 +28,7 @@ VolumegridWords::VolumegridWords(const std::string& path) : path_(path), buffer_
 void VolumegridWords::refuse(const std::string& problem, const std::string& expected,
                              const std::string& hint) const {
   const bool is_open = filled_ > 0;
-  throw Error(ErrorKind::unreadable_input, {problem, path_, is_open ? word_line_ : 0, "", expected, hint});
+  throw unreadable(path_, problem).line(is_open ? word_line_ : 0).expected(expected).hint(hint);
 }
 
 bool VolumegridWords::fill() {

@@ -83,7 +83,7 @@ void put_triple(Writer& out, const char* before, const std::array<double, 3>& nu
 void write_volumegrid(const std::string& path, const SparseGrid& grid, int channel,
                       const VolumegridOptions& options) {
   const auto refuse = [&](const std::string& problem, const std::string& expected, const std::string& hint) {
-    throw Error(ErrorKind::unwritable_output, {problem, path, 0, "", expected, hint});
+    throw Error(ErrorKind::unwritable_output, problem).file(path).expected(expected).hint(hint);
   };
   for (int a = 0; a < 3; ++a)
     for (int c = 0; c < 3; ++c)

@@ -14,7 +14,7 @@ constexpr std::string_view kBetween = " \t\r,;";
 
 [[noreturn]] void refuse_mask(const std::string& file, int line, const std::string& problem,
                               const std::string& expected) {
-  throw Error(ErrorKind::unreadable_input, {problem, file, line, "", expected, ""});
+  throw unreadable(file, problem).line(line).expected(expected);
 }
 
 }  // namespace

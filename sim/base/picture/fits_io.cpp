@@ -42,10 +42,11 @@ class FitsReader {
  public:
   FitsReader(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {
     if (bytes.substr(0, 9) != "SIMPLE  =")
-      refuse_file(ErrorKind::unreadable_input, name, "this is no FITS file",
-                  "a file that begins with SIMPLE  =", "unpack it first if it is compressed");
+      throw unreadable(name, "this is no FITS file")
+          .expected("a file that begins with SIMPLE  =")
+          .hint("unpack it first if it is compressed");
     if (const std::string fault = fault_of_sizes(bytes); !fault.empty())
-      refuse_file(ErrorKind::unreadable_input, name, "this FITS file cannot be read: " + fault);
+      throw unreadable(name, "this FITS file cannot be read: " + fault);
     padded_ = with_cards_in_order(bytes);
     if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.
@@ -72,9 +73,8 @@ class FitsReader {
     if (status == 0) return;
     const std::string words = words_of(status);
     if (status == END_OF_FILE || status == READ_ERROR || status == SEEK_ERROR || status == NO_END)
-      refuse_file(ErrorKind::unreadable_input, name_, "the file is truncated: " + words, "",
-                  "copy it again from where it came");
-    refuse_file(ErrorKind::unreadable_input, name_, "this FITS file cannot be read: " + words);
+      throw truncated(name_, words);
+    throw unreadable(name_, "this FITS file cannot be read: " + words);
   }
 
   /// Moves on until `wanted` is true of a header's type; false if there is none.
@@ -102,12 +102,10 @@ class FitsReader {
     fits_get_hduaddrll(get(), &header, &data, &end, &status);
     check(status);
     if (size > static_cast<LONGLONG>(bytes_.size()) - data)
-      refuse_file(ErrorKind::unreadable_input, name_,
-                  "the file is truncated: its header promises " + std::to_string(size) +
-                      " bytes of data and " +
-                      std::to_string(std::max<LONGLONG>(0, static_cast<LONGLONG>(bytes_.size()) - data)) +
-                      " are there",
-                  "", "copy it again from where it came");
+      throw truncated(name_,
+                      "its header promises " + std::to_string(size) + " bytes of data and " +
+                          std::to_string(std::max<LONGLONG>(0, static_cast<LONGLONG>(bytes_.size()) - data)) +
+                          " are there");
   }
 
   /// Adds the keywords of the header at hand that are not there yet.
@@ -192,16 +190,14 @@ Shape shape_of(const FitsReader& reader, const std::string& name) {
   reader.check(status);
   for (int a = 3; a < axes; ++a)
     if (a >= kMaxAxes || length[a] != 1)
-      refuse_file(ErrorKind::unreadable_input, name,
-                  "an image of " + std::to_string(axes) + " axes is not read",
-                  "two axes, or planes along a third");
+      throw unreadable(name, "an image of " + std::to_string(axes) + " axes is not read")
+          .expected("two axes, or planes along a third");
   Shape shape{length[0], length[1], axes >= 3 ? length[2] : 1};
   check_pixel_limit(shape.width, shape.height, name);
   if (shape.planes < 1 || shape.planes > kMaxValues / (shape.width * shape.height))
-    refuse_file(ErrorKind::unreadable_input, name,
-                "the image claims " + std::to_string(shape.planes) + " planes of " +
-                    std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels",
-                "at most 2^30 numbers in all");
+    throw unreadable(name, "the image claims " + std::to_string(shape.planes) + " planes of " +
+                               std::to_string(shape.width) + " x " + std::to_string(shape.height) + " pixels")
+        .expected("at most 2^30 numbers in all");
   return shape;
 }
 
@@ -283,7 +279,8 @@ std::string encoded_in_memory(const std::string& name, const Fill& fill) {
     if (status == 0) bytes.assign(static_cast<const char*>(buffer), static_cast<std::size_t>(end));
   }
   std::free(buffer);
-  if (status != 0) refuse_file(ErrorKind::unwritable_output, name, "cannot be encoded: " + words_of(status));
+  if (status != 0)
+    throw Error(ErrorKind::unwritable_output, "cannot be encoded: " + words_of(status)).file(name);
   return bytes;
 }
 
@@ -302,8 +299,7 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
     reader.check(status);
     return axes >= 2;
   });
-  if (!found)
-    refuse_file(ErrorKind::unreadable_input, name, "there is no image in this FITS file", "two axes");
+  if (!found) throw unreadable(name, "there is no image in this FITS file").expected("two axes");
   reader.add_keywords(file.keywords);
   int status = 0;
   const bool compressed = fits_is_compressed_image(reader.get(), &status) != 0;
@@ -316,7 +312,7 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
                        plane_names(static_cast<int>(shape.planes)));
     file.known.assign(file.image.data.size(), 0);
   } catch (const std::bad_alloc&) {
-    refuse_file(ErrorKind::unreadable_input, name, "there is not enough memory for its image");
+    throw unreadable(name, "there is not enough memory for its image");
   }
   const auto order = file.keywords.find("ROWORDER");
   read_values(reader, shape, order != file.keywords.end() && order->second == "TOP-DOWN", file);
@@ -330,7 +326,7 @@ FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
     int status = 0;
     return type == BINARY_TBL && !fits_is_compressed_image(reader.get(), &status);
   });
-  if (!found) refuse_file(ErrorKind::unreadable_input, name, "there is no binary table in this FITS file");
+  if (!found) throw unreadable(name, "there is no binary table in this FITS file");
   reader.add_keywords(table.keywords);
   int status = 0, columns = 0;
   LONGLONG rows = 0;
@@ -339,7 +335,7 @@ FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
   reader.check(status);
   const auto row_bytes = static_cast<LONGLONG>(reader.number("NAXIS1", 0.0));
   if (rows < 0 || row_bytes < 1 || rows > std::numeric_limits<LONGLONG>::max() / row_bytes)
-    refuse_file(ErrorKind::unreadable_input, name, "the table in this FITS file has an impossible size");
+    throw unreadable(name, "the table in this FITS file has an impossible size");
   reader.check_data(row_bytes * rows);
   for (int c = 1; c <= columns; ++c) {
     int type = 0;

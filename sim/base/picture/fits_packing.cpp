@@ -101,16 +101,11 @@ class Packing {
  private:
   [[noreturn]] void refuse(const std::string& problem, const std::string& expected,
                            const std::string& hint) const {
-    ErrorDetails details;
-    details.file = name_;
-    details.problem = problem;
-    details.expected = expected;
-    details.hint = hint;
-    throw Error(ErrorKind::unreadable_input, details);
+    throw unreadable(name_, problem).expected(expected).hint(hint);
   }
 
   [[noreturn]] void damaged(const std::string& problem) const {
-    refuse("its packed image is damaged: " + problem, "", "copy it again from where it came");
+    refuse("its packed image is damaged: " + problem, "", kCopyAgain);
   }
 
   std::string text(const std::string& key) const { return header_.text(key); }
@@ -251,9 +246,7 @@ class Packing {
   void check_descriptors() const {
     const long long size = static_cast<long long>(data_.size()), table = row_bytes_ * rows_;
     const long long end = table + integer("PCOUNT", 0, 1LL << 40);
-    if (end > size)
-      refuse("the file is truncated: it ends inside its packed image", "",
-             "copy it again from where it came");
+    if (end > size) refuse("the file is truncated: it ends inside its packed image", "", kCopyAgain);
     const long long heap_bytes = end - integer("THEAP", table, end, table);
     for (long long row = 0; row < rows_; ++row) {
       for (const Descriptors& column : others_)

@@ -125,11 +125,7 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
 }
 
 [[noreturn]] void refuse_picture(const std::string& path, const std::string& problem) {
-  ErrorDetails details;
-  details.file = path;
-  details.problem = problem;
-  details.expected = "a picture";
-  throw Error(ErrorKind::unreadable_input, details);
+  throw unreadable(path, problem).expected("a picture");
 }
 
 }  // namespace

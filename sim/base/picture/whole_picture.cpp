@@ -58,11 +58,7 @@ class ExrHeaders {
 
  private:
   [[noreturn]] void refuse(const std::string& problem) const {
-    ErrorDetails details;
-    details.file = file_;
-    details.problem = problem;
-    details.hint = "copy it again from where it came";
-    throw Error(ErrorKind::unreadable_input, details);
+    throw unreadable(file_, problem).hint(kCopyAgain);
   }
 
   [[noreturn]] void refuse_end() const {

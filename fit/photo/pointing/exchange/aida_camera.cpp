@@ -22,12 +22,7 @@ constexpr int kAidaGridAcross = 40;
 
 [[noreturn]] void refuse_line(const std::string& file, int line, const std::string& problem,
                               const std::string& expected) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.line = line;
-  details.problem = problem;
-  details.expected = expected;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::unreadable(file, problem).line(line).expected(expected);
 }
 
 std::vector<double> numbers_of_line(std::string_view line, const std::string& file, int line_number) {
@@ -327,8 +322,9 @@ AidaFit aida_of_camera(const sim::Camera& camera, std::optional<double> julian_d
     }
   constexpr std::size_t kFewest = 30;
   if (points.size() < kFewest)
-    sim::refuse_key(sim::ErrorKind::scene, "camera", "too little of the picture looks at the sky",
-                    "a picture of the sky");
+    throw sim::Error(sim::ErrorKind::scene, "too little of the picture looks at the sky")
+        .key("camera")
+        .expected("a picture of the sky");
   AidaFit best;
   for (const int model : {1, 2, 3, 4, 5}) {
     const AidaFit fit = fitted_model(model, camera, view, points);

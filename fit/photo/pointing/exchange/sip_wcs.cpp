@@ -58,7 +58,7 @@ class WcsHeader {
       : file_(file), keywords_(sim::read_fits_header(bytes, file)) {}
 
   [[noreturn]] void refuse(const std::string& problem, const std::string& hint = {}) const {
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file_, problem, "the .wcs file of solve-field", hint);
+    throw sim::unreadable(file_, problem).expected("the .wcs file of solve-field").hint(hint);
   }
   std::string text(const std::string& key) const {
     const auto found = keywords_.find(key);
@@ -358,8 +358,10 @@ SipFit sip_of_camera(const sim::Camera& camera, const sim::Observer& observer, d
   const Eigen::Vector2d middle_px(0.5 * camera.width, 0.5 * camera.height);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   const auto refuse = [](const std::string& problem) {
-    sim::refuse_key(sim::ErrorKind::scene, "camera", problem, "a picture of the sky",
-                    "maps have all of it: -o MAPS.exr");
+    throw sim::Error(sim::ErrorKind::scene, problem)
+        .key("camera")
+        .expected("a picture of the sky")
+        .hint("maps have all of it: -o MAPS.exr");
   };
   if (!sky_of_camera(camera, observer, julian_date, middle_px.x(), middle_px.y(), middle))
     refuse("the middle of the picture looks at nothing above the horizon");

@@ -47,8 +47,7 @@ StarPoints read_star_list(std::string_view bytes, const std::string& file) {
   const sim::FitsTable table = sim::read_fits_table(bytes, file);
   const std::vector<double>&x = table.columns.at("X"), &y = table.columns.at("Y");
   if (x.empty() || x.size() > kMaxPointsOfList)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "it has " + std::to_string(x.size()) + " points",
-                     "1 to 100000");
+    throw sim::unreadable(file, "it has " + std::to_string(x.size()) + " points").expected("1 to 100000");
   StarPoints list;
   const sim::FitsKeywords header = sim::read_fits_header(bytes, file);  // the table has one of its own
   list.frame = {side_in(header, "IMAGEW"), side_in(header, "IMAGEH"), true};
@@ -60,8 +59,7 @@ StarPoints read_star_list(std::string_view bytes, const std::string& file) {
     point.y_px = y[i] - 0.5;
     constexpr double kFarthest_px = 1e6;
     if (!(std::abs(point.x_px) < kFarthest_px && std::abs(point.y_px) < kFarthest_px))
-      sim::refuse_file(sim::ErrorKind::unreadable_input, file,
-                       "X or Y of row " + std::to_string(i + 1) + " is out of range");
+      throw sim::unreadable(file, "X or Y of row " + std::to_string(i + 1) + " is out of range");
     if (flux != table.columns.end()) point.flux = flux->second[i];
     list.points.push_back(point);
   }

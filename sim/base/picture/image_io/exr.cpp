@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"

@@ -1,3 +1,4 @@
+#include "sim/base/error.h"
 #include "sim/base/picture/coded_picture.h"
 
 #include "sim/base/picture/image_io/library.h"

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/pixel_limit.h"
@@ -51,11 +52,7 @@ std::string with_name(std::string words, const std::string& stand_in, const std:
 }
 
 Error failure(ErrorKind kind, const std::string& name, std::string problem, std::string expected) {
-  ErrorDetails details;
-  details.file = name;
-  details.problem = std::move(problem);
-  details.expected = std::move(expected);
-  return Error(kind, details);
+  return Error(kind, std::move(problem)).file(name).expected(std::move(expected));
 }
 
 void check_is_file(const std::string& path) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
