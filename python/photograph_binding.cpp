@@ -9,7 +9,7 @@
 
 #include "fit/answer/input_files.h"
 #include "fit/needed_memory.h"
-#include "fit/photo/light_photo.h"
+#include "fit/photo/photo.h"
 #include "fit/photo/scene_photos.h"
 #include "python/arrays.h"
 #include "python/bindings.h"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "fit/photo/light_photo.h"
+#include "fit/photo/photo.h"
 #include "fit/photo/pointing/blind/local_stars.h"
 #include "fit/photo/pointing/blind/star_doubts.h"
 #include "fit/photo/pointing/calibration.h"

@@ -19,7 +19,6 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
-#include "fit/photo/light_photo.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
 #include "fit/photo/pointing/blind/star_doubts.h"

@@ -20,7 +20,7 @@
 #include "fit/columns/column_inversion.h"
 #include "fit/columns/column_maps.h"
 #include "fit/columns/line_measurement.h"
-#include "fit/photo/plane_file.h"
+#include "fit/photo/direction_map_file.h"
 #include "fit/report/columns/inversion_texts.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/text.h"

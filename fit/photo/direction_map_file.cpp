@@ -1,14 +1,42 @@
 #include "fit/photo/direction_map_file.h"
 
-#include "fit/photo/plane_file.h"
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "sim/base/error.h"
+#include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
 
 const char* const kAzimuth = "azimuth_deg";
 const char* const kMapElevation = "elevation_deg";
+
+bool is_fits(const std::string& file) {
+  const std::string extension = sim::lowered_extension(file);
+  return extension == ".fits" || extension == ".fit" || extension == ".fts";
+}
+
+sim::Image read_fits_plane(const std::string& file, const std::string& what) {
+  const std::string bytes = sim::input_bytes(file, "a map of " + what, sim::kMaxPictureBytes);
+  sim::FitsImage fits = sim::read_fits_image(bytes, file);
+  for (std::size_t i = 0; i < fits.known.size(); ++i)
+    if (!fits.known[i]) fits.image.data[i] = std::numeric_limits<float>::quiet_NaN();
+  return one_channel(fits.image, 0);
+}
+
+sim::ImageFormat format_of(const std::string& file, const std::string& what) {
+  try {
+    return sim::image_format(file);
+  } catch (const sim::Error&) {
+    throw sim::unreadable(file, "its name does not say that it holds " + what)
+        .expected("an EXR, FITS, or a TIFF of floats");
+  }
+}
 
 }  // namespace
 
@@ -37,6 +65,35 @@ sim::Image read_angles(const std::string& file, const std::string& channel) {
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file) {
   return direction_map(read_angles(azimuth_file, kAzimuth), read_angles(elevation_file, kMapElevation),
                        azimuth_file, elevation_file);
+}
+
+sim::Image one_channel(const sim::Image& image, int channel) {
+  sim::Image one(image.width, image.height, {image.channel_names[channel]});
+  for (std::size_t i = 0; i < one.data.size(); ++i)
+    one.data[i] = image.data[i * image.channel_names.size() + channel];
+  return one;
+}
+
+sim::Image read_plane(const std::string& file, const std::vector<std::string>& channels,
+                      const std::string& what) {
+  if (is_fits(file)) return read_fits_plane(file, what);
+  const sim::ImageFormat format = format_of(file, what);
+  if (format == sim::ImageFormat::exr) {
+    const sim::ExrFile exr = sim::read_exr(file);
+    const auto& names = exr.image.channel_names;
+    for (const std::string& channel : channels) {
+      const auto named = std::find(names.begin(), names.end(), channel);
+      if (named != names.end()) return one_channel(exr.image, static_cast<int>(named - names.begin()));
+    }
+    if (names.size() == 1) return exr.image;
+    throw sim::unreadable(file, "which of its channels is meant is not known")
+        .expected("one named " + channels.front() + ", or only one");
+  }
+  const sim::PictureFile picture = sim::read_picture(file);
+  if (!picture.floating)
+    throw sim::unreadable(file, "it holds integers, no " + what)
+        .expected("an EXR, FITS, or a TIFF of floats");
+  return one_channel(picture.image, 0);
 }
 
 }  // namespace vegard::fit

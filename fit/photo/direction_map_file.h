@@ -1,7 +1,9 @@
-// Reads and writes direction maps (the azimuth and elevation of every pixel) as files.
+// Reads and writes direction maps (the azimuth and elevation of every pixel) as files, and reads other planes
+// of numbers from image files: brightnesses of a line.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/base/image.h"
 #include "sim/view/camera/direction_map.h"
@@ -25,5 +27,14 @@ sim::Image read_angles(const std::string& file, const std::string& channel);
 
 /// Reads a map from one file for each angle; both may be the same file. Throws Error(unreadable_input).
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file);
+
+/// Returns one channel of an image.
+sim::Image one_channel(const sim::Image& image, int channel);
+
+/// Reads from an EXR the first of `channels` that it has, or its only channel; from FITS (.fits, .fit, .fts)
+/// and from a TIFF of floats the first plane. Undefined values of FITS become NaN. Throws
+/// Error(unreadable_input), whose message calls the numbers `what`, such as "angles".
+sim::Image read_plane(const std::string& file, const std::vector<std::string>& channels,
+                      const std::string& what);
 
 }  // namespace vegard::fit

@@ -2,7 +2,8 @@
 
 #include <filesystem>
 
-#include "fit/photo/frames/imager_name.h"
+#include "fit/photo/frames/imager_words.h"
+
 
 namespace vegard::fit {
 namespace {

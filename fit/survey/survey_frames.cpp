@@ -10,7 +10,7 @@
 
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/frames/frame_name.h"
-#include "fit/photo/frames/imager_name.h"
+#include "fit/photo/frames/imager_words.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"

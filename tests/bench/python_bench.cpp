@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench_scene.h"
-#include "fit/photo/light_photo.h"
+#include "fit/photo/photo.h"
 #include "fit/scene_cost.h"
 #include "interleaved.h"
 #include "sim/render/render.h"

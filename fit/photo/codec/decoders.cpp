@@ -5,6 +5,7 @@
 #include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/pnm_header.h"
 #include "sim/base/error.h"
+#include "sim/base/file/random_bytes.h"
 #include "sim/base/picture/coded_picture.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
@@ -128,7 +129,7 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
       if (number < 0 && at >= bytes.size()) throw sim::truncated(file, "it ends before its last pixel");
       if (number < 0) throw sim::damaged(file, "there is something else than numbers among its pixels");
     } else {
-      number = static_cast<long long>(unsigned_at(bytes, at, size, true));
+      number = static_cast<long long>(sim::unsigned_at(bytes, at, size));
       at += size;
     }
     if (number > header.largest)

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/file/random_bytes.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -86,10 +88,8 @@ std::optional<std::pair<long long, long long>> size_of(std::string_view paramete
 std::optional<std::pair<long long, long long>> hevc_size(std::string_view configuration) {
   constexpr std::size_t kHead = 22;
   constexpr int kParameterSet = 33;
-  const auto number = [&](std::size_t at, int size) {
-    std::size_t value = 0;
-    for (int i = 0; i < size; ++i) value = value << 8 | static_cast<unsigned char>(configuration[at + i]);
-    return value;
+  const auto number = [&](std::size_t at, std::size_t size) {
+    return sim::unsigned_at(configuration, at, size);
   };
   if (configuration.size() <= kHead) return std::nullopt;
   const std::size_t arrays = number(kHead, 1);

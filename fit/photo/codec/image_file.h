@@ -38,14 +38,4 @@ struct ImageFile {
 /// Throws sim::Error(unreadable_input) about a variant of a format.
 [[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind);
 
-/// Returns the unsigned integer of `size` bytes at `at`; the caller must check that it lies inside `bytes`.
-inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, int size, bool big_endian) {
-  std::uint64_t value = 0;
-  for (int i = 0; i < size; ++i) {
-    const std::size_t place = at + (big_endian ? i : size - 1 - i);
-    value = value << 8 | static_cast<unsigned char>(bytes[place]);
-  }
-  return value;
-}
-
 }  // namespace vegard::fit

@@ -1,13 +1,16 @@
 #include "fit/photo/codec/picture_format.h"
 
-#include "fit/photo/codec/pnm_header.h"
-#include "sim/base/error.h"
-#include "sim/base/picture/pixel_limit.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+
+#include "fit/photo/codec/image_file.h"
+#include "fit/photo/codec/pnm_header.h"
+#include "sim/base/error.h"
+#include "sim/base/file/random_bytes.h"
+#include "sim/base/picture/pixel_limit.h"
+#include "sim/base/picture/whole_picture.h"
 
 namespace vegard::fit {
 namespace {
@@ -21,22 +24,6 @@ bool is_restart(int marker) { return marker >= 0xd0 && marker <= 0xd7; }
 /// SOF0 to SOF15 without DHT, JPG and DAC, which lie between them.
 bool is_start_of_frame(int marker) {
   return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
-}
-
-// The checksum of PNG chunks (ISO/IEC 15948, annex D), reflected polynomial 0xedb88320.
-std::uint32_t crc32(std::string_view bytes) {
-  static const std::array<std::uint32_t, 256> table = [] {
-    std::array<std::uint32_t, 256> t{};
-    for (std::uint32_t n = 0; n < 256; ++n) {
-      std::uint32_t c = n;
-      for (int k = 0; k < 8; ++k) c = (c & 1) ? 0xedb88320u ^ c >> 1 : c >> 1;
-      t[n] = c;
-    }
-    return t;
-  }();
-  std::uint32_t crc = 0xffffffffu;
-  for (const char byte : bytes) crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xff] ^ crc >> 8;
-  return crc ^ 0xffffffffu;
 }
 
 using namespace sim::tiff_tag;
@@ -83,12 +70,12 @@ using LowSteps = std::array<double, kLowFrequencies>;
 /// Reads a segment of quantisation tables (ITU-T T.81, B.2.4.1) as far as it is whole.
 void read_low_steps(std::string_view segment, std::array<LowSteps, 4>& steps) {
   while (!segment.empty()) {
-    const auto kind = static_cast<unsigned>(unsigned_at(segment, 0, 1, true));
+    const auto kind = static_cast<unsigned>(sim::unsigned_at(segment, 0, 1));
     const int size = kind >> 4 == 0 ? 1 : 2;
     const std::size_t length = 1 + 64 * static_cast<std::size_t>(size);
     if (segment.size() < length || (kind & 15) >= steps.size()) return;
     for (std::size_t k = 0; k < kLowFrequencies; ++k)
-      steps[kind & 15][k] = static_cast<double>(unsigned_at(segment, 1 + k * size, size, true));
+      steps[kind & 15][k] = static_cast<double>(sim::unsigned_at(segment, 1 + k * size, size));
     segment.remove_prefix(length);
   }
 }
@@ -99,13 +86,13 @@ void read_low_steps(std::string_view segment, std::array<LowSteps, 4>& steps) {
 /// alike over a block where the picture is smooth, and counts in full. A frame of one component is grey; of
 /// one whose components are called R, G and B nothing is told.
 std::array<double, 3> block_error(std::string_view frame, const std::array<LowSteps, 4>& steps) {
-  const auto components = static_cast<std::size_t>(unsigned_at(frame, 5, 1, true));
+  const auto components = static_cast<std::size_t>(sim::unsigned_at(frame, 5, 1));
   if ((components != 1 && components != 3) || frame.size() < 6 + 3 * components) return {};
   if (components == 3 && frame[6] == 'R') return {};
   constexpr double kRounding = 1.0 / 12.0;
   std::array<double, 3> variance{};
   for (std::size_t i = 0; i < components; ++i) {
-    const auto table = static_cast<std::size_t>(unsigned_at(frame, 6 + 3 * i + 2, 1, true));
+    const auto table = static_cast<std::size_t>(sim::unsigned_at(frame, 6 + 3 * i + 2, 1));
     if (table >= steps.size()) return {};
     for (const double q : steps[table]) variance[i] += q * q * kRounding / 64.0;
   }
@@ -139,7 +126,7 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
     if (marker == kTemporary || marker == kStartOfImage) continue;
 
     if (at + 2 > bytes.size()) throw sim::truncated(file, "it ends inside a JPEG segment");
-    const std::size_t length = unsigned_at(bytes, at, 2, true);
+    const std::size_t length = sim::unsigned_at(bytes, at, 2);
     if (length < 2) throw sim::damaged(file, "a JPEG segment of impossible length");
     if (at + length > bytes.size()) throw sim::truncated(file, "it ends inside a JPEG segment");
     const std::string_view segment = bytes.substr(at + 2, length - 2);
@@ -149,9 +136,9 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
       image.orientation = exif_orientation(segment.substr(6));
       exif_seen = true;
     } else if (is_start_of_frame(marker) && segment.size() >= 6) {
-      image.bits = static_cast<int>(unsigned_at(segment, 0, 1, true));
-      image.height = static_cast<long long>(unsigned_at(segment, 1, 2, true));
-      image.width = static_cast<long long>(unsigned_at(segment, 3, 2, true));
+      image.bits = static_cast<int>(sim::unsigned_at(segment, 0, 1));
+      image.height = static_cast<long long>(sim::unsigned_at(segment, 1, 2));
+      image.width = static_cast<long long>(sim::unsigned_at(segment, 3, 2));
       frame_seen = true;
       frame = segment;
     } else if (marker == kQuantisation) {
@@ -172,21 +159,22 @@ ImageFile walk_png(std::string_view bytes, const std::string& file) {
   std::size_t at = 8;
   while (true) {
     if (at + 12 > bytes.size()) throw sim::truncated(file, "the PNG end chunk is missing");
-    const std::size_t length = unsigned_at(bytes, at, 4, true);
+    const std::size_t length = sim::unsigned_at(bytes, at, 4);
     if (length > bytes.size() - at - 12) throw sim::truncated(file, "it ends inside a PNG chunk");
     const std::string_view type = bytes.substr(at + 4, 4);
     const std::string_view data = bytes.substr(at + 8, length);
     const bool critical = type[0] >= 'A' && type[0] <= 'Z';
     // A wrong checksum in an ancillary chunk (lower-case initial) harms no pixel.
-    if (critical && crc32(bytes.substr(at + 4, 4 + length)) != unsigned_at(bytes, at + 8 + length, 4, true))
+    if (critical &&
+        sim::png_checksum(bytes.substr(at + 4, 4 + length)) != sim::unsigned_at(bytes, at + 8 + length, 4))
       throw sim::damaged(file, "the checksum of its PNG chunk " + std::string(type) + " is wrong");
     at += 12 + length;
 
     if (first) {
       if (type != "IHDR" || length != 13) throw sim::damaged(file, "a PNG without its header");
-      image.width = static_cast<long long>(unsigned_at(data, 0, 4, true));
-      image.height = static_cast<long long>(unsigned_at(data, 4, 4, true));
-      image.bits = static_cast<int>(unsigned_at(data, 8, 1, true));
+      image.width = static_cast<long long>(sim::unsigned_at(data, 0, 4));
+      image.height = static_cast<long long>(sim::unsigned_at(data, 4, 4));
+      image.bits = static_cast<int>(sim::unsigned_at(data, 8, 1));
       first = false;
     } else if (type == "IDAT") {
       data_seen = true;
@@ -251,6 +239,16 @@ ImageFile walk_pnm(std::string_view bytes, const std::string& file) {
   if (there < least)
     throw sim::truncated(file, "its header promises " + std::to_string(least) + " bytes of pixels and " +
                                    std::to_string(there) + " are there");
+  return image;
+}
+
+ImageFile walk_exr(std::string_view bytes, const std::string& file) {
+  const sim::ExrSize size = sim::check_exr_header(bytes, bytes.size(), file);
+  ImageFile image;
+  image.bits = 32;
+  image.floating = true;
+  image.width = size.width;
+  image.height = size.height;
   return image;
 }
 

@@ -6,54 +6,14 @@
 #include "fit/photo/codec/hevc_size.h"
 #include "fit/photo/codec/picture_format.h"
 #include "sim/base/error.h"
+#include "sim/base/file/random_bytes.h"
+#include "sim/base/picture/heif_boxes.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::fit {
 namespace {
 
-/// A box of ISO/IEC 14496-12, section 4.2.
-struct Box {
-  std::string_view type, body;
-  std::size_t size = 0;
-};
-
-/// The box that `bytes` begin with; throws if it does not lie inside them.
-Box first_box(std::string_view bytes, const std::string& file) {
-  std::size_t head = 8;
-  if (bytes.size() < head) throw sim::truncated(file, "it ends inside the head of a box");
-  std::uint64_t size = unsigned_at(bytes, 0, 4, true);
-  if (size == 1) {
-    head = 16;
-    if (bytes.size() < head) throw sim::truncated(file, "it ends inside the head of a box");
-    size = unsigned_at(bytes, 8, 8, true);
-  } else if (size == 0) {
-    size = bytes.size();
-  }
-  const std::string_view type = bytes.substr(4, 4);
-  if (size < head) throw sim::damaged(file, "a box of impossible size");
-  if (size > bytes.size())
-    throw sim::truncated(file, "its box " + std::string(type) + " reaches beyond the end");
-  return {type, bytes.substr(head, size - head), size};
-}
-
-/// Numbers one after another; throws where they end.
-class BoxNumbers {
- public:
-  BoxNumbers(std::string_view bytes, const char* what, const std::string& file)
-      : bytes_(bytes), what_(what), file_(file) {}
-  std::uint64_t next(std::size_t size) {
-    if (bytes_.size() < size) throw sim::damaged(file_, std::string(what_) + " is cut");
-    const std::uint64_t value = size == 0 ? 0 : unsigned_at(bytes_, 0, static_cast<int>(size), true);
-    bytes_.remove_prefix(size);
-    return value;
-  }
-  std::string_view rest() const { return bytes_; }
-
- private:
-  std::string_view bytes_;
-  const char* what_;
-  const std::string& file_;
-};
+using Box = sim::HeifBox;
 
 /// Which picture is the main one, and where things are: the boxes pitm, iinf, iloc and idat.
 struct ItemTables {
@@ -69,7 +29,7 @@ struct Sizes {
 };
 
 std::pair<long long, long long> size_of(const Box& property) {
-  return {unsigned_at(property.body, 4, 4, true), unsigned_at(property.body, 8, 4, true)};
+  return {sim::unsigned_at(property.body, 4, 4), sim::unsigned_at(property.body, 8, 4)};
 }
 
 /// Of two tables of a kind libheif takes one: which, nobody here is to have to know.
@@ -86,7 +46,7 @@ void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, i
   constexpr int kDeepest = 8;
   if (depth > kDeepest) throw sim::damaged(file, "boxes inside boxes without end");
   while (!bytes.empty()) {
-    const Box box = first_box(bytes, file);
+    const Box box = sim::first_heif_box(bytes, file);
     if (properties) sizes.properties.push_back(box);
     if (box.type == "meta" && box.body.size() >= 4) {
       find_sizes(box.body.substr(4), file, sizes, depth + 1);
@@ -113,55 +73,15 @@ void find_sizes(std::string_view bytes, const std::string& file, Sizes& sizes, i
 
 /// The kind of an item ("hvc1", "grid"); none if it is not in the list or stands there twice (ISO/IEC
 /// 14496-12, 8.11.6).
-std::optional<std::string> type_of_item(std::uint64_t item, const ItemTables& tables,
-                                        const std::string& file) {
-  BoxNumbers head(tables.types, "the list of its items", file);
-  const bool many = head.next(4) >> 24 != 0;
-  head.next(many ? 4 : 2);
-  std::optional<std::string> found;
-  for (std::string_view entries = head.rest(); !entries.empty();) {
-    const Box box = first_box(entries, file);
-    entries.remove_prefix(box.size);
-    if (box.type != "infe") continue;
-    BoxNumbers entry(box.body, "an item", file);
-    const std::uint64_t version = entry.next(4) >> 24;
-    if (version < 2) continue;  // of another kind than pictures
-    const std::uint64_t number = entry.next(version == 2 ? 2 : 4);
-    entry.next(2);
-    if (number != item) continue;
-    if (found || entry.rest().size() < 4) return std::nullopt;
-    found = std::string(entry.rest().substr(0, 4));
-  }
-  return found;
-}
-
-/// What an item consists of, if that is one piece, in the file or in the box idat (ISO/IEC 14496-12, 8.11.3).
-std::optional<std::string_view> bytes_of_item(std::uint64_t item, const ItemTables& tables,
-                                              std::string_view bytes, const std::string& file) {
-  BoxNumbers list(tables.places, "the list of where its items are", file);
-  const std::uint64_t version = list.next(4) >> 24, sizes = list.next(2);
-  const auto size_at = [&](int shift) { return static_cast<std::size_t>(sizes >> shift & 15); };
-  const std::size_t offset_size = size_at(12), length_size = size_at(8), base_size = size_at(4),
-                    index_size = version == 0 ? 0 : size_at(0);
-  for (const std::size_t size : {offset_size, length_size, base_size, index_size})
-    if (size > 8) throw sim::damaged(file, "the list of where its items are has numbers of impossible size");
-  std::optional<std::string_view> found;
-  for (std::uint64_t left = list.next(version < 2 ? 2 : 4); left > 0; --left) {
-    const std::uint64_t number = list.next(version < 2 ? 2 : 4);
-    const std::uint64_t method = version == 0 ? 0 : list.next(2) & 15;
-    list.next(2);
-    const std::uint64_t base = list.next(base_size), pieces = list.next(2);
-    for (std::uint64_t piece = 0; piece < pieces; ++piece) {
-      list.next(index_size);
-      const std::uint64_t offset = list.next(offset_size), length = list.next(length_size);
-      if (number != item) continue;
-      const std::string_view whole = method == 0 ? bytes : tables.data;
-      if (found || pieces != 1 || method > 1 || base > whole.size() || offset > whole.size() - base)
-        return std::nullopt;
-      found = whole.substr(base + offset, length);
-    }
-  }
-  return found;
+std::string type_of_item(std::uint64_t item, const ItemTables& tables, const std::string& file) {
+  int found = 0;
+  std::string type;
+  sim::each_heif_item(tables.types, file, [&](std::uint64_t number, std::string_view its_type) {
+    if (number != item) return;
+    ++found;
+    type = its_type;
+  });
+  return found == 1 ? type : "";
 }
 
 /// Width and height that a grid of tiles puts together (ISO/IEC 23008-12, 6.6.2.3).
@@ -170,8 +90,8 @@ std::optional<std::pair<long long, long long>> size_of_grid(std::string_view gri
   if (grid.size() < kHead) return std::nullopt;
   const int size = (static_cast<unsigned char>(grid[1]) & 1) != 0 ? 4 : 2;
   if (grid[0] != 0 || grid.size() < kHead + 2 * static_cast<std::size_t>(size)) return std::nullopt;
-  return std::pair<long long, long long>{unsigned_at(grid, kHead, size, true),
-                                         unsigned_at(grid, kHead + size, size, true)};
+  return std::pair<long long, long long>{sim::unsigned_at(grid, kHead, size),
+                                         sim::unsigned_at(grid, kHead + size, size)};
 }
 
 /// Throws unless the main picture is a stream of its own, which check_items() looks at, or a grid of tiles
@@ -179,11 +99,11 @@ std::optional<std::pair<long long, long long>> size_of_grid(std::string_view gri
 void check_main_picture(std::string_view bytes, const Sizes& sizes, std::uint64_t main_picture,
                         bool has_stream, const std::vector<std::pair<long long, long long>>& promised,
                         const std::string& file) {
-  const std::optional<std::string> type = type_of_item(main_picture, sizes.items, file);
+  const std::string type = type_of_item(main_picture, sizes.items, file);
   if (has_stream && type == "hvc1") return;
   if (type != "grid" || has_stream)
     throw sim::damaged(file, "its main picture is neither an HEVC stream nor put together of tiles");
-  const std::optional<std::string_view> grid = bytes_of_item(main_picture, sizes.items, bytes, file);
+  const auto grid = sim::bytes_of_heif_item(main_picture, sizes.items.places, bytes, sizes.items.data, file);
   const auto size = grid ? size_of_grid(*grid) : std::nullopt;
   for (const auto& [width, height] : promised)
     if (!size || size->first != width || size->second != height)
@@ -195,9 +115,9 @@ void check_main_picture(std::string_view bytes, const Sizes& sizes, std::uint64_
 /// tiles.
 void check_items(std::string_view bytes, const Sizes& sizes, const std::string& file) {
   if (sizes.associations.empty()) return;
-  BoxNumbers main_box(sizes.items.primary, "the number of its main picture", file);
+  sim::HeifNumbers main_box(sizes.items.primary, "the number of its main picture", file);
   const std::uint64_t main_picture = main_box.next(main_box.next(4) >> 24 == 0 ? 2 : 4);
-  BoxNumbers list(sizes.associations, "the list of its pictures' properties", file);
+  sim::HeifNumbers list(sizes.associations, "the list of its pictures' properties", file);
   const std::uint64_t head = list.next(4), items = list.next(4);
   const bool long_numbers = head >> 24 != 0, two_bytes = (head & 1) != 0;
   int main_pictures = 0;

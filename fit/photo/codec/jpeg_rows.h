@@ -10,9 +10,9 @@
 namespace vegard::fit {
 
 /// Decodes a JPEG of 8 bits in the order of the file, without its EXIF orientation. The bytes must have been
-/// checked (fit/photo/codec/picture_format.h) and must outlive the object; `file` is for messages. Constructor
-/// and next_rows() throw sim::Error(unreadable_input) for data that libjpeg cannot decode, or replaces by a
-/// guess.
+/// checked (fit/photo/codec/picture_format.h) and must outlive the object; `file` is for messages.
+/// Constructor and next_rows() throw sim::Error(unreadable_input) for data that libjpeg cannot decode, or
+/// replaces by a guess.
 class JpegRows {
  public:
   JpegRows(std::string_view bytes, const std::string& file);

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "fit/photo/codec/image_file.h"
-#include "fit/photo/frames/imager_name.h"
+#include "fit/photo/frames/imager_words.h"
 #include "sim/base/error.h"
+#include "sim/base/file/random_bytes.h"
 #include "sim/base/file/tar_file.h"
 #include "sim/base/text.h"
 
@@ -87,8 +88,8 @@ class TarFrames : public FrameStore {
     if (png.size() <= kColoursAt || png.substr(0, kBegins.size()) != kBegins)
       throw sim::unreadable(name_, "'" + of + "' in it is no PNG");
     const bool is_coloured = (png[kColoursAt] & 2) != 0;
-    return {static_cast<long long>(unsigned_at(png, kWidthAt, 4, true)),
-            static_cast<long long>(unsigned_at(png, kHeightAt, 4, true)), is_coloured ? 3 : 1};
+    return {static_cast<long long>(sim::unsigned_at(png, kWidthAt, 4)),
+            static_cast<long long>(sim::unsigned_at(png, kHeightAt, 4)), is_coloured ? 3 : 1};
   }
 
   std::string name_;

@@ -44,12 +44,6 @@ constexpr std::uint64_t kRowsFirst = 1, kInOneFile = 2;
 constexpr std::uint64_t kVariesByRecord = 1, kIsPacked = 4;
 constexpr std::uint64_t kNoPacking = 0, kRunsOfZeros = 1, kGzip = 5;
 
-std::uint64_t big_endian(std::string_view bytes, std::size_t at, std::size_t size) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
 /// The numbers of a record's head, one after another.
 class Fields {
  public:
@@ -72,7 +66,7 @@ class Fields {
       return 0;
     }
     at_ += size;
-    return big_endian(bytes_, at_ - size, size);
+    return unsigned_at(bytes_, at_ - size, size);
   }
   std::string bytes_;
   std::size_t at_ = 0;
@@ -180,14 +174,14 @@ class CdfFile : public ArrayFile {
   Fields record(std::uint64_t place, RecordType type, std::size_t max_bytes) const {
     constexpr std::size_t kHead = 12;
     const std::string head = file_->bytes(place, kHead);
-    const std::uint64_t size = big_endian(head, 0, 8);
-    if (big_endian(head, 8, 4) != type || size < kHead)
+    const std::uint64_t size = unsigned_at(head, 0, 8);
+    if (unsigned_at(head, 8, 4) != type || size < kHead)
       refuse_damaged("a record of kind " + std::to_string(type) + " is not where it is said to be");
     return Fields(file_->bytes(place + kHead, std::min<std::uint64_t>(size - kHead, max_bytes)));
   }
   std::uint64_t type_at(std::uint64_t place) const {
     constexpr std::uint64_t kTypeAt = 8;
-    return big_endian(file_->bytes(place + kTypeAt, 4), 0, 4);
+    return unsigned_at(file_->bytes(place + kTypeAt, 4), 0, 4);
   }
 
   void unpack_file() {
@@ -195,7 +189,7 @@ class CdfFile : public ArrayFile {
     Fields packed = record(kMagicBytes, kPackedFile, kEnough);
     const std::uint64_t packing = packed.eight(), size = packed.eight();
     constexpr std::uint64_t kDataAt = 32;
-    const std::uint64_t stored = big_endian(file_->bytes(kMagicBytes, 8), 0, 8);
+    const std::uint64_t stored = unsigned_at(file_->bytes(kMagicBytes, 8), 0, 8);
     if (packing_of(packing) != kGzip) refuse("it is packed as a whole in a way that is not read", "gzip");
     if (size > kMaxUnpackedFile)
       refuse("it claims to unpack to " + std::to_string(size) + " bytes", "at most 512 MB",
@@ -348,7 +342,7 @@ class CdfFile : public ArrayFile {
     if (type == kValues) return file_->bytes(block.place + kValuesAt + in_block, variable.record_bytes);
     if (type != kPackedValues) refuse_damaged("'" + name + "' is not where its index says");
     if (kept_place_ != block.place) {
-      const std::uint64_t stored = big_endian(file_->bytes(block.place + kSizeAt, 8), 0, 8);
+      const std::uint64_t stored = unsigned_at(file_->bytes(block.place + kSizeAt, 8), 0, 8);
       const std::uint64_t records = block.last - block.first + 1;
       if (records > kMaxBlockBytes / variable.record_bytes)
         refuse("a packed block of '" + name + "' claims more than 512 MB");

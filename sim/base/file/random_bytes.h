@@ -1,4 +1,4 @@
-// Random access to the bytes of a file, or to bytes in memory.
+// Random access to the bytes of a file, or to bytes in memory, and the integers in them.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,15 @@
 #include <string_view>
 
 namespace vegard::sim {
+
+/// Returns the unsigned integer of `size` bytes at `at`, which must lie inside of `bytes`.
+inline std::uint64_t unsigned_at(std::string_view bytes, std::size_t at, std::size_t size,
+                                 bool big_endian = true) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + (big_endian ? i : size - 1 - i)]);
+  return value;
+}
 
 class RandomBytes {
  public:

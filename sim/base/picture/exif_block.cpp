@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/picture/heif_exif.h"
+#include "sim/base/file/random_bytes.h"
+#include "sim/base/picture/heif_boxes.h"
 #include "sim/base/picture/tiff_directory.h"
 
 namespace vegard::sim {
@@ -17,15 +18,8 @@ constexpr auto kPngStart = "\x89PNG\r\n\x1a\n"sv;
 constexpr auto kFujiStart = "FUJIFILMCCD-RAW"sv;
 constexpr auto kExifStart = "Exif\0\0"sv;
 
-/// Big-endian; the caller has checked that it lies inside.
-std::uint32_t word(std::string_view bytes, std::size_t at, int size) {
-  std::uint32_t value = 0;
-  for (int i = 0; i < size; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
-std::optional<std::pair<int, int>> size_of(std::uint32_t width, std::uint32_t height) {
-  constexpr std::uint32_t kMax = 1u << 30;
+std::optional<std::pair<int, int>> size_of(std::uint64_t width, std::uint64_t height) {
+  constexpr std::uint64_t kMax = 1u << 30;
   if (width == 0 || height == 0 || width > kMax || height > kMax) return std::nullopt;
   return std::pair<int, int>(width, height);
 }
@@ -49,12 +43,12 @@ ExifBlock in_jpeg(std::string_view bytes) {
       continue;
     }
     if (marker == 0xd9 || marker == 0xda) break;
-    const std::size_t length = word(bytes, at + 2, 2);
+    const std::size_t length = unsigned_at(bytes, at + 2, 2);
     if (length < 2) break;
     const std::string_view body = bytes.substr(at + 4, length - 2);
     if (marker == 0xe1 && block.tiff.empty() && body.substr(0, 6) == kExifStart) block.tiff = body.substr(6);
     if (is_start_of_frame(marker) && body.size() >= 5)
-      block.size_px = size_of(word(body, 3, 2), word(body, 1, 2));
+      block.size_px = size_of(unsigned_at(body, 3, 2), unsigned_at(body, 1, 2));
     at += 2 + length;
   }
   return block;
@@ -64,9 +58,10 @@ ExifBlock in_png(std::string_view bytes) {
   ExifBlock block;
   std::size_t at = kPngStart.size();
   while (at + 8 <= bytes.size()) {
-    const std::size_t length = word(bytes, at, 4);
+    const std::size_t length = unsigned_at(bytes, at, 4);
     const std::string_view type = bytes.substr(at + 4, 4), body = bytes.substr(at + 8, length);
-    if (type == "IHDR"sv && body.size() >= 8) block.size_px = size_of(word(body, 0, 4), word(body, 4, 4));
+    if (type == "IHDR"sv && body.size() >= 8)
+      block.size_px = size_of(unsigned_at(body, 0, 4), unsigned_at(body, 4, 4));
     if (type == "eXIf"sv && block.tiff.empty())
       block.tiff = body.substr(0, 6) == kExifStart ? body.substr(6) : body;
     if (type == "IEND"sv || length > bytes.size() - at - 8) break;
@@ -98,7 +93,7 @@ ExifBlock in_tiff(std::string_view bytes) {
 /// Fujifilm's raw files carry a JPEG with the EXIF data; where, stands in their header.
 ExifBlock in_fuji(std::string_view bytes) {
   if (bytes.size() < 92) return {};
-  const std::size_t at = word(bytes, 84, 4), length = word(bytes, 88, 4);
+  const std::size_t at = unsigned_at(bytes, 84, 4), length = unsigned_at(bytes, 88, 4);
   if (at >= bytes.size()) return {};
   ExifBlock block = in_jpeg(bytes.substr(at, length));
   block.size_px.reset();

@@ -12,8 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/base/picture/fits_card_order.h"
-#include "sim/base/picture/fits_packing.h"
+#include "sim/base/picture/fits_header.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {

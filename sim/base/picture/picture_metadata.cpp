@@ -12,7 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/picture/exif_block.h"
-#include "sim/base/picture/fits_time.h"
+#include "sim/base/picture/fits_header.h"
 #include "sim/base/picture/tiff_directory.h"
 #include "sim/base/utc_time.h"
 

@@ -1,5 +1,5 @@
 // Metadata of a picture's file: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6; the time of a FITS image
-// (sim/base/picture/fits_time.h); and the metadata of auroral imagers (fit/photo/frames).
+// (sim/base/picture/fits_header.h); and the metadata of auroral imagers (fit/photo/frames).
 //
 // Missing values are not replaced by guesses, and impossible values are left out: a latitude of 95, a
 // negative exposure, a focal length of 0 ("unknown" in the standard).

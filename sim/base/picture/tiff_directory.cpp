@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/base/file/random_bytes.h"
 #include "sim/base/text.h"
 
 namespace vegard::sim {
@@ -167,10 +168,7 @@ std::optional<std::size_t> TiffDirectory::values_of(const Entry& entry, std::uin
 }
 
 std::uint64_t TiffDirectory::word(std::size_t place, int size) const {
-  std::uint64_t value = 0;
-  for (int i = 0; i < size; ++i)
-    value = value << 8 | static_cast<unsigned char>(tiff_[place + (big_endian_ ? i : size - 1 - i)]);
-  return value;
+  return unsigned_at(tiff_, place, static_cast<std::size_t>(size), big_endian_);
 }
 
 std::optional<double> TiffDirectory::number_at(std::size_t place, int type) const {

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace vegard::sim {
+
+/// Returns the CRC-32 of a PNG's chunk, from its type to the end of its data (annex D).
+std::uint32_t png_checksum(std::string_view type_and_data);
 
 /// True if a PNG is a sequence of complete chunks with valid checksums up to IEND. Source: PNG (ISO/IEC
 /// 15948:2004), 5.3 and 5.5.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/photo/frames/array_times.h"
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/photo.h"

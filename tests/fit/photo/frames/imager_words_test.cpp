@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/photo/frames/imager_name.h"
 #include "tests/support/expect_error.h"
 
 namespace vegard::fit::imager_words_test {

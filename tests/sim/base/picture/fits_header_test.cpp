@@ -1,12 +1,12 @@
-#include "sim/base/picture/fits_time.h"
 
 #include <gtest/gtest.h>
 
+#include "sim/base/picture/fits_header.h"
 #include "sim/base/picture/picture_metadata.h"
 #include "tests/support/fits_bytes.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::sim::fits_time_test {
+namespace vegard::sim::fits_header_test {
 namespace {
 
 using tests::fits_card;
@@ -56,4 +56,4 @@ TEST(FitsTime, IsPartOfWhatAPictureSays) {
 }
 
 }  // namespace
-}  // namespace vegard::sim::fits_time_test
+}  // namespace vegard::sim::fits_header_test

@@ -1,9 +1,10 @@
-#include "fit/photo/light_photo.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "fit/photo/photo.h"
 
 namespace vegard::fit::light_photo_test {
 namespace {
