@@ -7,18 +7,18 @@
 namespace vegard::fit {
 
 struct HotPixelSettings {
-  /// How many robust standard deviations a pixel stands out of the median of its eight neighbours. The
-  /// deviations are those of that same difference in the part of the picture around it
+  /// The threshold of the difference between a pixel and the median of its eight neighbours, in robust
+  /// standard deviations of this difference in the part of the picture around it
   /// (fit/photo/mask/local_noise.h).
   double sigmas = 8.0;
 };
 
-/// Per channel: hot or dead is a pixel whose difference e to the median of its neighbours is beyond the
-/// threshold, above twice the range of the neighbours, and that its four direct neighbours share little of:
-/// on average they stand less than 0.15 e out of the sixteen pixels around them. The image of a star that
-/// is 1.4 pixels wide (FWHM) or more gives them at least 2^(−4/1.4²) = 0.24 of its peak. A pixel that is hot
-/// in any channel is in the set. Pixels of the outermost rows and columns are not looked at. Demosaicing and
-/// JPEG spread a hot pixel over its neighbours, where it passes for a star.
+/// Returns the pixels that are hot or dead in any channel: the difference e to the median of the neighbours
+/// is beyond the threshold and above twice the range of the neighbours, and the four direct neighbours hardly
+/// share it: on average they stand out of the sixteen pixels around them by less than 0.15 e. (In the image
+/// of a star that is 1.4 pixels wide or more, FWHM, they have at least 2^(−4/1.4²) = 0.24 of its peak.) The
+/// outermost rows and columns are not examined. Demosaicing and JPEG spread a hot pixel over its neighbours,
+/// so that it is taken for a star.
 PixelSet hot_pixels(const Photo& photo, const HotPixelSettings& settings = {});
 
 }  // namespace vegard::fit

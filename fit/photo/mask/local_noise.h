@@ -8,20 +8,20 @@
 
 namespace vegard::fit {
 
-/// Medians and robust standard deviations of the tiles of a plane, interpolated between the tiles' centres.
-/// σ = 1.4826 × the median of |value − median|, which is the standard deviation of a normal law and does not
-/// see what less than half of a tile holds (Hampel 1974, J. Am. Stat. Assoc. 69, 383); or, where that is
-/// more, what 84 % are below, less the median: noise that the file has cut off at black has an upper side
-/// only.
+/// Medians and robust standard deviations σ of the tiles of a plane, interpolated between the tiles' centres.
+/// σ is the larger of 1.4826 × the median of |value − median|, which is the standard deviation for a normal
+/// distribution and is insensitive to outliers in less than half of a tile (Hampel 1974, J. Am. Stat. Assoc.
+/// 69, 383), and of the 84 % quantile less the median, because noise that the file clips at black has only an
+/// upper side.
 class LocalNoise {
  public:
   static constexpr int kTile_px = 48;
 
-  /// floor: the least σ, one per value of the plane `level` at the tile's median of it (the step of a file's
-  /// code, by which a smooth picture seems to have no noise).
+  /// `floor` returns the least σ for a value of the plane `level`, of which it is given the tile's median:
+  /// the step of a file's codes, without which a smooth picture would seem to have no noise.
   LocalNoise(const Plane& values, const Plane& level, const std::function<double(double)>& floor);
 
-  /// At the centre of a pixel.
+  /// The values at the centre of a pixel.
   struct Usual {
     float median, sigma;
   };

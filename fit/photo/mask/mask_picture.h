@@ -1,4 +1,4 @@
-// The mask as a file, and the photograph with what it leaves out in colours.
+// Writes the mask as a file, and the photograph with the masked pixels in colours.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace vegard::fit {
 
-/// What one finder leaves out, and how it is shown.
+/// The pixels that one finder masks, and how they are shown.
 struct MaskPart {
   std::string name;         ///< "stars"
   std::string colour_name;  ///< "yellow"
@@ -17,14 +17,14 @@ struct MaskPart {
   PixelSet out;
 };
 
-/// The union of the parts, of this size.
+/// Returns the union of the parts, in a set of this size.
 PixelSet left_out(const std::vector<MaskPart>& parts, int width, int height);
 
-/// The bytes of an 8-bit grey PNG: white where the photograph is used.
+/// Returns the bytes of an 8-bit grey PNG that is white where the photograph is used.
 std::string mask_png(const PixelSet& left_out);
 
-/// The bytes of an 8-bit colour PNG: the photograph (brightened if it is dark), half of each pixel that is
-/// left out replaced by the colour of the first part that has it.
+/// Returns the bytes of an 8-bit colour PNG: the photograph (brightened if it is dark), with each masked
+/// pixel mixed in equal parts with the colour of the first part that has it.
 std::string shown_mask_png(const Photo& photo, const std::vector<MaskPart>& parts);
 
 }  // namespace vegard::fit

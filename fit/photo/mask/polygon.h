@@ -1,4 +1,4 @@
-// Parts of a picture that the user outlines or has drawn.
+// Masks of parts of a picture that the user outlines or has drawn.
 #pragma once
 
 #include <string>
@@ -9,10 +9,12 @@
 
 namespace vegard::fit {
 
-/// Pixels whose centres are inside a closed polygon, by the even-odd rule. At least three corners.
+/// Returns the pixels whose centres are inside a closed polygon of at least three corners, by the even-odd
+/// rule.
 PixelSet polygon_inside(const std::vector<PicturePoint>& corners, int width, int height);
 
-/// What a mask's file (white = use, see apply_mask) leaves out of this photograph. Throws as apply_mask does.
+/// Returns the pixels of the photograph that a mask's file (white: used; see apply_mask()) masks. Throws as
+/// apply_mask() does.
 PixelSet drawn_out(const Photo& photo, const std::string& mask_file);
 
 }  // namespace vegard::fit

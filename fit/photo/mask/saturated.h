@@ -1,4 +1,4 @@
-// Pixels of a photograph that hold no number: clipped at the largest code, or not finite.
+// Pixels of a photograph without a valid value: clipped at the largest code, or not finite.
 #pragma once
 
 #include "fit/photo/mask/pixel_set.h"
@@ -7,13 +7,12 @@
 namespace vegard::fit {
 
 struct SaturationSettings {
-  /// How far from a clipped pixel light is not trusted: charge flows over (blooming), optics scatter, and
+  /// The distance from a clipped pixel within which light is not trusted: charge blooms, optics scatter, and
   /// JPEG rings within its blocks.
   int border_px = 2;
 };
 
-/// Pixels with at least one channel that the photograph says is not usable (fit/photo/photo.h), grown by the
-/// border.
+/// Returns the pixels with at least one channel that is not usable (fit/photo/photo.h), grown by the border.
 PixelSet saturated_pixels(const Photo& photo, const SaturationSettings& settings = {});
 
 }  // namespace vegard::fit

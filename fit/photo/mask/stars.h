@@ -1,9 +1,9 @@
-// Stars: what is small and round on a sky of any brightness.
+// Finds stars: small and round spots on a sky of any brightness.
 //
-// The light of all that is short in every direction is what stays of a picture when the largest of its
-// openings by line segments of eight directions is taken off (the top-hat by a union of linear openings;
-// Soille, "Morphological Image Analysis", 2nd edition 2003, section 4.3). A ray or an arc's edge is longer
-// than the segment in its own direction, whatever its width, and so is taken off with the sky.
+// The light of what is short in every direction is the top-hat by a union of linear openings (Soille,
+// "Morphological Image Analysis", 2nd edition 2003, section 4.3): the picture less the largest of its
+// openings by line segments of eight directions. A ray or an arc's edge is longer than the segment in its own
+// direction, whatever its width, and is subtracted with the sky.
 #pragma once
 
 #include <vector>
@@ -24,17 +24,18 @@ struct StarSettings {
 
 struct Star {
   double x_px, y_px;  ///< centre of light of what is above half the peak
-  double radius_px;   ///< of the disc that covers its light: to where its rings fall to one σ
-  double sigmas;      ///< of its peak
+  double radius_px;   ///< radius of the disc that covers its light, where rings fall to one σ
+  double sigmas;      ///< height of its peak
 };
 
 struct StarsFound {
   std::vector<Star> stars;  ///< brightest (in σ) first
   PixelSet covered;         ///< the union of their discs
-  int size_px = 0;          ///< the largest diameter that was looked for
+  int size_px = 0;          ///< the largest diameter that was searched for
 };
 
-/// Large stars are looked for on a binned picture, so that the largest is about nine of its pixels wide.
+/// Finds the stars of a photograph. The picture is binned if stars may be large, so that the largest is about
+/// nine pixels wide.
 StarsFound find_stars(const Photo& photo, const StarSettings& settings = {});
 
 }  // namespace vegard::fit

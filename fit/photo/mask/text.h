@@ -1,4 +1,4 @@
-// Captions burnt into a picture: boxes about lines of letters.
+// Finds captions in a picture: boxes around lines of letters.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,28 @@
 namespace vegard::fit {
 
 struct TextSettings {
-  double contrast = 0.25;  ///< how far strokes stand out of what is around them, of a display's range
-  int letters = 5;         ///< the fewest in a line
+  double contrast =
+      0.25;         ///< least contrast of strokes to their surroundings, as a share of a display's range
+  int letters = 5;  ///< least number of letters in a line
 };
 
 /// A line of text, with two pixels around it.
 struct TextLine {
   int x_px, y_px, width_px, height_px;
-  int letters;  ///< that were distinguished
+  int letters;  ///< number of letters that were distinguished
 };
 
-/// Bright letters only. Strokes are what an opening by a square of seven pixels takes away (of the picture
-/// binned to at most 1500 pixels, in brightness as on a display, fit/photo/mask/plane.h); a letter is strokes
-/// that are connected, five to sixty pixels high, with an edge as steep as 0.4 of their contrast from one
-/// pixel to the next. A line is letters that follow each other within 1.2 letters' height, overlap in height,
-/// are alike in height (by a factor of two), colour (each channel within 0.15 of the range) and contrast (by
-/// three tenths), of which two thirds end at one baseline (within a tenth of their height, at least a pixel)
-/// and half fill less than 0.7 of their boxes with ink. That makes a row of stars or street lights none.
+/// Finds lines of bright letters. Strokes are what an opening by a square of seven pixels removes (from the
+/// picture binned to at most 1500 pixels, in shown_brightness() of fit/photo/mask/plane.h). A letter is a
+/// connected component of strokes, five to sixty pixels high, with an edge of at least 0.4 of its contrast
+/// from one pixel to the next. A line consists of letters that follow each other within 1.2 letters' height,
+/// overlap in height, and are alike in height (by a factor of two), colour (each channel within 0.15 of the
+/// range) and contrast (by three tenths); two thirds of them end at one baseline (within a tenth of their
+/// height, at least a pixel), and half fill less than 0.7 of their boxes. A row of stars or street lights is
+/// therefore no line.
 std::vector<TextLine> find_text(const Photo& photo, const TextSettings& settings = {});
 
+/// Returns the pixels of the lines' boxes.
 PixelSet boxes(const std::vector<TextLine>& lines, int width, int height);
 
 }  // namespace vegard::fit

@@ -1,6 +1,6 @@
-// The light of a star: what a circle about it has more than the sky there, which the ring around gives: a
-// level, a slope and a curvature (a plane would leave a thousandth of the airglow, as much as a star of
-// magnitude 4 has of its own).
+// Aperture photometry: the light in a circle around a star, less the sky there. The sky's level, slope and
+// curvature are fitted in a ring around the circle (a plane would leave a thousandth of the airglow, as much
+// as the light of a star of magnitude 4).
 #pragma once
 
 #include <optional>
@@ -12,25 +12,27 @@ namespace vegard::fit {
 
 struct Aperture {
   double radius_px = 3.0;
-  double gap_px = 2.0, ring_px = 8.0;  ///< between the circle and its ring, and how broad that is
+  double gap_px = 2.0, ring_px = 8.0;  ///< the distance between circle and ring, and the ring's width
 };
 
 struct ApertureLight {
-  double rate = 0.0;    ///< counts s^-1 above the ring's level
-  double sigma = 0.0;   ///< of it: by the ring's scatter, and the star's own photons where the gain is known
+  double rate = 0.0;  ///< counts s^-1 above the ring's level
+  double sigma =
+      0.0;  ///< its standard error, by the ring's scatter and, if the gain is known, the star's photons
   double level = 0.0;   ///< counts s^-1 of a pixel in the ring
-  double pixels = 0.0;  ///< in the circle
+  double pixels = 0.0;  ///< number of pixels in the circle
 };
 
-/// Where another star is known to be.
+/// The place of another known star.
 struct Neighbour {
   double x_px = 0.0, y_px = 0.0;
 };
 
-/// About (x, y), the centre of the first pixel at (0.5, 0.5). What lies within the circle's radius of a
-/// neighbour is no part of the ring. Pixels on the circle's edge count by their share of it. The sky is
-/// b0 + b1 x + b2 y + b3 (x^2 + y^2) by least squares, without what lies 3 standard deviations off. None
-/// where a pixel of the circle, or two thirds of the ring, is not usable or lies outside.
+/// Returns the light of a star at (x, y); the centre of the first pixel is at (0.5, 0.5). Pixels within the
+/// circle's radius of a neighbour are left out of the ring. Pixels on the circle's edge count by the share
+/// that is inside. The sky is b0 + b1 x + b2 y + b3 (x^2 + y^2) by least squares, without outliers of more
+/// than 3 standard deviations. Returns nothing if a pixel of the circle, or two thirds of the ring, is not
+/// usable or lies outside of the picture.
 std::optional<ApertureLight> aperture_light(const CountPicture& picture, double x_px, double y_px,
                                             const Aperture& aperture,
                                             const std::vector<Neighbour>& neighbours = {});

@@ -11,24 +11,24 @@
 namespace vegard::fit {
 
 struct RayleighPicture {
-  /// Channels "rayleigh.5577" and "error.5577" by the filter's line: light below the air, and the standard
-  /// uncertainty of a pixel by itself, that of its noise and of the dark level. NaN where nothing is known.
+  /// Channels "rayleigh.5577" and "error.5577", named by the filter's line: the light below the air, and the
+  /// standard uncertainty of the pixel by its noise and the dark level. NaN for unusable pixels.
   sim::Image image;
-  /// Relative, common to all pixels: of the factor and the flat field.
+  /// Relative standard uncertainty by the factor and the flat field, common to all pixels.
   double scale_error = 0.0;
-  double least = 0.0, median = 0.0, most = 0.0;  ///< of the rayleighs
-  std::size_t unknown = 0;                       ///< pixels
+  double least = 0.0, median = 0.0, most = 0.0;  ///< values of the rayleighs
+  std::size_t unknown = 0;                       ///< number of unusable pixels
 };
 
-/// The filter has a factor.
+/// Converts counts to rayleighs; the filter must have a factor.
 RayleighPicture rayleigh_picture(const CountPicture& counts, const RayleighFilter& filter);
 
-/// FITS of two planes, rayleighs and their error, with the scale's in a keyword.
+/// Returns the bytes of a FITS file with two planes, rayleighs and their error, and scale_error in a keyword.
 std::string encode_rayleigh_fits(const RayleighPicture& picture, const RayleighFilter& filter,
                                  const RayleighCamera& camera, const std::string& photo, double exposure_s,
                                  const std::string& name);
 
-/// EXR of the two channels.
+/// Returns the bytes of an EXR with the two channels.
 std::string encode_rayleigh_exr(const RayleighPicture& picture, const RayleighFilter& filter,
                                 const RayleighCamera& camera, const std::string& photo, double exposure_s,
                                 const std::string& name);
