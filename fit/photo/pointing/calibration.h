@@ -1,5 +1,5 @@
-// A camera from stars, or from points of maps that count as stars: its lens chosen and fitted, with error
-// bars and the residuals of every star.
+// Calibrates a camera by stars, or by points of maps that count as stars: chooses and fits its lens, with
+// error bars and the residuals of every star.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,13 +13,13 @@
 
 namespace vegard::fit {
 
-/// A number in a scene's [camera] and its standard deviation: least squares with the noise that the residuals
-/// show.
+/// A number in a scene's [camera] and its standard deviation by least squares, with the noise that the
+/// residuals show.
 struct CameraEstimate {
   sim::ParameterId id;  ///< which of the camera's numbers
   double value = 0.0;
   double sigma = 0.0;
-  bool free = false;  ///< else it was held and sigma means nothing
+  bool free = false;  ///< false: it was held fixed, and sigma is meaningless
 
   const std::string& key() const { return id.row->key; }  ///< "azimuth_deg"
   const std::string& unit() const { return id.row->unit; }
@@ -27,7 +27,7 @@ struct CameraEstimate {
 
 struct StarResidual {
   double dx_px = 0.0, dy_px = 0.0;                  ///< observed minus computed
-  double without_dx_px = 0.0, without_dy_px = 0.0;  ///< the same by a fit without this star
+  double without_dx_px = 0.0, without_dy_px = 0.0;  ///< the residual of a fit without this star
   double off_axis_deg = 0.0;
   double from_centre_px = 0.0;
   bool used = false;
@@ -36,19 +36,19 @@ struct StarResidual {
 /// What the stars of a calibration are.
 enum class CalibrationEvidence { stars, maps };
 
-/// "stars", or "points of the maps".
+/// Returns "stars" or "points of the maps".
 const char* words_of(CalibrationEvidence evidence);
 
-/// A camera against all pixels of maps.
+/// How well a camera agrees with all pixels of maps.
 struct MapAgreement {
-  int pixels = 0;         ///< that look somewhere, and of whose direction the lens has an image
-  int without_image = 0;  ///< that look somewhere else
+  int pixels = 0;         ///< number of pixels with a direction of which the lens has an image
+  int without_image = 0;  ///< number of pixels with another direction
   double rms_px = 0.0;    ///< sqrt(sum (dx^2 + dy^2) / pixels)
   double largest_px = 0.0;
   int largest_x = 0, largest_y = 0;  ///< the pixel of the largest distance, columns and rows from 0
 };
 
-/// "all 3000 pixels: rms 0.01 px, the largest 0.04 px at (12, 300)".
+/// Returns "all 3000 pixels: rms 0.01 px, the largest 0.04 px at (12, 300)".
 std::string words_of(const MapAgreement& agreement);
 
 struct Calibration {
@@ -60,24 +60,25 @@ struct Calibration {
   std::vector<StarSighting> stars;
   std::vector<StarResidual> residuals;  ///< of every star
   double rms_px = 0.0;                  ///< sqrt(sum (dx^2 + dy^2) / N) over the stars in use
-  double without_rms_px =
-      0.0;                ///< the same of the residuals of fits without each star; of maps not made: rms_px
-  double sigma_px = 0.0;  ///< of one coordinate: sqrt(sum / (2 N - k))
+  /// The same of the residuals of fits without each star; for maps, for which these are not made, rms_px.
+  double without_rms_px = 0.0;
+  double sigma_px = 0.0;  ///< standard deviation of one coordinate: sqrt(sum / (2 N - k))
   CalibrationEvidence evidence = CalibrationEvidence::stars;
-  std::optional<MapAgreement> maps;  ///< of a calibration by maps
+  std::optional<MapAgreement> maps;  ///< for a calibration by maps
   Pointing pointing;
   std::vector<CameraEstimate> estimates;
-  Eigen::MatrixXd correlation;           ///< of the free estimates, in their order
-  double line_of_sight_sigma_deg = 0.0;  ///< of the axis's direction, the larger of two; 0 if it was held
-  double twist_sigma_deg = 0.0;          ///< about the axis
-  std::vector<std::string> warnings;     ///< numbers that the stars hardly distinguish, and the like
+  Eigen::MatrixXd correlation;           ///< correlations of the free estimates, in their order
+  double line_of_sight_sigma_deg = 0.0;  ///< standard deviation of the axis's direction along the larger of
+                                         ///< its error ellipse's axes; 0 if it was held fixed
+  double twist_sigma_deg = 0.0;       ///< standard deviation of the turn about the axis
+  std::vector<std::string> warnings;  ///< numbers that the stars hardly distinguish, and the like
 
   int used() const;
 };
 
-/// Throws sim::Error(unreadable_input), about the file `name`, if there are too few stars, all in one point
-/// or on one line of the picture or of the sky, or if no lens brings them together. Of maps no fits
-/// without each point are made.
+/// Calibrates a camera. For maps, no fits without each point are made. Throws sim::Error(unreadable_input)
+/// about the file `name` if there are too few stars, if all are in one point or on one line of the picture or
+/// of the sky, or if no lens maps them to where they were seen.
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
                       const Frame& frame, const std::string& name,
                       CalibrationEvidence evidence = CalibrationEvidence::stars);

@@ -1,4 +1,4 @@
-// A calibration as tables: of stars (CSV) and of everything (JSON).
+// Writes a calibration as text: its stars (CSV), everything (JSON), and its lenses for the terminal.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace vegard::fit {
 
-/// One line a star: where it stands, where it was seen, residuals, and whether it was used.
+/// Returns a table with a line per star: its direction, its place in the picture, residuals, and whether it
+/// was used.
 std::string residuals_csv(const Calibration& calibration);
 
-/// Lenses compared, numbers with error bars and correlations, stars, warnings.
+/// Returns the lenses compared, the numbers with error bars and correlations, the stars and the warnings.
 std::string calibration_json(const Calibration& calibration, const CalibrationOrigin& origin);
 
-/// The lenses that were compared, for the terminal, the best first: "lens, numbers, rms, BIC over the
-/// best's".
+/// Returns a list of the `most` best lenses, the best first: "lens, numbers, rms, BIC over the best's".
 std::string candidates_text(const Calibration& calibration, int most);
 
 }  // namespace vegard::fit

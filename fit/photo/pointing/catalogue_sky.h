@@ -8,8 +8,8 @@
 
 namespace vegard::fit {
 
-/// The stars to a magnitude that stand at least so high, the brightest first; x_px and y_px are 0. Stars
-/// nearer to a brighter one than `apart_deg` are left out: the picture has them as one.
+/// Returns the stars up to a magnitude and above an elevation, the brightest first; x_px and y_px are 0.
+/// Stars nearer than `apart_deg` to a brighter one are left out: in the picture they are one.
 std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double julian_date, double faintest,
                                         double min_elevation_deg = 5.0, double apart_deg = 0.3);
 

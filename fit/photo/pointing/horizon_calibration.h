@@ -6,12 +6,12 @@
 // forward),
 //   u = (cos e sin r, -cos e cos r, sin e)
 // for the elevation e and the roll r (sim/view/camera/camera.h), a pixel's ray q (of length 1) is on the
-// horizon where q . u = -sin d. The azimuth leaves no trace. What is minimised is the sum of the squares of
-// the points' distances from that curve in pixels, to first order (q . u + sin d over its slope in the
-// picture).
+// horizon if q . u = -sin d. The horizon does not depend on the azimuth. The fit minimises the sum of the
+// squared distances of the points from that curve in pixels, to first order: q . u + sin d, divided by its
+// slope in the picture.
 //
-// Two points give elevation and roll: of the two cones' crossings through them, the one with the sky on the
-// side that is asked for. With three or more a bent horizon gives more: the dip, or the focal length.
+// Two points determine elevation and roll, up to two solutions, of which the one with the sky on the wanted
+// side is returned. From three or more points a curved horizon also gives the dip, or the focal length.
 #pragma once
 
 #include <optional>
@@ -27,37 +27,38 @@ struct PixelPoint {
 struct HorizonProblem {
   int width_px = 0, height_px = 0;
   std::vector<PixelPoint> points;
-  std::optional<double> hfov_deg;  ///< of a pinhole with its axis in the middle; left out: to be found
+  std::optional<double>
+      hfov_deg;  ///< field of view of a pinhole with its axis in the middle; none: to be found
   double dip_deg = 0.0;
-  bool free_dip = false;          ///< the dip is found too; dip_deg is its start
+  bool free_dip = false;          ///< true if the dip is fitted as well, starting at dip_deg
   double point_error_px = 1.0;    ///< standard deviation of a point across the horizon
-  std::optional<PixelPoint> sky;  ///< somewhere above the horizon; left out: the picture's top is
+  std::optional<PixelPoint> sky;  ///< a point above the horizon; none: the picture's top is above it
 };
 
 struct ErrorBar {
   double value = 0.0;
-  double sigma = 0.0;  ///< 0 where it was given
+  double sigma = 0.0;  ///< 0 for a given number
 };
 
 struct HorizonCalibration {
   ErrorBar elevation_deg, roll_deg, hfov_deg, dip_deg;
-  /// What the error bars are made from: the stated error of a point, or the scatter of the points about the
-  /// curve (with the freedom of what was found taken off) if that is larger.
+  /// The error of a point from which the error bars follow: the stated one, or the scatter of the points
+  /// about the curve (per degree of freedom) if that is larger.
   double used_error_px = 1.0;
   double rms_px = 0.0;
   std::vector<double> residual_px;  ///< distance of each point from the horizon, positive into the sky
 };
 
-/// d = acos((R + layer) / (R + observer)), degrees; 0 unless the observer is above the layer.
+/// Returns the dip acos((R + layer) / (R + observer)) in degrees; 0 unless the observer is above the layer.
 double horizon_dip_deg(double observer_km, double layer_km = 0.0);
 
-/// The height of the layer whose limb an observer sees at this dip.
+/// Returns the height of the layer whose limb an observer sees at this dip.
 double layer_of_dip_km(double dip_deg, double observer_km);
 
-/// Throws sim::Error(usage), with "--points" or "--sky" as its key, for points that determine nothing: fewer
-/// than two that differ, outside of the picture, fewer than what is to be found, a horizon that bends the
-/// other way, a field of view or dip that they leave open (an error bar above a third of the value), none
-/// that is a horizon at all.
+/// Throws sim::Error(usage), with "--points" or "--sky" as its key, for points that do not determine the
+/// pointing: fewer than two that differ, points outside of the picture, fewer points than numbers to be
+/// found, a horizon that bends the other way, a field of view or dip that stays undetermined (an error bar
+/// above a third of the value), or points through which no horizon goes.
 HorizonCalibration calibrate_horizon(const HorizonProblem& problem);
 
 }  // namespace vegard::fit

@@ -11,25 +11,24 @@ namespace vegard::fit {
 
 struct LensForm {
   sim::LensModel model = sim::LensModel::equidistant;
-  int radial = 0;  ///< how many of k1, k2, k3; only of a pinhole and a polynomial, which has at least one
-  bool decentring = false;  ///< p1 and p2
+  int radial = 0;  ///< number of terms k1, k2, k3; only a pinhole and a polynomial (at least one) have any
+  bool decentring = false;  ///< true for p1 and p2
   bool aspect = false;
 };
 
-/// "polynomial k1 k2, p1 p2, aspect".
+/// Returns "polynomial k1 k2, p1 p2, aspect".
 std::string words_of(const LensForm& form);
 
-/// All 44, those of fewer numbers first.
+/// Returns all 44 forms, those with fewer numbers first.
 std::vector<LensForm> lens_forms();
 
-/// The model that scenes call so, "equidistant"; none if a calibration knows no such.
+/// Returns the model with this word in scenes, "equidistant"; none if calibrations do not have it.
 std::optional<sim::LensModel> lens_model(const std::string& word);
 
-/// The form that a camera has: the terms that are not zero.
+/// Returns the form of a camera's lens, with the terms that are not zero.
 LensForm form_of(const SkyCamera& camera);
 
-/// The numbers that are free in this lens: the turns, focal_px, the centre if it is to be free, and the
-/// terms.
+/// Returns the free numbers of this lens: the turns, focal_px, the centre if `centre_free`, and the terms.
 std::vector<LensNumber> free_numbers(const LensForm& form, bool centre_free);
 
 }  // namespace vegard::fit

@@ -1,6 +1,6 @@
-// A camera from maps of azimuth and elevation: what the simulator needs, where imager teams publish the
-// direction of every pixel. The pixels of a regular grid are taken for stars that were seen at their centres,
-// and pointing and lens are fitted and chosen as for stars; then every pixel of the maps is looked at.
+// Calibrates a camera by maps of azimuth and elevation, which imager teams publish instead of a lens. The
+// pixels of a regular grid are taken for stars that were seen at the pixels' centres, and pointing and lens
+// are chosen and fitted as for stars; then the camera is compared with every pixel of the maps.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 
 namespace vegard::fit {
 
-/// About so many pixels of the grid along the longer side of the maps.
+/// The approximate number of the grid's pixels along the longer side of the maps.
 inline constexpr int kGridAcross = 20;
 
-/// A camera that is farther off anywhere gets a warning.
+/// A camera that is farther off than this in any pixel gets a warning.
 inline constexpr double kStandsFor_px = 0.1;
 
-/// Pixels of the grid that look somewhere, at their centres; names are empty, `line` is 0.
+/// Returns the centres of the grid's pixels that have a direction; names are empty, `line` is 0.
 std::vector<StarSighting> map_points(const sim::DirectionMap& map);
 
-/// Every pixel of the maps that looks somewhere against the camera: the distance from its centre to where the
-/// camera sees its direction.
+/// Compares the camera with every pixel of the maps that has a direction: the distance from the pixel's
+/// centre to the camera's image of that direction.
 MapAgreement map_agreement(const SkyCamera& camera, const sim::DirectionMap& map);
 
-/// As calibrate(); `name` is that of the maps. There are no fits without each point. Throws
-/// sim::Error(unreadable_input) if the maps look nowhere in too many places to tell a camera from.
+/// Calibrates as calibrate() does, without fits without each point; `name` is that of the maps. Throws
+/// sim::Error(unreadable_input) if too few pixels of the maps have a direction.
 Calibration calibrate_maps(const LensSettings& settings, const sim::DirectionMap& map,
                            const std::string& name);
 

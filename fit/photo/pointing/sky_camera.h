@@ -1,7 +1,7 @@
-// A camera under the stars, as the calibration carries it: a lens (sim/view/camera/lens.h) and a rotation.
+// The camera that a calibration fits: a lens (sim/view/camera/lens.h) and a rotation.
 //
-// Azimuth and roll say the same of a camera that looks to the zenith, so that the rotation is kept as a
-// matrix and moved by small turns about the camera's own axes: turns are never degenerate.
+// For a camera that looks to the zenith, azimuth and roll are degenerate. The rotation is therefore a matrix,
+// which small turns about the camera's own axes change; these are never degenerate.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace vegard::fit {
 
-/// What a calibration may move.
+/// The numbers that a calibration may fit.
 enum LensNumber : int {
   turn_about_right,  ///< radians, about the camera's axes
   turn_about_down,
@@ -29,40 +29,41 @@ enum LensNumber : int {
   lens_numbers  ///< how many there are
 };
 
-/// "focal_px", "k1"; the turns are "turn_right", "turn_down" and "turn_forward".
+/// Returns "focal_px", "k1"; the turns are "turn_right", "turn_down" and "turn_forward".
 const char* name_of(LensNumber number);
 
 struct SkyCamera {
   sim::LensModel model = sim::LensModel::equidistant;
   bool mirrored = false;
   Eigen::Matrix3d camera_from_enu = Eigen::Matrix3d::Identity();  ///< rows: right, down, forward
-  /// By LensNumber. The turns are 0 but while a fit is under way.
+  /// Indexed by LensNumber. The turns are 0 except during a fit.
   std::array<double, lens_numbers> numbers{0, 0, 0, 100, 0, 0, 1, 0, 0, 0, 0, 0};
 };
 
-/// The same with its turns made part of the rotation.
+/// Returns the camera with its turns included in the rotation.
 SkyCamera with_rotation_applied(const SkyCamera& camera);
 
-/// The cosine beyond which a model without terms has no image (sim::min_cosine() without its search).
+/// Returns the cosine below which a model without terms has no image (sim::min_cosine() without its search).
 inline double end_of_model(sim::LensModel model) {
   const bool half_a_sky = model == sim::LensModel::pinhole || model == sim::LensModel::orthographic;
   return half_a_sky ? 0.0 : -0.984807753012208;  // 170 degrees
 }
 
-/// The lens with the numbers given. It has an image of all that its model has: where radial terms fold the
-/// picture back is not looked into.
+/// Returns the lens with these numbers. Its image is limited by the model alone, also where radial terms fold
+/// the picture back.
 template <class T>
 sim::Lens<T> lens_of(const SkyCamera& camera, const T numbers[lens_numbers]);
 
-/// The camera's lens as the simulator has it: it ends where its radial terms fold the picture back.
+/// Returns the camera's lens as the simulator has it: it ends where radial terms fold the picture back.
 sim::Lens<double> true_lens(const SkyCamera& camera);
 
-/// Where a direction is seen by a camera whose numbers are these; false if the lens has no image of it.
+/// Computes the place of a direction in the picture of a camera with these numbers; false if the lens has no
+/// image of it.
 template <class T>
 bool place_of_star(const SkyCamera& camera, const T numbers[lens_numbers], const std::array<double, 3>& enu,
                    T& x_px, T& y_px);
 
-/// The same of the camera as it is.
+/// The same with the camera's own numbers.
 bool place_of_star(const SkyCamera& camera, const std::array<double, 3>& enu, double& x_px, double& y_px);
 
 // ---------------------------------------------------------------------------------------------------------

@@ -1,8 +1,8 @@
 // Checks a picture's skyline against the sky, once the camera is known.
 //
-// A sharp lower border of the light over a dark sky looks like a skyline, and what is below it was masked
-// away with the stars that shine there. Ground high above the horizon is trees, houses and hills, whose
-// outline is rough; and no star shines through it.
+// A sharp lower border of an arc over a dark sky looks like a skyline, and the sky below it would be masked,
+// with its stars. Ground high above the horizon consists of trees, houses and hills, whose outline is rough
+// and through which no star shines.
 #pragma once
 
 #include <optional>
@@ -17,17 +17,17 @@ namespace vegard::fit {
 
 struct SkylineDoubt {
   double from_deg = 0.0, to_deg = 0.0;  ///< elevations of its high part
-  double azimuths_deg = 0.0;            ///< how far along azimuth that is
+  double azimuths_deg = 0.0;            ///< its extent in azimuth
   int stars_below = 0;     ///< catalogue stars below the high part, above the horizon, with a point of light
-  double by_chance = 0.0;  ///< how many of them chance would give
+  double by_chance = 0.0;  ///< their expected number by chance
 
-  /// That it is no ground is certain.
+  /// True if it is certainly no ground.
   bool has_stars() const;
 };
 
-/// `skyline`: a point a column, from left to right. None if it is no higher than 10 degrees over 20 degrees
-/// of azimuth, or if it is as rough as ground is and no stars are below it. Stars are asked for if `sky` has
-/// time and site.
+/// Checks a skyline with a point per column, from left to right. Returns nothing if it is nowhere higher than
+/// 10 degrees over 20 degrees of azimuth, or if it is as rough as ground and has no stars below it. Stars are
+/// examined if `sky` has time and site.
 std::optional<SkylineDoubt> skyline_doubt(const std::vector<PixelPoint>& skyline, const sim::Camera& camera,
                                           const Photo& photo, const SkyOfPicture& sky);
 

@@ -1,4 +1,4 @@
-// Checks that stars can constrain a camera.
+// Checks whether stars can constrain a camera.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace vegard::fit {
 
-/// Throws sim::Error(unreadable_input) about the file `name` if there are fewer stars than so many numbers
-/// need, or if all stand in one point or on one line of the picture or of the sky. `called`: what they are,
-/// several of them.
+/// Throws sim::Error(unreadable_input) about the file `name` if there are too few stars for this number of
+/// free numbers, or if all are in one point or on one line of the picture or of the sky. `called`: their name
+/// in the plural.
 void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const std::string& name,
                  const std::string& called = "stars");
 
-/// Throws sim::Error(unreadable_input) about the file `name` if a star of a table stands more than a pixel
-/// outside of the picture: the table is another picture's, or this one's at another size.
+/// Throws sim::Error(unreadable_input) about the file `name` if a star of a table is more than a pixel
+/// outside of the picture: the table belongs to another picture, or to another size of this one.
 void check_star_places(const std::vector<StarSighting>& stars, const Frame& frame, const std::string& name);
 
-/// Whether six stars or more are all in the picture's upper left quarter, as those of the picture made
-/// smaller or of a crop are; of stars all over it one in four thousand tables would be so.
+/// True if there are at least six stars and all are in the picture's upper left quarter, as those of a
+/// smaller version or a crop of the picture are. Of tables with six stars all over the picture, one in four
+/// thousand is so.
 bool only_in_first_quarter(const std::vector<StarSighting>& stars, const Frame& frame);
 
 }  // namespace vegard::fit

@@ -9,13 +9,13 @@ namespace vegard::fit {
 
 struct StarSighting {
   std::string name;               ///< for tables and pictures; may be empty
-  std::array<double, 3> enu;      ///< east, north, up of where it stands in the observer's sky, of length 1
+  std::array<double, 3> enu;      ///< its direction in the observer's sky: east, north, up, of length 1
   double x_px = 0.0, y_px = 0.0;  ///< the centre of the picture's first pixel is at (0.5, 0.5)
   double magnitude = std::numeric_limits<double>::quiet_NaN();  ///< V, if it is known
-  int line = 0;                                                 ///< of the table it comes from
+  int line = 0;                                                 ///< line in its table
 };
 
-/// The size of the picture. `known` is false if it was only guessed from where the stars are.
+/// The size of the picture. `known` is false if it was only estimated from the places of the stars.
 struct Frame {
   int width_px = 0, height_px = 0;
   bool known = false;

@@ -1,9 +1,9 @@
-// Cameras to start from when nothing is known of one but its stars.
+// Finds a camera to start from if nothing but the stars is known.
 //
-// Of two stars whose pixels are known a lens with a scale and a centre gives two directions in the camera,
-// and one rotation takes the one pair to the other. All pairs of well separated stars, scales about the
-// pairs' own ratio of pixels to angle, and centres about the frame's middle are tried in a fixed order; the
-// cameras under which the most stars come out where they were seen are refined with a robust loss.
+// A lens with a scale and a centre turns the pixels of two stars into two directions in the camera, and one
+// rotation takes these to the stars' directions in the sky. All pairs of well separated stars, scales around
+// the pair's own ratio of pixels to angle, and centres around the frame's middle are tried in a fixed order;
+// the cameras that map the most stars to their places are refined with a robust loss.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,13 @@
 
 namespace vegard::fit {
 
-/// The best of one lens model without any terms, mirrored or not. Not good if no star comes out near its
-/// place.
+/// Returns the best camera with this lens model without any terms, mirrored or not; CameraFit::good is false
+/// if no star is near its place.
 CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector<StarSighting>& stars,
                           const Frame& frame);
 
-/// Sum over stars of min(r^2, (a twentieth of the stars' extent)^2), in px^2: what starts are compared by.
+/// Returns the sum over stars of min(r^2, (a twentieth of the stars' extent)^2) in px^2, by which starts are
+/// compared.
 double truncated_sum(const SkyCamera& camera, const std::vector<StarSighting>& stars);
 
 }  // namespace vegard::fit
