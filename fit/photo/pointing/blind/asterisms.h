@@ -1,12 +1,12 @@
-// Figures of four stars, hashed by their shape: where in the sky may four points of a picture be?
+// Asterisms of four stars, hashed by their shape, to find where in the sky four points of a picture may be.
 //
-// As Astrometry.net does it (Lang, Hogg, Mierle, Blanton and Roweis, Astronomical Journal 139, 2010, 1782):
-// the two stars farthest apart, A and B, are put at 0 and 1 of the complex plane; the places of the others, C
-// and D, are the figure's code of four numbers, which neither place, turn nor size changes. Here the figure
-// is drawn on the sphere, projected stereographically about its own middle, so that one code serves figures
-// from 3 to 100 degrees; a picture's points become directions by an assumed lens (star_recognition.h). The
-// stars of a figure are neighbours among the N brightest of the sky, for several N: pictures that show few
-// stars have the large figures of the bright ones.
+// The method is that of Astrometry.net (Lang, Hogg, Mierle, Blanton and Roweis, Astronomical Journal 139,
+// 2010, 1782): the two stars farthest apart, A and B, are put at 0 and 1 of the complex plane; the places of
+// the others, C and D, are the asterism's code of four numbers, which does not depend on place, rotation and
+// size. Here the asterism lies on the sphere and is projected stereographically about its own middle, so that
+// one code serves asterisms from 3 to 100 degrees; a picture's points become directions by an assumed lens
+// (star_recognition.h). The stars of an asterism are neighbours among the N brightest of the sky, for several
+// N: pictures with few stars show the large asterisms of the bright ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace vegard::fit {
 
-/// Four members in the order A, B, C, D, by whoever numbered them.
+/// The indices of the four members in the order A, B, C, D.
 using AsterismMembers = std::array<int, 4>;
 
 struct Asterism {
@@ -24,27 +24,29 @@ struct Asterism {
   double size_rad = 0.0;         ///< angle from A to B
 };
 
-/// The figure of four directions of length 1, its members put in order: x of C and D together at most 1, and
-/// x of C at most that of D. False if two of them coincide or they do not fit into a hemisphere.
+/// Makes the asterism of four directions of length 1, with its members in order: the sum of x of C and D is
+/// at most 1, and x of C at most that of D. Returns false if two of them coincide or they do not fit into a
+/// hemisphere.
 bool make_asterism(const std::vector<Eigen::Vector3d>& directions, const AsterismMembers& members,
                    Asterism& asterism);
 
-/// The same figure in every order that errors of the code by `tolerance` may have made of it; itself first.
+/// Returns the asterism in every order that it may have if its code has errors up to `tolerance`; itself
+/// first.
 std::vector<Asterism> orders_of(const Asterism& asterism, double tolerance);
 
-/// Sets of four of `places`, each a point and three of its `neighbours` nearest (by squared distance) among
-/// the first `first` of them; every set once, in a fixed order.
+/// Returns sets of four of the first `first` places: a point and three of its `neighbours` nearest neighbours
+/// among them; every set once, in a fixed order.
 std::vector<AsterismMembers> neighbour_sets(const std::vector<Eigen::Vector3d>& places, int first,
                                             int neighbours);
 
-/// The sky's figures by their codes.
+/// The sky's asterisms by their codes.
 class AsterismIndex {
  public:
   /// `stars`: directions, the brightest first.
   explicit AsterismIndex(const std::vector<Eigen::Vector3d>& stars);
 
-  /// Figures whose code is within `tolerance` of this one's (as a distance of four dimensions) and whose size
-  /// is within a factor `size_factor`. Appended to `found`.
+  /// Appends to `found` the asterisms whose code is within `tolerance` of this one's (a distance in four
+  /// dimensions) and whose size is within a factor `size_factor`.
   void find(const Asterism& like, double tolerance, double size_factor,
             std::vector<const Asterism*>& found) const;
 
@@ -57,7 +59,7 @@ class AsterismIndex {
   std::vector<std::uint32_t> begin_;  // of each cell
 };
 
-/// The index of data/stars at J2000: bright_stars() in their order.
+/// Returns the index of data/stars at J2000, with bright_stars() in their order.
 const AsterismIndex& bright_star_asterisms();
 
 }  // namespace vegard::fit

@@ -11,17 +11,17 @@
 namespace vegard::fit {
 
 struct LocalStars {
-  /// More than a tenth of the recognised stars were below the horizon: time or site is not this picture's,
-  /// and nothing else is set but the count.
+  /// True if more than a tenth of the recognised stars were below the horizon: time or site do not belong to
+  /// this picture, and only the counts are set.
   bool elsewhere = false;
   int recognised = 0, below_horizon = 0;
   std::vector<StarSighting> stars;  ///< for the calibration
-  SkyCamera camera;                 ///< for it to start from
-  Identification again;             ///< all of the catalogue's among all points, under the local sky
+  SkyCamera camera;                 ///< the start of the calibration
+  Identification again;             ///< the catalogue's stars identified among all points, in the local sky
 };
 
-/// `picture` has been recognised. The catalogue is asked to the magnitude `faintest` and down to the
-/// elevation `min_elevation_deg`, not below the horizon.
+/// Converts the stars of a recognised picture. Stars of the catalogue are those up to the magnitude
+/// `faintest` and above the elevation `min_elevation_deg`, at least above the horizon.
 LocalStars local_stars(const PictureStars& picture, const Frame& frame, const sim::Observer& observer,
                        double julian_date, double faintest, double min_elevation_deg);
 

@@ -1,7 +1,8 @@
-// The stars of a picture recognised blindly: found at the scale at which they are points, then recognised.
+// Finds and recognises the stars of a picture of which nothing is known, at the scale at which they are
+// points.
 //
-// A star of a large photograph is many pixels wide, and the finder's weight is 1.2 px: the picture is looked
-// at as it is and made smaller by whole numbers, until the stars are recognised.
+// In a large photograph a star is many pixels wide, but the finder's weight has a width of 1.2 px: the
+// picture is reduced by one integer factor after another, from 1 on, until the stars are recognised.
 #pragma once
 
 #include <vector>
@@ -12,12 +13,12 @@
 namespace vegard::fit {
 
 struct PictureStars {
-  StarRecognition recognition;   ///< of the first scale that was certain, else of the best
+  StarRecognition recognition;   ///< that of the first certain scale, or of the best
   std::vector<FoundStar> found;  ///< all points at that scale, in the picture's own pixels
-  int smaller = 1;               ///< by how much the picture was made smaller
+  int smaller = 1;               ///< the factor by which the picture was reduced
 };
 
-/// As find_stars() takes them.
+/// Recognises the stars; `linear`, `finder` and `usable` as for find_stars().
 PictureStars recognise_picture(const sim::Image& linear, const StarFinderSettings& finder = {},
                                const std::vector<char>& usable = {},
                                const RecognitionSettings& settings = {});

@@ -11,20 +11,21 @@
 
 namespace vegard::fit {
 
-/// What is known beside the calibration.
+/// The evidence beside the calibration.
 struct StarEvidence {
   SkyOfPicture sky;
   const Photo* photo = nullptr;  ///< the picture; null: there is none
-  std::vector<char> usable;      ///< per pixel of it, whether the mask leaves it; empty: all are
-  bool is_table = false;         ///< whether the stars are those of a table
-  std::string why_level;  ///< what says that the camera looks to the zenith, "--camera looks to the zenith";
-                          ///< empty: nothing but a fisheye's circle, which is looked for
-  double faintest = 4.0, min_elevation_deg = 5.0, min_signal = 4.0;  ///< as stars were found
+  std::vector<char> usable;      ///< per pixel, 0 if the mask excludes it; empty: all are usable
+  bool is_table = false;         ///< true if the stars are those of a table
+  std::string why_level;         ///< the evidence that the camera looks to the zenith, "--camera looks to the
+                          ///< zenith"; empty: only a fisheye's circle, if there is one
+  double faintest = 4.0, min_elevation_deg = 5.0,
+         min_signal = 4.0;  ///< the settings with which stars were found
 };
 
 /// Appends to the warnings of a calibration by stars: bright stars in view that match nothing in the picture,
-/// an axis away from the zenith where something says that it is there, and what stars cannot tell. Of one by
-/// maps there are none.
+/// an axis away from the zenith in spite of the evidence, and what stars cannot determine. A calibration by
+/// maps gets none.
 void add_star_doubts(Calibration& calibration, const StarEvidence& evidence);
 
 }  // namespace vegard::fit

@@ -1,13 +1,13 @@
 // Recognises stars in a picture of an unknown camera: its pointing, field of view, roll, lens and parity are
 // unknown, and so are the time and the place.
 //
-// Figures of four neighbouring points are made directions by an assumed lens and looked up among those of
-// the stars (asterisms.h). Lenses assumed: pinholes, stereographic, equidistant and equisolid ones of 16 to
-// 230 degrees across the picture's longer side, in steps that change a figure's shape by less than the
-// tolerance; both ways round; the centre in the middle, and for crops of a wide picture (`off_centre`) at
-// eight places about it. Each hit gives rotation and scale; the stars around it are looked for, and the best
-// hits are grown to a camera (growing_camera.h). The search goes from the few brightest points to many and
-// ends with the first camera that cannot be chance.
+// An assumed lens turns four neighbouring points into an asterism of directions, which is looked up among
+// those of the stars (asterisms.h). The assumed lenses are pinholes, stereographic, equidistant and equisolid
+// ones of 16 to 230 degrees across the picture's longer side, in steps that change an asterism's code by less
+// than the tolerance; mirrored and not; with the centre in the middle and, for crops of a wide picture
+// (`off_centre`), at eight places around it. Each match gives a rotation and a scale; stars around it are
+// searched for, and the best matches are grown to a camera (growing_camera.h). The search proceeds from the
+// few brightest points to many and ends with the first camera that cannot be by chance.
 #pragma once
 
 #include <array>
@@ -21,26 +21,26 @@
 namespace vegard::fit {
 
 struct RecognitionSettings {
-  bool off_centre = true;  ///< if it is not found otherwise
-  int max_points = 300;    ///< of these the picture's figures and counts are made
+  bool off_centre = true;  ///< true: centres off the middle are tried if nothing else is found
+  int max_points = 300;    ///< number of points that are used
 };
 
 struct StarRecognition {
   bool found = false;             ///< is_certain() of `best`
-  GrownCamera best;               ///< by the stars of equatorial_sky(), whose indices its matches have
-  std::vector<FoundStar> points;  ///< those that were looked at, in the order of `best.matches`
-  int figures = 0;                ///< of the picture that were looked up
-  double cameras = 0.0;           ///< that were thought of
+  GrownCamera best;               ///< its matches have the indices of equatorial_sky()
+  std::vector<FoundStar> points;  ///< the points that were used, in the order of `best.matches`
+  int figures = 0;                ///< number of the picture's asterisms that were looked up
+  double cameras = 0.0;           ///< number of cameras that were tried
 
-  /// Recognised stars with x_px, y_px; directions as in equatorial_sky(), J2000.
+  /// Returns the recognised stars with x_px, y_px; directions as in equatorial_sky(), J2000.
   std::vector<StarSighting> stars() const;
 };
 
-/// `points`: the brightest first. The same input gives the same answer.
+/// Recognises the stars among the points, the brightest of which come first. The result is deterministic.
 StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Frame& frame,
                                 const RecognitionSettings& settings = {});
 
-/// What was seen, and of a failed search what would help; one sentence a line.
+/// Returns the result in words and, after a failed search, what would help; one sentence per line.
 std::string words_of(const StarRecognition& recognition);
 
 }  // namespace vegard::fit

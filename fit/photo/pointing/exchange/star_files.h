@@ -1,7 +1,6 @@
-// Astrometry.net's lists of stars, FITS binary tables: `.axy`, points of light that a picture shows (X, Y,
-// FLUX), and
-// `.corr`, those that are stars of its index (field_*: as seen, index_*: as the catalogue and the solution
-// have them). Pixels as in sip_wcs.h. `.corr` is read as a table of recognised stars (star_table.h).
+// Reads and writes Astrometry.net's lists of stars, which are FITS binary tables: `.axy` with the points of
+// light in a picture (X, Y, FLUX), and `.corr` with those that are stars of its index (field_*: as seen,
+// index_*: as in the catalogue and the solution). Pixels are those of sip_wcs.h. star_table.h reads `.corr`.
 #pragma once
 
 #include <optional>
@@ -16,22 +15,22 @@
 namespace vegard::fit {
 
 struct StarPoints {
-  std::vector<FoundStar> points;  ///< the brightest first, if the file says so; else in its order
-  Frame frame;                    ///< of IMAGEW and IMAGEH; not known without them
+  std::vector<FoundStar> points;  ///< the brightest first if the file says so, else in its order
+  Frame frame;                    ///< by IMAGEW and IMAGEH; unknown without them
 };
 
-/// Whether it is such a list: a FITS table with X and Y, and without field_x.
+/// True for an `.axy`: a FITS table with X and Y, and without field_x.
 bool is_star_list(std::string_view bytes, const std::string& file);
 
-/// Throws sim::Error(unreadable_input) for places that are none, and more than 100000 rows.
+/// Reads an `.axy`. Throws sim::Error(unreadable_input) for invalid places and for more than 100000 rows.
 StarPoints read_star_list(std::string_view bytes, const std::string& file);
 
-/// X, Y, FLUX of the points, with the picture's size.
+/// Returns the bytes of an `.axy` with X, Y and FLUX of the points and the picture's size.
 std::string encode_star_list(const std::vector<FoundStar>& points, const Frame& frame,
                              const std::string& name = {});
 
-/// A row for each star in use: field_x, field_y, field_ra, field_dec, index_x, index_y, index_ra, index_dec.
-/// Of time and site both must be known.
+/// Returns the bytes of a `.corr` with a row for each star in use: field_x, field_y, field_ra, field_dec,
+/// index_x, index_y, index_ra, index_dec. Time and site must be known.
 std::string encode_star_pairs(const Calibration& calibration, const SkyOfPicture& sky,
                               const std::string& name = {});
 
