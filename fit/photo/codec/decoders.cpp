@@ -5,7 +5,7 @@
 #include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/pnm_header.h"
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/picture/coded_picture.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"

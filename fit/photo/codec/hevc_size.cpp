@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 
 namespace vegard::fit {
 namespace {

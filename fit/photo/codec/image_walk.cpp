@@ -8,7 +8,7 @@
 #include "fit/photo/codec/image_file.h"
 #include "fit/photo/codec/pnm_header.h"
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/picture/whole_picture.h"
 

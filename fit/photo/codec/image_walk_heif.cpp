@@ -6,7 +6,7 @@
 #include "fit/photo/codec/hevc_size.h"
 #include "fit/photo/codec/picture_format.h"
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/picture/heif_boxes.h"
 #include "sim/base/picture/pixel_limit.h"
 

@@ -7,7 +7,7 @@
 #include "fit/photo/codec/image_file.h"
 #include "fit/photo/frames/imager_words.h"
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/file/tar_file.h"
 #include "sim/base/text.h"
 

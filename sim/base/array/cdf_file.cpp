@@ -14,7 +14,6 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
-#include "sim/base/file/random_bytes.h"
 
 namespace vegard::sim {
 namespace {

@@ -15,7 +15,6 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
-#include "sim/base/file/random_bytes.h"
 #include "sim/base/text.h"
 
 namespace vegard::sim {

@@ -132,7 +132,8 @@ class MatFile : public ArrayFile {
         take(*variable, variable->name);
     }
     if (arrays_.empty())
-      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "", kCopyAgain);
+      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "",
+             kCopyAgain);
   }
 
  private:

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/file/input_file.h"
-#include "sim/base/file/random_bytes.h"
 
 namespace vegard::sim {
 namespace {

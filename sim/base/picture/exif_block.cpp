@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/picture/heif_boxes.h"
 #include "sim/base/picture/tiff_directory.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/text.h"
 #include "sim/base/utc_time.h"
 

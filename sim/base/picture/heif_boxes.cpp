@@ -1,7 +1,7 @@
 #include "sim/base/picture/heif_boxes.h"
 
 #include "sim/base/error.h"
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 
 namespace vegard::sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "sim/base/file/random_bytes.h"
+#include "sim/base/file/byte_stream.h"
 #include "sim/base/text.h"
 
 namespace vegard::sim {

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-#include "sim/base/number/name_number.h"
+#include "sim/base/number/random.h"
+
 
 namespace vegard::sim {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/distributions.h"
-#include "sim/base/number/name_number.h"
 #include "sim/base/number/random.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/solar_rotation.h"

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "sim/base/number/gauss_quadrature.h"
-#include "sim/base/number/name_number.h"
 #include "sim/base/number/random.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/line_light.h"

@@ -1,5 +1,5 @@
+#include "sim/base/number/random.h"
 #include "sim/emit/sun/chromosphere_density.h"
-#include "sim/base/number/name_number.h"
 
 #include <gtest/gtest.h>
 
