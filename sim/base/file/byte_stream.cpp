@@ -20,56 +20,30 @@ namespace {
 constexpr std::size_t kPackedBlock = 1 << 16;
 constexpr int kGzipOnly = 16;  // added to zlib's number of window bits
 
-/// A file or bytes in memory, as they are.
+/// The bytes of a file or in memory, one after another.
 class PlainBytes {
  public:
-  explicit PlainBytes(const std::string& path) : name_(path) {
-    std::string problem;
-    descriptor_ = open_input(path, problem, size_);
-    if (descriptor_ < 0) throw unreadable(path, problem);
-  }
+  explicit PlainBytes(const std::string& path) : file_(path) {}
   PlainBytes(std::string_view bytes, std::string name)
-      : name_(std::move(name)), bytes_(bytes), size_(bytes.size()) {}
-  ~PlainBytes() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  PlainBytes(const PlainBytes&) = delete;
-  PlainBytes& operator=(const PlainBytes&) = delete;
+      : file_(std::move(name), bytes.data() != nullptr ? bytes : std::string_view("")) {}
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return file_.name(); }
 
   std::size_t read(char* to, std::size_t count) {
-    if (descriptor_ < 0) {
-      count = std::min(count, bytes_.size() - at_);
-      std::copy_n(bytes_.data() + at_, count, to);  // of empty bytes the pointer may be null
-      at_ += count;
-      return count;
-    }
-    std::size_t done = 0;
-    while (done < count) {
-      const ssize_t got = ::read(descriptor_, to + done, count - done);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0) throw unreadable(name_, "cannot be read: " + std::generic_category().message(errno));
-      if (got == 0) break;
-      done += static_cast<std::size_t>(got);
-    }
+    const std::size_t done = file_.read(at_, to, count);
     at_ += done;
     return done;
   }
 
   std::uint64_t skip(std::uint64_t count) {
-    count = std::min<std::uint64_t>(count, size_ > at_ ? size_ - at_ : 0);
-    at_ += static_cast<std::size_t>(count);
-    if (descriptor_ >= 0 && ::lseek(descriptor_, static_cast<off_t>(at_), SEEK_SET) < 0)
-      throw unreadable(name_, "cannot be read: " + std::generic_category().message(errno));
+    count = std::min(count, file_.size() - std::min(file_.size(), at_));
+    at_ += count;
     return count;
   }
 
  private:
-  std::string name_;
-  int descriptor_ = -1;
-  std::string_view bytes_;
-  std::size_t size_ = 0, at_ = 0;
+  RandomBytes file_;
+  std::uint64_t at_ = 0;
 };
 
 /// What gzip, or zlib, has packed, from its first byte on, which `begun` is the beginning of.
@@ -252,11 +226,10 @@ RandomBytes::~RandomBytes() {
 }
 
 std::size_t RandomBytes::read(std::uint64_t place, char* to, std::size_t count) const {
-  if (place >= size_) return 0;
-  count = std::min(count, size_ - static_cast<std::size_t>(place));
   if (descriptor_ < 0) {
-    std::copy_n(bytes_.data() + place, count, to);
-    return count;
+    const std::string_view there = bytes_.substr(std::min(size_, static_cast<std::size_t>(place)), count);
+    std::copy(there.begin(), there.end(), to);
+    return there.size();
   }
   std::size_t done = 0;
   while (done < count) {
