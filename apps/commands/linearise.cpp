@@ -19,7 +19,6 @@
 #include "fit/photo/photo.h"
 #include "fit/photo/rayleigh/count_picture.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
-#include "fit/photo/rayleigh/rayleigh_picture.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"

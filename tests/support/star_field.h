@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "fit/photo/pointing/pointing.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/distributions.h"

@@ -11,7 +11,6 @@
 #include "sim/base/file/durable_rename.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
-#include "sim/base/file/stale_partial.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "fit/photo/mask/local_noise.h"
 #include "fit/photo/mask/plane.h"
 
 namespace vegard::fit {

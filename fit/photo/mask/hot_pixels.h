@@ -9,7 +9,7 @@ namespace vegard::fit {
 struct HotPixelSettings {
   /// The threshold of the difference between a pixel and the median of its eight neighbours, in robust
   /// standard deviations of this difference in the part of the picture around it
-  /// (fit/photo/mask/local_noise.h).
+  /// (fit/photo/mask/plane.h).
   double sigmas = 8.0;
 };
 

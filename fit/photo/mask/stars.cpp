@@ -6,7 +6,6 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "fit/photo/mask/local_noise.h"
 #include "fit/photo/mask/plane.h"
 
 namespace vegard::fit {

@@ -16,7 +16,7 @@ namespace vegard::fit {
 struct StarSettings {
   double sigmas = 5.0;  ///< how far a star's brightest pixel stands above the top-hat's median around it (at
                         ///< least 1 σ, its usual value where the sky is even), in robust standard deviations
-                        ///< σ of the smoothed picture's noise (fit/photo/mask/local_noise.h), of differences
+                        ///< σ of the smoothed picture's noise (fit/photo/mask/plane.h), of differences
                         ///< to the mean of the four pixels three away
   int size_px = 0;      ///< the largest star's diameter; 0: 1/200 of the picture's longer side, at least 9
   double elongation = 3.5;  ///< the largest ratio of axes (of second moments) of what is above half its peak

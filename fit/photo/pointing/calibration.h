@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fit/photo/pointing/lens_choice.h"
-#include "fit/photo/pointing/pointing.h"
+#include "fit/photo/pointing/sky_camera.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/file/stale_partial.h"
+#include "sim/base/file/durable_rename.h"
 
 namespace vegard::sim {
 

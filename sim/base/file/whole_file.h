@@ -4,7 +4,7 @@
 // end, so that neither a full disk nor an interruption leaves an incomplete file under the target's name. A
 // process that is killed leaves the temporary file; its name shows what it is (partial_of() in
 // sim/base/file/durable_rename.h), nothing reads it, and the next process that writes the same output removes
-// it (sim/base/file/stale_partial.h).
+// it (sim/base/file/durable_rename.h).
 //
 // A file above the shell's limit (ulimit -f) is reported like any other failed write only if the process
 // ignores SIGXFSZ; setting signals is left to programs.
@@ -13,7 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "sim/base/file/stale_partial.h"
+#include "sim/base/file/durable_rename.h"
+
 
 namespace vegard::sim {
 

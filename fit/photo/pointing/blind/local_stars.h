@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fit/photo/pointing/blind/picture_stars.h"
+#include "fit/photo/pointing/blind/star_recognition.h"
 #include "fit/photo/pointing/identification.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "sim/view/sky/star_place.h"

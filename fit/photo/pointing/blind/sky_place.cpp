@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "fit/photo/pointing/blind/equatorial_sky.h"
-#include "fit/photo/pointing/pointing.h"
+#include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/planets.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fit/photo/mask/circle.h"
-#include "fit/photo/pointing/blind/picture_stars.h"
+#include "fit/photo/pointing/blind/star_recognition.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {

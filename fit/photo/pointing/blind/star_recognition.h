@@ -17,6 +17,7 @@
 
 #include "fit/photo/pointing/blind/growing_camera.h"
 #include "fit/photo/pointing/star_finder.h"
+#include "sim/base/image.h"
 
 namespace vegard::fit {
 
@@ -42,5 +43,19 @@ StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Fram
 
 /// Returns the result in words and, after a failed search, what would help; one sentence per line.
 std::string words_of(const StarRecognition& recognition);
+
+/// The stars of a picture, found and recognised at the scale at which they are points. In a large photograph
+/// a star is many pixels wide, but the finder's weight has a width of 1.2 px: the picture is reduced by one
+/// integer factor after another, from 1 on, until the stars are recognised.
+struct PictureStars {
+  StarRecognition recognition;   ///< that of the first certain scale, or of the best
+  std::vector<FoundStar> found;  ///< all points at that scale, in the picture's own pixels
+  int smaller = 1;               ///< the factor by which the picture was reduced
+};
+
+/// Recognises the stars; `linear`, `finder` and `usable` as for find_stars().
+PictureStars recognise_picture(const sim::Image& linear, const StarFinderSettings& finder = {},
+                               const std::vector<char>& usable = {},
+                               const RecognitionSettings& settings = {});
 
 }  // namespace vegard::fit

@@ -1,10 +1,10 @@
 // Counts to rayleighs, of FITS files whose every number is known.
-#include "fit/photo/rayleigh/rayleigh_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "fit/photo/rayleigh/count_picture.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"

@@ -1,4 +1,3 @@
-#include "sim/base/file/stale_partial.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/base/file/durable_rename.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "tests/support/temporary_folder.h"
