@@ -16,7 +16,7 @@ constexpr double kHighSkyline_deg = 10.0, kHighAzimuths_deg = 20.0;
 constexpr double kStarElevation_deg = 3.0;  // lower ones are dimmed by the air
 constexpr double kStarMagnitude = 4.0;
 constexpr double kRoughOver_deg = 0.5;  // half the width of what an outline is compared with
-constexpr double kSmooth_deg = 0.1, kSmooth_px = 0.6;
+constexpr double kSmooth_deg = 0.1;
 constexpr int kStarsThatShow = 3;
 
 struct SkylineColumn {
@@ -99,6 +99,7 @@ std::optional<SkylineDoubt> skyline_doubt(const std::vector<PixelPoint>& skyline
   if (sky.observer && sky.julian_date) count_stars_below(high, camera, photo, sky, doubt);
   const double px_per_deg = sim::pixels_per_degree(camera);
   const auto reach = static_cast<std::size_t>(std::max(2.0, kRoughOver_deg * px_per_deg));
+  constexpr double kSmooth_px = 0.6;
   const bool is_smooth = roughness_px(high, reach) < std::max(kSmooth_px, kSmooth_deg * px_per_deg);
   if (!is_smooth && !doubt.has_stars()) return std::nullopt;
   return doubt;

@@ -88,6 +88,8 @@ struct Hit {
   double reach_px;
 };
 
+namespace star_recognition {
+
 class Search {
  public:
   Search(const std::vector<FoundStar>& points, const Frame& frame)
@@ -247,6 +249,8 @@ class Search {
   int grown_ = 0;
 };
 
+}  // namespace star_recognition
+
 constexpr int kMinSearched_px = 300, kWidestFirst_px = 1600;
 
 sim::Image made_smaller(const sim::Image& picture, int by) {
@@ -298,7 +302,7 @@ StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Fram
   StarRecognition answer;
   answer.points = spread_out(points, frame, settings.max_points);
   if (answer.points.size() < 5) return answer;
-  Search search(answer.points, frame);
+  star_recognition::Search search(answer.points, frame);
   const double w = frame.width_px, h = frame.height_px;
   answer.found = search.run(0.5 * w, 0.5 * h, answer.points.size(), kGrownPerLevel, answer);
   if (answer.found || !settings.off_centre) return answer;
