@@ -49,7 +49,7 @@ std::vector<Span> spans(int from, int to) {
   return all;
 }
 
-/// What some neighbouring pixels of a row come to.
+/// The sum of some neighbouring pixels of a row.
 struct RowSum {
   std::array<float, 3> light{};
   std::array<bool, 3> usable{true, true, true};

@@ -29,7 +29,7 @@ std::string plain_words(const std::string& text) {
 
 std::string first_word(const std::string& words) { return words.substr(0, words.find(' ')); }
 
-/// Those named *.xml, in the order of their names.
+/// Returns the files named *.xml, in the order of their names.
 std::vector<std::string> xml_files(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code trouble;

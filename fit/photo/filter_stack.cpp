@@ -21,7 +21,7 @@ constexpr std::size_t kChannels = 3;
 
 std::string nm_text(double wavelength_nm) { return sim::short_number(wavelength_nm, 5) + " nm"; }
 
-/// Which channel is that of the filter, by the scene's lines.
+/// Returns the channel of the filter, by the scene's lines.
 std::size_t channel_of(double wavelength_nm, const std::vector<double>& lines_nm) {
   constexpr double kSame_nm = 1.0;
   std::string known;

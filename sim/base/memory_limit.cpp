@@ -33,7 +33,8 @@ struct GroupFiles {
   const char *limit, *used, *cache;
 };
 
-/// What a group and those above it leave. Their pages of files do not count: they give way.
+/// Returns the memory that a control group and those above it have left. Pages of files are not counted as
+/// used, because they can be dropped.
 std::uint64_t left_in_groups(const std::string& mount, std::string group, const GroupFiles& files) {
   std::uint64_t left = std::numeric_limits<std::uint64_t>::max();
   while (true) {

@@ -11,7 +11,7 @@ namespace {
 
 std::mutex mutex;
 int holders = 0;
-/// Where the words went before; -1 if they still go there.
+/// The stream to which messages went before; -1 if they still go there.
 std::atomic<int> kept_stream{-1};
 static_assert(std::atomic<int>::is_always_lock_free);
 

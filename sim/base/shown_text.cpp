@@ -25,7 +25,8 @@ std::uint32_t code_point(std::string_view character) {
   }
 }
 
-/// Those of C0 and C1, DEL, what turns the direction of writing, breaks lines, or is not seen.
+/// True for characters of C0 and C1, DEL, and those that change the direction of writing, break lines or are
+/// invisible.
 bool acts_on_terminal(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7F && c <= 0x9F) || c == 0xAD || c == 0x61C || c == 0x180E || c == 0x200B ||
          c == 0x200E || c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2060 && c <= 0x206F) ||
@@ -59,7 +60,7 @@ std::string shown(std::string_view text, bool lines) {
   return out;
 }
 
-/// Where a character begins, at `place` or before it.
+/// Returns the beginning of the character at `place`.
 std::size_t boundary(std::string_view text, std::size_t place) {
   for (std::size_t back = 0; back <= 3 && back < place; ++back)
     if ((static_cast<unsigned char>(text[place - back]) & 0xC0) != 0x80) return place - back;

@@ -8,8 +8,6 @@
 namespace vegard::sim {
 namespace {
 
-/// Whether `text` looks like `form`, in which 0 stands for any digit.
-
 constexpr std::int64_t kUtcSecondsPerDay = 86400;
 
 /// Days from year 1 to the beginning of a year.

@@ -82,7 +82,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   return codes;
 }
 
-/// As many bytes as numbers, red first.
+/// Keeps the codes of 8 bits as bytes, red first.
 void keep_bytes(const cv::Mat& mat, PictureCodes& codes) {
   const auto kept = std::make_shared<cv::Mat>(mat.isContinuous() ? mat : mat.clone());
   if (codes.channels == 3) cv::cvtColor(*kept, *kept, cv::COLOR_BGR2RGB);

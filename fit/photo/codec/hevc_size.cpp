@@ -12,7 +12,7 @@ namespace {
 /// Bit by bit, the highest first. Beyond the end there is nothing good.
 class Bits {
  public:
-  /// Of three bytes 0, 0, 3 the last one only keeps the first two from being taken for a start of something.
+  /// Drops the last of three bytes 0, 0, 3, which only keeps the first two from being taken for a start code.
   explicit Bits(std::string_view escaped) {
     for (const char byte : escaped) {
       const std::size_t size = bytes_.size();

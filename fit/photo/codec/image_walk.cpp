@@ -80,11 +80,11 @@ void read_low_steps(std::string_view segment, std::array<LowSteps, 4>& steps) {
   }
 }
 
-/// What rounding the lowest frequencies of luma and chroma, and the colours themselves, leaves in R, G and B.
-/// A coefficient that is rounded to steps of q is wrong by q^2 / 12 in the mean square, and a pixel by 1 / 64
-/// of that (T.81, A.3.3: the transform is orthonormal); colours by JFIF 1.02. The colours' own rounding is
-/// alike over a block where the picture is smooth, and counts in full. A frame of one component is grey; of
-/// one whose components are called R, G and B nothing is told.
+/// Returns the errors in R, G and B by the rounding of luma's and chroma's lowest frequencies and of the
+/// colours. A coefficient that is rounded to steps of q is wrong by q^2 / 12 in the mean square, and a pixel
+/// by 1 / 64 of that (T.81, A.3.3: the transform is orthonormal); colours by JFIF 1.02. The colours' own
+/// rounding is alike over a block where the picture is smooth, and counts in full. A frame of one component
+/// is grey; of one whose components are called R, G and B nothing is told.
 std::array<double, 3> block_error(std::string_view frame, const std::array<LowSteps, 4>& steps) {
   const auto components = static_cast<std::size_t>(sim::unsigned_at(frame, 5, 1));
   if ((components != 1 && components != 3) || frame.size() < 6 + 3 * components) return {};

@@ -15,7 +15,7 @@ namespace {
 
 using Box = sim::HeifBox;
 
-/// Which picture is the main one, and where things are: the boxes pitm, iinf, iloc and idat.
+/// The tables of a file's items: the boxes pitm (the main picture), iinf, iloc and idat.
 struct ItemTables {
   std::string_view primary, types, places, data;
 };
@@ -32,7 +32,7 @@ std::pair<long long, long long> size_of(const Box& property) {
   return {sim::unsigned_at(property.body, 4, 4), sim::unsigned_at(property.body, 8, 4)};
 }
 
-/// Of two tables of a kind libheif takes one: which, nobody here is to have to know.
+/// Takes a table, and refuses a second one of its kind: which of them libheif would take is not known here.
 void take_table(const Box& box, std::string_view& table, const std::string& file) {
   if (table.data() != nullptr)
     throw sim::damaged(file, "two boxes " + std::string(box.type) + " contradict each other");

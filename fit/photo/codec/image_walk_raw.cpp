@@ -20,7 +20,8 @@ bool is_tiff(std::string_view bytes) {
   return sim::starts_with(bytes, "II\x2a\0"sv) || sim::starts_with(bytes, "MM\0\x2a"sv);
 }
 
-/// Of raw files that are no TIFFs: Fujifilm, Canon (CRW, CR3), Olympus, Panasonic, Minolta, Sigma.
+/// True for the first bytes of raw files that are no TIFFs: Fujifilm, Canon (CRW, CR3), Olympus, Panasonic,
+/// Minolta, Sigma.
 bool has_makers_start(std::string_view bytes) {
   for (const std::string_view start : {"FUJIFILMCCD-RAW"sv, "IIRO"sv, "IIRS"sv, "MMOR"sv, "IIU\0"sv,
                                        "\0MRM"sv, "FOVb"sv, "II\x1a\0\0\0HEAPCCDR"sv})

@@ -21,7 +21,7 @@ using sim::StoredArray;
 
 constexpr std::uint64_t kThreeColours = 3;
 
-/// What an image is looked for in.
+/// True if an array may hold images.
 bool may_be_images(const StoredArray& array) {
   const std::size_t dims = array.dims.size();
   if (array.kind == ArrayKind::text || array.clock != sim::ArrayClock::none || dims < 2 || dims > 4)
@@ -253,7 +253,7 @@ std::optional<ImagerTime> time_of_text(std::string text, const std::string& sour
   const auto seconds = sim::utc_seconds(text);
   if (!seconds) return std::nullopt;
   ImagerTime time = time_at(*seconds, source);
-  // As it stands there, to the last digit.
+  // The text as it is in the file, to the last digit.
   if (const auto civil = sim::civil_time(text)) time.utc = sim::iso_text(*civil) + "Z";
   return time;
 }
@@ -285,7 +285,7 @@ ImageStack find_images(const sim::ArrayFile& file) {
   if (axes.frame >= 0 && stack.arrays.size() > 1)
     throw sim::unreadable(file.name(), "'" + array.name + "' and others as large each hold several images")
         .expected("one array of them");
-  // What a few bytes of such a file claim to be is bounded as what gzip has packed.
+  // A few bytes of such a file may claim a large image, as with gzip.
   if (width > static_cast<std::uint64_t>(kMaxPackedPixels) ||
       height > static_cast<std::uint64_t>(kMaxPackedPixels) ||
       width * height > static_cast<std::uint64_t>(kMaxPackedPixels))

@@ -71,7 +71,7 @@ bool FrameReader::next() {
     if (head_.number < 0)
       throw sim::unreadable(name_, "there are no frames in it")
           .expected("PGM or PPM of bytes (P5, P6), one behind the other");
-    // What stands behind the only picture of a plain file has always been passed over.
+    // Bytes behind the only picture of a plain file are ignored.
     if (head_.number == 0 && !stream_->is_packed()) return false;
     throw sim::damaged(
         name_, "behind its frame " + std::to_string(head_.number) + " stands something else than a frame");

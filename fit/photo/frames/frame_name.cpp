@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kMark = '#';
 
-/// How far from a frame's beginning a time may be and still mean it.
+/// Returns the largest difference between a time and the beginning of the frame that it chooses.
 double reach_s(const std::vector<const FrameHead*>& timed) {
   std::vector<double> apart;
   for (std::size_t i = 1; i < timed.size(); ++i)

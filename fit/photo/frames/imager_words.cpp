@@ -42,7 +42,7 @@ std::optional<double> leading_number(const std::string& text) {
   return end != text.c_str() && std::abs(value) <= kLargest ? std::optional<double>(value) : std::nullopt;
 }
 
-/// Of "WIDTH=512 HEIGHT=256 MSEC=999".
+/// Returns a number of the word "WIDTH=512 HEIGHT=256 MSEC=999".
 std::optional<double> option_number(const ImagerWords& words, const std::string& name) {
   const Word* options = word_of_keys(words, {kExposureOptions});
   if (options == nullptr) return std::nullopt;

@@ -106,7 +106,7 @@ Chosen go_through(const FrameName& wanted) {
 
 PictureBytes read_picture_bytes(const std::string& name) {
   const FrameName wanted = frame_name(name);
-  // What cannot be opened is reported as of any picture.
+  // A file that cannot be opened is reported as for any picture.
   const bool is_readable = sim::why_no_input(wanted.file).empty();
   if (!is_readable || !is_frame_file(wanted.file)) {
     PictureBytes picture;
@@ -178,7 +178,7 @@ PictureBytes PictureSeries::read(const std::string& name) {
   try {
     if (std::optional<PictureBytes> picture = next_of_file(wanted)) return std::move(*picture);
   } catch (const sim::Error&) {
-    // What comes behind the damage is reported as it would be by itself.
+    // A frame behind the damage is reported as if it were read alone.
     reader_.reset();
     throw;
   }

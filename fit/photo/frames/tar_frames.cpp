@@ -14,7 +14,7 @@
 namespace vegard::fit {
 namespace {
 
-/// Without its folders, in small letters.
+/// Returns the name without its folders, in small letters.
 std::string small_file_name(const std::string& path) {
   return sim::lowered(path.substr(path.rfind('/') + 1));
 }
@@ -81,7 +81,7 @@ class TarFrames : public FrameStore {
     long long width, height;
     int channels;
   };
-  /// By its first chunk (PNG, section 11.2.1), which the decoder checks against the rest.
+  /// Returns the size in the first chunk (PNG, section 11.2.1), which the decoder compares with the rest.
   PngSize size_of(std::string_view png, const std::string& of) const {
     constexpr std::string_view kBegins("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
     constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kColoursAt = 25;

@@ -81,7 +81,7 @@ double covered(const Circle& circle, const std::vector<BoundaryPoint>& points) {
   return std::count(part.begin(), part.end(), true) / 36.0;
 }
 
-/// How many of the rays from the circle's centre cross it where its edge could be seen.
+/// Returns the number of rays from the circle's centre that cross it where its edge could be seen.
 int rays_inside(const Circle& circle, const Plane& shown) {
   int rays = 0;
   for (int ray = 0; ray < kRays; ++ray) {

@@ -17,7 +17,7 @@ struct Neighbours {
   float median, range, direct_mean;
 };
 
-/// Of a pixel that is not at the edge.
+/// Returns the statistics of the eight neighbours of a pixel that is not at the edge.
 Neighbours neighbours_of(const Plane& light, int x, int y) {
   std::array<float, 8> around = {light.at(x - 1, y - 1), light.at(x, y - 1),    light.at(x + 1, y - 1),
                                  light.at(x - 1, y),     light.at(x + 1, y),    light.at(x - 1, y + 1),
@@ -27,7 +27,7 @@ Neighbours neighbours_of(const Plane& light, int x, int y) {
   return {(around[3] + around[4]) / 2.0f, around[7] - around[0], direct};
 }
 
-/// Of the sixteen pixels around the eight, as far as they are in the picture.
+/// Returns the median of the sixteen pixels around the eight neighbours, as far as they are in the picture.
 float median_two_away(const Plane& light, int x, int y) {
   std::vector<float> ring;
   for (int v = y - 2; v <= y + 2; ++v)

@@ -27,7 +27,7 @@ constexpr std::size_t kNameBytes = 256;
 constexpr std::uint64_t kMaxUnpackedFile = std::uint64_t{1} << 29;
 constexpr std::size_t kMaxBlocks = std::size_t{1} << 20;
 constexpr int kDeepestIndex = 8;
-/// Of the records that are read.
+/// The types of the records that are read.
 enum RecordType : std::uint64_t {
   kDescriptor = 1,
   kGlobal = 2,
@@ -72,7 +72,7 @@ class Fields {
   bool is_short_ = false;
 };
 
-/// Whether CDF's type of numbers is one that is read.
+/// True if CDF's type of numbers can be read.
 bool kind_of_type(std::uint64_t type, ArrayKind& kind, ArrayClock& clock) {
   clock = ArrayClock::none;
   switch (type) {
@@ -119,7 +119,7 @@ bool kind_of_type(std::uint64_t type, ArrayKind& kind, ArrayClock& clock) {
   }
 }
 
-/// Which order of bytes an encoding has: 'b' (big endian), 'l', or 0 for what is not read (VAX and its like).
+/// Returns an encoding's order of bytes: 'b' (big endian), 'l', or 0 for encodings that are not read (VAX).
 char order_of_encoding(std::uint64_t encoding) {
   switch (encoding) {
     case 1:

@@ -36,7 +36,7 @@ class Sent {
   std::string bytes_;
 };
 
-/// What came from the child, which may have been damaged itself by what it read.
+/// Reads the child's answer, which is not trusted: the file may have damaged the child.
 class Received {
  public:
   Received(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}

@@ -162,7 +162,7 @@ ArrayWords words_of_object(hid_t object, Listing& listing) {
   return std::move(taken.words);
 }
 
-/// Whether its numbers lie in the file itself, in chunks that there is room for.
+/// True if the numbers are in the file itself, in chunks for which there is room.
 bool is_within_reach(hid_t dataset, std::size_t size) {
   const Handle made(H5Dget_create_plist(dataset), H5Pclose);
   if (!made.is_open() || H5Pget_external_count(made) > 0) return false;
@@ -215,7 +215,7 @@ herr_t take_object(hid_t file, const char* name, const H5O_info_t* info, void* d
   return listing.is_too_much ? 1 : 0;
 }
 
-/// With the library; in the child.
+/// The file as the library reads it, in the child process.
 class Hdf5File : public ArrayFile {
  public:
   Hdf5File(const std::string& name, std::string_view bytes)

@@ -30,7 +30,7 @@ struct FreeVariable {
 using OpenMat = std::unique_ptr<mat_t, CloseMat>;
 using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 
-/// Of a class of real numbers; false of all others.
+/// Finds the kind of numbers of a class of real numbers; false for all other classes.
 bool kind_of_class(const matvar_t& variable, ArrayKind& kind) {
   if (variable.isComplex != 0) return false;
   switch (variable.class_type) {
@@ -81,10 +81,10 @@ std::string file_of_bytes(std::string_view bytes) {
   return "/proc/self/fd/" + std::to_string(descriptor);
 }
 
-/// Whether the elements of a file of version 5 end where it ends: a header of 128 bytes, and elements one
-/// behind the other, each a type and a size in four bytes before its data (or both in four bytes and the data
-/// in the other four), to a multiple of eight unless they are packed (MathWorks, "MAT-File Format", Level 5).
-/// The library takes what is cut off for variables that are not there.
+/// True if the elements of a file of version 5 end where the file ends. It has a header of 128 bytes, and
+/// elements one after another, each a type and a size in four bytes before its data (or both in four bytes
+/// and the data in the other four), to a multiple of eight unless they are packed (MathWorks, "MAT-File
+/// Format", Level 5). The library takes what is cut off for variables that are not there.
 bool has_whole_elements(const std::string& place) {
   constexpr std::uint64_t kHeader = 128, kTag = 8, kEndianAt = 126;
   constexpr std::uint32_t kPacked = 15, kSmall = 0xffff0000u;
@@ -112,7 +112,7 @@ bool has_whole_elements(const std::string& place) {
   return at == size;
 }
 
-/// With the library; in the child, which ends with what it has open.
+/// The file as the library reads it, in the child process, which ends without closing it.
 class MatFile : public ArrayFile {
  public:
   MatFile(const std::string& name, std::string_view bytes)

@@ -46,7 +46,7 @@ class PlainBytes {
   std::uint64_t at_ = 0;
 };
 
-/// What gzip, or zlib, has packed, from its first byte on, which `begun` is the beginning of.
+/// Unpacks data of gzip or zlib, of which `begun` are the first bytes.
 class Unpacker {
  public:
   Unpacker(PlainBytes& from, std::string_view begun, bool is_gzip)

@@ -62,7 +62,7 @@ bool receive_all(int socket, char* to, std::size_t count) {
   return true;
 }
 
-/// Of this process: the pages that it may touch by now.
+/// Returns the size of this process's address space.
 std::uint64_t address_space_bytes() {
   unsigned long long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -85,8 +85,8 @@ void limit_memory([[maybe_unused]] std::uint64_t bytes) {
 void become_a_worker(std::uint64_t memory_bytes) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGTRAP, SIGALRM, SIGPROF, SIGXCPU})
     ::signal(signal, SIG_DFL);
-  // What interrupts or ends the parent is the parent's affair: it ends the child, or finishes first, and when
-  // it is gone the socket ends.
+  // Signals that interrupt or end the parent are left to the parent: it ends the child, or finishes first,
+  // and when it is gone the socket ends.
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);
   sigset_t none;
   ::sigemptyset(&none);
@@ -98,8 +98,8 @@ void become_a_worker(std::uint64_t memory_bytes) {
     for (const int standard : {0, 1, 2}) ::dup2(nowhere, standard);
 }
 
-/// Whether a child that a signal has ended was ended by somebody else: no library raises these, and neither
-/// do the limits here. SIGKILL is what a kernel without memory sends, and batch systems.
+/// True if another process ended the child with this signal: neither libraries nor the limits here raise
+/// these. A kernel without memory, and batch systems, send SIGKILL.
 bool is_end_from_outside(int signal) {
   return signal == SIGKILL || signal == SIGQUIT || signal == SIGUSR1 || signal == SIGUSR2;
 }

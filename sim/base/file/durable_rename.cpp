@@ -61,7 +61,8 @@ std::optional<double> beginning_s(int process) {
   return static_cast<double>(now.tv_sec - up.tv_sec) + begun_up_s;
 }
 
-/// Whether a process has the number of one that is gone.
+/// True if the process began after the file was last written to, so that it has the number of one that is
+/// gone.
 bool is_another(int process, const struct stat& written) {
   constexpr double kClocksDiffer_s = 60.0;  // a server's clock may be behind
   const std::optional<double> begun_s = beginning_s(process);

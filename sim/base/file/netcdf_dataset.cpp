@@ -32,7 +32,7 @@ int flag_number(const std::vector<std::string>& words, const std::string& word) 
 }
 
 std::string udunits_of(const std::string& unit) {
-  // Of a velocity what is before the second.
+  // Of a velocity's unit the part before "/s".
   const std::string per_second = "/s";
   if (unit != "m/s" && unit.size() > per_second.size() && ends_with(unit, per_second))
     return udunits_of(unit.substr(0, unit.size() - per_second.size())) + " s-1";

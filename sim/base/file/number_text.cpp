@@ -24,7 +24,7 @@ int leading_power(double size, int digits) {
   return std::stoi(text.substr(text.find('e') + 1));
 }
 
-/// With so many decimals; a negative number of them rounds to tens, hundreds.
+/// Returns a number with this many decimals; a negative number of decimals rounds to tens or hundreds.
 std::string at_place(double value, int decimals) {
   if (decimals >= 0) return with_true_minus(fmt::format("{:.{}f}", value, decimals));
   const double unit = std::pow(10.0, -decimals);

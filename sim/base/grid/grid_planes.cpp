@@ -17,7 +17,7 @@ GridPlane empty_plane(const VoxelBox& box, int axis, int bin) {
   return plane;
 }
 
-/// Of layers `first` to `last` along the plane's axis.
+/// Keeps the largest numbers of the layers `first` to `last` along the plane's axis.
 void put_largest(const SparseGrid& grid, int channel, const VoxelBox& box, int first, int last,
                  GridPlane& plane) {
   for (const auto& [at, numbers] : grid.bricks) {

@@ -76,8 +76,8 @@ void name_by_content(const std::string& path) {
   file.write(name.data(), kLength);
 }
 
-/// By the library's own list of kinds of grids: made here, it would be compiled here, with all that trees can
-/// do.
+/// Creates a grid by the library's registry of grid types: made here, all functions of trees would be
+/// compiled here.
 template <class Grid>
 typename Grid::Ptr new_grid() {
   return openvdb::gridPtrCast<Grid>(openvdb::GridBase::createGrid(Grid::gridType()));

@@ -21,7 +21,7 @@ constexpr std::int64_t kMagic = 0x56444220;  // " BDV"
 constexpr std::uint32_t kOldest = 222, kNewest = 224;
 constexpr std::int64_t kIdentity = 36, kMaxText = 1 << 20, kMinGrid = 40;
 
-// What a tree of floats takes in memory: a leaf's numbers and mask, an inner node's table and masks.
+// Memory of a tree of floats: a leaf's numbers and mask, an inner node's table and masks.
 constexpr double kBytesOfLeaf = 2200, kBytesOfEntry = 8.3;
 
 /// Reads a file forwards, and backwards where it must. What lies behind the end is an exception.
@@ -76,7 +76,7 @@ class ForwardFile {
 
 using LeafBits = std::array<unsigned char, 64>;
 
-/// Which bits are on, and how many.
+/// The bit mask of a node.
 class NodeMask {
  public:
   explicit NodeMask(int bits) : bytes_(static_cast<std::size_t>(bits) / 8) {}
@@ -188,8 +188,8 @@ class Outline {
     }
   }
 
-  /// How leaves are compressed, one entry each, by which a leaf may be read without those before it: a byte
-  /// each, then eight.
+  /// Checks the list of the leaves' compression, by which a leaf may be read without those before it: one
+  /// byte for each leaf, then eight bytes for each.
   void list_of_leaves(std::int64_t length) {
     constexpr std::int64_t kMinOfLeaf = 129;  // two masks and a byte
     const std::int64_t end = file_.place() + length, count = number<std::uint32_t>();
@@ -204,14 +204,15 @@ class Outline {
     }
   }
 
-  /// As the library fills up what is short before it packs a list (openvdb/points/StreamCompression.h).
+  /// Returns the size to which the library pads a short list before packing
+  /// (openvdb/points/StreamCompression.h).
   static std::int64_t padded(std::int64_t bytes) {
     constexpr std::int64_t kMin = 48, kFilled = 128;
     return bytes > kMin && bytes < kFilled ? kFilled : bytes;
   }
 
-  /// What Blosc has packed into `bytes` from here on: it must say so itself (its header of 16 bytes), and
-  /// what comes out of it.
+  /// Checks that the header of 16 bytes of Blosc's data, which begin here, gives the same packed and unpacked
+  /// size.
   void packed(std::int64_t bytes, std::int64_t unpacked) {
     constexpr std::int64_t kHeader = 16;
     if (bytes < kHeader) damaged("packed numbers without a header");
@@ -333,7 +334,7 @@ class Outline {
   }
 
   void grid() {
-    // What follows a name in the file, to tell it from others alike, stands behind a character of its own.
+    // A suffix that distinguishes equal names follows the name, after a character of its own.
     const std::string all = text(), name = all.substr(0, all.find('\x1e')), type = text();
     const bool is_instance = !text().empty();
     const auto begin = number<std::int64_t>(), values = number<std::int64_t>(), end = number<std::int64_t>();

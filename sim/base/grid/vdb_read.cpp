@@ -86,7 +86,7 @@ class VdbReader : public openvdb::io::Archive {
 
   const openvdb::MetaMap& metadata() const { return of_file_; }
 
-  /// Of all grids, or of those of floats.
+  /// Returns the names of all grids, or of those of floats.
   std::vector<std::string> names(bool only_floats) const {
     std::vector<std::string> all;
     for (const Place& place : places_)

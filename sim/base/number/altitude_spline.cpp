@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kSplineIntervals = 4;  // that a cubic B-spline spans
 
-/// Of unit intervals, on 0 to 4.
+/// The cubic B-spline on unit intervals, not zero from 0 to 4.
 double cubic_bump(double u) {
   if (u <= 0.0 || u >= kSplineIntervals) return 0.0;
   const double x = std::abs(u - 2.0);

@@ -99,7 +99,7 @@ class Minimum {
         const CurveTrial* corner =
             at(centre_ + step_(k) * Eigen::VectorXd::Unit(n_, k) + step_(l) * Eigen::VectorXd::Unit(n_, l));
         if (corner == nullptr) return false;
-        // By the parabola: f(k, l) - f(k) - f(l) + f = H_kl s_k s_l.
+        // For a parabola: f(k, l) - f(k) - f(l) + f = H_kl s_k s_l.
         hessian(k, l) = hessian(l, k) =
             (corner->value - up(k) - up(l) + value) / (step_(k) * step_(l) * correlated);
       }
@@ -127,7 +127,8 @@ class Minimum {
     return true;
   }
 
-  /// Where curvature is missing the way is as far as it goes, downhill.
+  /// Returns the step to the parabola's minimum; along directions without curvature it goes downhill to the
+  /// limit.
   Eigen::VectorXd bottom_of_parabola() const {
     const SymmetricEigen eigen = symmetric_eigen(hessian_);
     Eigen::VectorXd way = Eigen::VectorXd::Zero(n_);

@@ -39,7 +39,7 @@ struct Cell {
     rest[2] = pz - fz;
   }
 
-  /// Where doubles are farther apart than cells, any cell is as good.
+  /// Where doubles are farther apart than cells, any cell may be taken.
   static std::int64_t index(double cell) {
     constexpr double kLatticeFar = 9007199254740992.0;
     return std::abs(cell) < kLatticeFar ? static_cast<std::int64_t>(cell) : 0;

@@ -8,8 +8,8 @@ namespace vegard::sim {
 
 namespace {
 
-/// Where the elimination begins and ends: curvature[0] = factor * curvature[1] + constant, and the last row
-/// curvature[n - 1] + share * curvature[n - 2] = constant.
+/// The first and the last row of the elimination: curvature[0] = factor * curvature[1] + constant, and the
+/// last row curvature[n - 1] + share * curvature[n - 2] = constant.
 struct SplineEnds {
   double first_factor = 0.0, first_constant = 0.0, last_share = 0.0, last_constant = 0.0;
 };

@@ -37,7 +37,7 @@ bool is_of_size(std::string_view key) {
          is_length(key);
 }
 
-/// What stands behind "= ", alone or before a comment.
+/// Returns the integer after "= ", alone or before a comment.
 std::optional<long long> whole_number(std::string_view card) {
   std::string_view text = card.substr(8);
   if (text.substr(0, 2) != "= ") return {};
@@ -98,7 +98,7 @@ class Header {
   std::size_t size() const { return size_; }
 
  private:
-  /// Without quotes, comment and spaces around it.
+  /// Returns the value without quotes, comment and spaces around it.
   static std::string value_of(std::string_view field) {
     const std::size_t begin = field.find_first_not_of(' ');
     if (begin == std::string_view::npos) return {};
@@ -114,8 +114,8 @@ class Header {
   std::size_t size_ = 0;
 };
 
-/// Whether a Rice stream (FITS standard 4.0, section 10.4.1) of `bytes` holds that many pixels. CFITSIO looks
-/// for the end of a row of zeros wherever it may be.
+/// True if a Rice stream (FITS standard 4.0, section 10.4.1) has this many pixels in `bytes`. CFITSIO
+/// searches for the end of a row of zeros also beyond them.
 bool rice_holds(std::string_view bytes, long long pixels, int number_bytes, long long block) {
   const int bits_of_shift = number_bytes == 1 ? 3 : number_bytes == 2 ? 4 : 5;
   const int plain = number_bytes == 1 ? 6 : number_bytes == 2 ? 14 : 25;

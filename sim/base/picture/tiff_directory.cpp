@@ -159,7 +159,7 @@ std::optional<TiffDirectory::Entry> TiffDirectory::find(int tag) const {
 std::optional<std::size_t> TiffDirectory::values_of(const Entry& entry, std::uint64_t wanted) const {
   const std::size_t size = size_of(entry.type), of_offset = big_ ? 8 : 4;
   if (size == 0) return std::nullopt;
-  // What is no longer than an offset stands in the entry itself, by its own count, not by how many are
+  // Values that need no more bytes than an offset are in the entry itself; all of them count, not only those
   // wanted.
   const bool inside = entry.count <= of_offset / size;
   const std::size_t place = inside ? entry.place : word(entry.place, static_cast<int>(of_offset));

@@ -27,7 +27,7 @@ class ExrHeaders {
     const bool several = (little_word_at(kVersion) & kSeveralParts) != 0;
     do {
       header();
-      // What is read is the first part, but all of them are opened.
+      // Only the first part is read, but all of them are opened.
       if (first.width == 0 && first.height == 0) first = size_;
     } while (several && at_ < bytes_.size() && bytes_[at_] != '\0');
     return first;
@@ -87,7 +87,7 @@ class ExrHeaders {
       chunks =
           std::max(chunks, ((size_.width - 1) / tile->first + 1) * ((size_.height - 1) / tile->second + 1));
     }
-    // Of each chunk its place is listed in eight bytes.
+    // The list of chunks has eight bytes for each.
     if (chunks < 0 || chunks > static_cast<long long>((file_bytes_ - at_) / 8))
       refuse("the file is truncated: its list of EXR chunks reaches beyond the end");
   }

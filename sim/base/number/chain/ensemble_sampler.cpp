@@ -105,8 +105,8 @@ class Ensemble {
   }
   const double* place_of(int walker) const { return state_.place.data() + begin_of(walker); }
 
-  /// Where a walker is to go; log_factor is the logarithm of what the densities' ratio is to be multiplied
-  /// by. Its own place where a step on the surrogate has led nowhere else.
+  /// Returns the place proposed to a walker, which is its own if a step on the surrogate has not moved it.
+  /// log_factor is the logarithm of the factor of the densities' ratio.
   std::vector<double> proposal(int walker, const Words& accept, double& log_factor) const {
     const auto step = static_cast<std::uint32_t>(state_.step);
     const auto index = static_cast<std::uint32_t>(walker);

@@ -1,12 +1,12 @@
-#include "sim/base/error.h"
 #include "sim/base/picture/coded_picture.h"
+#include "sim/base/error.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {
 namespace {
 
-/// What OpenImageIO 2.4 hands on to LibRaw, every setting that changes a number.
+/// The settings that OpenImageIO 2.4 hands on to LibRaw and that change a number.
 OIIO::ImageSpec settings() {
   OIIO::ImageSpec wish;
   wish.attribute("raw:ColorSpace", "raw");

@@ -72,7 +72,7 @@ void write_exr(const std::string& path, const Image& image, const ImageAttribute
 
 namespace {
 
-/// By its first bytes; of what is none the library says that.
+/// True if the first bytes are those of an EXR; for any other file the library says that it is none.
 bool begins_as_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
 
 /// `memory`: the bytes, if they are not to be read from `path`.

@@ -26,7 +26,7 @@ ImageFormat image_format(const std::string& path) {
 
 namespace {
 
-/// Where in the file's channels the picture's R, G, B or Y, and A are.
+/// The indices of the picture's R, G, B or Y, and A among the file's channels.
 struct PictureChannels {
   std::vector<std::string> names;
   std::vector<int> of_file;
