@@ -28,7 +28,7 @@ double light_of(const Photo& photo, double stored) {
 class CodeLight {
  public:
   CodeLight(const PictureCodes& codes, const Photo& photo) : codes_(codes), photo_(photo) {
-    // Of few codes each is worked out once.
+    // If there are few codes, the light of each is computed once.
     constexpr double kMaxCodes = 65535.0;
     if (codes.floating || codes.white > kMaxCodes) return;
     for (int code = 0; code <= static_cast<int>(codes.white); ++code)
@@ -37,7 +37,7 @@ class CodeLight {
 
   const std::vector<float>& of_codes() const { return light_of_code_; }
 
-  /// Of the pixel and channel i, as in Photo::linear.
+  /// Returns light and usability of the pixel and channel i, counted as in Photo::linear.
   void take(std::size_t i, float& light, std::uint8_t& usable) const {
     const std::size_t from = codes_.channels == 3 ? i : i / 3;
     const float value = codes_.value(from);
@@ -113,7 +113,7 @@ PictureCodes head_of(const ImageFile& image, int channels) {
   return head;
 }
 
-/// Of a mask of the file's pixels, which of the photograph's it leaves whole.
+/// Returns the flags of the photograph's pixels of which a mask of the file's pixels masks no part.
 std::vector<std::uint8_t> whole_blocks(const std::vector<std::uint8_t>& used, const Photo& photo) {
   const auto width = static_cast<std::size_t>(photo.averaged_from.width);
   const auto row = [&](int y, LightRow& out) {
@@ -166,7 +166,7 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
     if (image.format->walk == walk_jpeg && (turned ? image.height : image.width) == averaging.from.width &&
         (turned ? image.width : image.height) == averaging.from.height)
       jpeg = std::make_unique<JpegRows>(bytes, file);
-    // What the walk and libjpeg do not see alike is left to the other decoder, which is asked for its size.
+    // If libjpeg disagrees with the walk, OpenCV decodes the file, whose size is checked.
     if (jpeg != nullptr &&
         (jpeg->channels() == 0 || jpeg->width() != image.width || jpeg->height() != image.height))
       jpeg.reset();

@@ -23,15 +23,16 @@ bool is_cut(const sim::PictureMetadata& metadata) {
                   1.0) > kTolerance;
 }
 
-/// Whether a sensor is likely to have the shape: 3:2 or 4:3, of which all bodies of that table are. A camera
-/// that was set to 16:9 or to a square cuts its pictures, by how much is not known.
+/// True if a sensor is likely to have this shape: 3:2 or 4:3, as all bodies of the table. A camera that is
+/// set to 16:9 or to a square crops its pictures by an unknown amount.
 bool has_shape_of_a_sensor(double width, double height) {
   constexpr double kTolerance = 0.02;  // rows and columns at the edges that the camera leaves out
   const double s = shape(width, height);
   return std::abs(s / 1.5 - 1.0) < kTolerance || std::abs(s * 0.75 - 1.0) < kTolerance;
 }
 
-/// By the sensor of the camera's body, where the picture names one that the table has.
+/// Returns the field of view by the sensor of the camera's body, if the picture names one that is in the
+/// table.
 PictureFieldOfView view_by_body(const sim::PictureMetadata& metadata) {
   PictureFieldOfView view;
   view.why_not = "the picture does not say how wide its lens sees";

@@ -21,8 +21,9 @@ constexpr float kEdgesAbove = 0.5f;    ///< what an edge in the sky costs
 constexpr float kBrightGround = 0.5f;  ///< what an edge to a brighter ground is worth
 constexpr float kRow = 0.02f, kJump = 0.6f;
 
-/// How much the picture falls by at the boundary above row y, beyond what it falls by as much above and as
-/// much below it (a soft slope has none), over the sum of both sides. 0 near the picture's edges.
+/// Returns the contrast at the boundary above each row y: the fall of the brightness there, less the falls at
+/// the same distance above and below (a soft slope has no contrast), over the sum of both sides; 0 near the
+/// picture's edges.
 Plane contrast_of(const Plane& shown) {
   Plane result(shown.width, shown.height + 1), mean(shown.width, shown.height + 1);
   for (int x = 0; x < shown.width; ++x) {
@@ -41,8 +42,8 @@ Plane contrast_of(const Plane& shown) {
   return result;
 }
 
-/// What a boundary costs by what is at and above it in its own column. `bright_ground`: what an edge to a
-/// ground brighter than the sky is worth of one to a darker ground.
+/// Returns the cost of a boundary by the contrasts at and above it in its column. `bright_ground`: the weight
+/// of an edge to a ground brighter than the sky, relative to one to a darker ground.
 Plane cost_of(const Plane& contrast, float bright_ground) {
   Plane cost(contrast.width, contrast.height);
   for (int x = 0; x < contrast.width; ++x) {
@@ -149,8 +150,8 @@ double sharpest(const Plane& shown, int x, int y, int reach, float sign) {
   return best;
 }
 
-/// Whether the picture is a fisheye's circle, whose rim is no skyline. A skyline may be an arc of some
-/// circle: of a fisheye's most of the rim is seen, and at least three of its four sides are in the picture.
+/// True if the picture is a fisheye's circle, whose rim is no skyline. A skyline may be an arc of some
+/// circle, but of a fisheye's rim most is visible, and at least three of its four sides are in the picture.
 bool is_fisheye(const Photo& photo) {
   constexpr double kMaxOfARim = 0.6;
   const std::optional<CircleFound> found = find_circle(photo);

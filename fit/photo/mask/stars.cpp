@@ -82,7 +82,8 @@ struct Shape {
   double x_px, y_px, elongation;
 };
 
-/// Of the pixels above half the peak that are connected with it; none if they reach farther than `reach`.
+/// Returns the shape of the pixels above half the peak that are connected with it; none if they reach farther
+/// than `reach`.
 std::optional<Shape> shape_of(const Plane& plane, int x0, int y0, float base, int reach) {
   const float half = base + 0.5f * (plane.at(x0, y0) - base);
   const int side = 2 * reach + 1;

@@ -68,7 +68,7 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
   }
   calibration.sigma_px = n > k ? std::sqrt(sum / (n - k)) : 0.0;
   const Eigen::MatrixXd jacobian = place_jacobian(calibration.camera, free, calibration.stars, used);
-  // By way of the QR's triangle with columns of length 1: the products of J with itself would cost half the
+  // The triangle of a QR decomposition, of columns of length 1, is used because J'J would lose half of the
   // digits.
   const Eigen::RowVectorXd lengths = jacobian.colwise().norm();
   const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
@@ -76,7 +76,7 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
   const Eigen::MatrixXd inverse =
       triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(k, k));
   const Eigen::MatrixXd root = calibration.sigma_px * (lengths.cwiseInverse().asDiagonal() * inverse);
-  // Of all of the calibration's numbers; those that were held have none.
+  // The rows are all of the calibration's numbers; those of numbers held fixed are 0.
   Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(lens_numbers, k);
   for (int j = 0; j < k; ++j) roots.row(free[j]) = root.row(j);
 
@@ -141,7 +141,7 @@ void tell_warnings(Calibration& calibration) {
             : "more than a third of the points were left out: no lens that is known here made these maps");
 }
 
-/// What fits without each star say of it.
+/// Computes the residual of each star in a fit without it.
 void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
   StarSet used;
   for (const StarResidual& one : calibration.residuals) used.push_back(one.used);

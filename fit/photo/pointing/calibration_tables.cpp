@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Those that took part by their BIC, then the others.
+/// Returns the lenses that took part, ordered by their BIC, then the others.
 std::vector<const LensCandidate*> in_order(const Calibration& calibration) {
   std::vector<const LensCandidate*> order;
   for (const LensCandidate& candidate : calibration.candidates) order.push_back(&candidate);

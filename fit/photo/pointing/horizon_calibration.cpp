@@ -22,7 +22,8 @@ using sim::kRadiansPerDegree;
 constexpr int kUnknowns = 4, kHorizonElevation = 0, kRoll = 1, kLogFocal = 2, kDip = 3;
 using Numbers = std::array<double, kUnknowns>;
 
-/// How far a point, from the picture's middle, is inside the sky, in standard deviations.
+/// The distance of a point from the horizon, positive into the sky, in standard deviations; places are
+/// counted from the picture's middle.
 struct PointResidual {
   double x_px, y_px, sigma_px;
 

@@ -152,7 +152,8 @@ std::vector<StarSighting> matched(const SkyCamera& camera, const Frame& frame,
   return stars;
 }
 
-/// How many stars would have a point within the radius if the points near each were strewn at random.
+/// Returns the expected number of stars with a point within the radius among random points as dense as near
+/// each star.
 double chance_matches(const SkyCamera& camera, const Frame& frame, const std::vector<StarSighting>& sky,
                       const std::vector<FoundStar>& points, double faintest, double radius) {
   constexpr double kNear_px = 30.0;

@@ -24,8 +24,7 @@ double criterion(double sum_of_squares, int residuals, int numbers) {
          numbers * std::log(residuals);
 }
 
-/// Whether the stars distinguish the numbers: by the singular values of the Jacobian with columns of
-/// length 1.
+/// True if the stars determine the numbers, by the singular values of the Jacobian with columns of length 1.
 bool determined(const SkyCamera& camera, const std::vector<LensNumber>& free,
                 const std::vector<StarSighting>& stars, const StarSet& used) {
   Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
@@ -139,8 +138,8 @@ class Chooser {
     return best;
   }
 
-  /// With Cauchy's loss at a scale that shrinks to the noise. Returns the best of the simple ones, -1 for
-  /// none.
+  /// Fits all lenses with Cauchy's loss at a scale that shrinks to the noise. Returns the best simple lens,
+  /// -1 for none.
   int fit_robustly() {
     const int n = 2 * static_cast<int>(stars_.size());
     int best = -1;
@@ -277,7 +276,7 @@ StarSet stars_kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {
     if (!(left[i].norm() <= limit)) farthest.push_back(i);
   std::stable_sort(farthest.begin(), farthest.end(),
                    [&](std::size_t a, std::size_t b) { return left[a].norm() > left[b].norm(); });
-  // Of what the lens has no image no residual can be asked: it goes in any case.
+  // A star of which the lens has no image has no residual and is always rejected.
   const auto none = static_cast<std::size_t>(
       std::count_if(left.begin(), left.end(), [](const Eigen::Vector2d& one) { return !one.allFinite(); }));
   const auto most = std::max(none, static_cast<std::size_t>(kFewLeftOut * static_cast<double>(left.size())));

@@ -29,7 +29,7 @@ std::string quoted(const std::string& words) {
   return out + '"';
 }
 
-/// Whether a number that was not fitted has to be written all the same.
+/// True if a number has its default value.
 bool is_default(const CameraEstimate& estimate) {
   return estimate.id.role() == sim::ParameterRole::lens_aspect ? estimate.value == 1.0
                                                                : estimate.value == 0.0;

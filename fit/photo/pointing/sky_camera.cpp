@@ -56,8 +56,7 @@ Pointing pointing_of(const SkyCamera& camera) {
   const Turns &east = m[2][0], &north = m[2][1], &up = m[2][2];
   const Turns level = sim::square_root(east * east + north * north);
   const Turns azimuth = sim::arctangent(east, north), elevation = sim::arctangent(up, level);
-  // Of the camera's right, how much lies along the level and how much along the upright through the line of
-  // sight.
+  // The components of the camera's right along the horizontal and along the upright across the line of sight.
   const Turns sa = sim::sine(azimuth), ca = sim::cosine(azimuth);
   const Turns se = sim::sine(elevation), ce = sim::cosine(elevation);
   const Turns along_level = m[0][0] * ca - m[0][1] * sa;

@@ -44,7 +44,7 @@ class Finder {
  private:
   std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * width_ + x; }
 
-  /// By 1 2 1 both ways: a single noisy pixel is not to be the maximum.
+  /// Smooths by 1 2 1 in both directions, so that a single noisy pixel is no maximum.
   void smooth() {
     std::vector<double> half(light_.size());
     smooth_ = light_;
@@ -63,7 +63,7 @@ class Finder {
     for (int dy = -2; dy <= 2; ++dy)
       for (int dx = -2; dx <= 2; ++dx) {
         const double other = smooth_[at(x + dx, y + dy)];
-        // Of equals the first.
+        // Of equal pixels the first is the maximum.
         if (other > here || (other == here && (dy < 0 || (dy == 0 && dx < 0)))) return false;
       }
     return true;

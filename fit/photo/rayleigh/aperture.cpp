@@ -10,7 +10,7 @@
 namespace vegard::fit {
 namespace {
 
-/// Of the pixel (column, row), the share that lies within the radius of (x, y), to a hundredth.
+/// Returns the share of the pixel (column, row) within the radius of (x, y), to a hundredth.
 double share_in_circle(int column, int row, double x, double y, double radius) {
   constexpr double kHalfDiagonal = 0.7071067811865476;
   const double away = std::hypot(column + 0.5 - x, row + 0.5 - y);

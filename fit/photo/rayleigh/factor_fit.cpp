@@ -6,7 +6,7 @@
 namespace vegard::fit {
 namespace {
 
-/// Where a fit begins, of the air at sea level on a clear night.
+/// The start of a fit: the depth of the air at sea level on a clear night.
 constexpr double kUsualDepth = 0.2;
 constexpr double kOutlier = 4.0, kSigmaOfMedian = 1.4826;
 
@@ -80,7 +80,7 @@ class FactorSolver {
     return std::abs(stars_[i].rate_per_rayleigh - model(i)) <= kOutlier * std::sqrt(variance(i, scatter_));
   }
 
-  /// Whether what is used has changed.
+  /// Rejects outliers; returns whether the set of used stars has changed.
   bool leave_out() {
     bool has_changed = false;
     for (std::size_t i = 0; i < stars_.size(); ++i) {

@@ -12,7 +12,7 @@
 #include "sim/base/text.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/table/checked_table.h"
-#include "sim/view/sky/star_flux.h"
+#include "sim/view/sky/star_photometry.h"
 
 namespace vegard::fit {
 namespace {
@@ -21,7 +21,7 @@ using sim::CheckedTable;
 using sim::complain;
 
 constexpr double kMaxCounts = 1e9, kMinNm = 300.0, kMaxNm = 1200.0;
-/// Of what the light of stars is known for (sim/view/sky/star_photometry.h).
+/// The range in which the spectra of stars are known (sim/view/sky/star_photometry.h).
 constexpr double kMinStarNm = 400.0, kMaxStarNm = 900.0;
 constexpr const char* kFactorKey = "rayleigh_per_count_s";
 constexpr const char* kFactorErrorKey = "rayleigh_per_count_s_error";
@@ -46,7 +46,7 @@ void positive_number(CheckedTable& table, const std::string& key, double most, d
   if (!(value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(key));
 }
 
-/// What may stand for all filters in the file's head, and for one of them in its table.
+/// Reads the keys that may be in the file's head for all filters, and in a filter's table for this one.
 void read_sensor(CheckedTable& table, RayleighFilter& filter) {
   if (table.has("dark") && table.has("dark_counts"))
     complain({"there are two dark levels", "'dark', a picture, or 'dark_counts', a number", ""},
@@ -228,7 +228,7 @@ std::string with_factor(const std::string& text, const std::string& file, const 
   const auto index = static_cast<std::size_t>(&wanted - before.filters.data());
   const toml::table& table = *document.get("filter")->as_array()->get(index)->as_table();
   std::vector<std::string> lines = lines_of_text(text);
-  // What stood there goes; the new numbers stand behind the filter's line_nm.
+  // Old numbers are removed; the new ones follow the filter's line_nm.
   const auto line_of_key = [&](const char* key) {
     const toml::node* node = table.get(key);
     return node != nullptr ? static_cast<std::size_t>(sim::line_of(*node)) : std::size_t{0};

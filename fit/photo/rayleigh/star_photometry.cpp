@@ -48,7 +48,7 @@ std::vector<PlacedStar> placed_stars(const sim::Scene& scene, double julian_date
   return placed;
 }
 
-/// Whether a neighbour of the catalogue puts more than a fiftieth of the star's own light into its circle.
+/// True if a neighbour in the catalogue puts more than a fiftieth of the star's own light into its circle.
 bool is_disturbed(const PlacedStar& star, const std::vector<PlacedStar>& all, const Aperture& aperture) {
   constexpr double kStarsWidth_px = 1.0, kMaxShare = 0.02;
   const double near = aperture.radius_px + kStarsWidth_px;
@@ -103,7 +103,7 @@ void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture)
   }
 }
 
-/// Whether stars can determine the extinction: they are 0.7 airmasses apart at the ends and are not few.
+/// True if the stars can determine the extinction: there are enough of them, over a range of 0.7 airmasses.
 bool tell_extinction(const std::vector<FactorDatum>& data) {
   constexpr std::size_t kMinStars = 10;
   constexpr double kMinSpan = 0.7;
@@ -249,7 +249,7 @@ StarFactor StarPhotometer::answer(const std::string& name) const {
   answer.magnitudes_per_airmass = kMagnitudesPerDepth * depths / airmasses;
   if (answer.extinction == ExtinctionBy::stars)
     answer.extinction_error = kMagnitudesPerDepth * fit->depth_error * student_68(fit->degrees_of_freedom);
-  // Of one or two it may be noise.
+  // The value of one or two stars may be noise.
   constexpr std::size_t kEnoughBright = 3;
   if (outside.size() >= kEnoughBright) answer.light_outside = middle_value(outside);
   constexpr double kMuchOutside = 0.03;

@@ -59,7 +59,7 @@ std::vector<StarMatch> match(const std::vector<Seen>& seen, const std::vector<Fo
   return matches;
 }
 
-/// How many of the stars would have a point if points were strewn with this density.
+/// Returns the expected number of stars with a point among random points of this density.
 template <class Tolerance>
 double strewn_matches(const std::vector<Seen>& seen, const Tolerance& tolerance, double density) {
   double sum = 0.0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kBrightStars = 2.5;  // magnitude: seen in any picture in which stars are
 constexpr double kClearOfGround_deg = 10.0;
 
-/// Whether a picture is the circle of an all-sky lens, as the words for why the camera is level; else empty.
+/// Returns why the camera is level if the picture is the circle of an all-sky lens; else an empty text.
 std::string circle_says_level(const Calibration& calibration, const Photo* photo) {
   if (photo == nullptr || calibration.camera.model == sim::LensModel::pinhole) return {};
   const std::optional<CircleFound> found = find_circle(*photo);

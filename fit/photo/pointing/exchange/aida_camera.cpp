@@ -81,7 +81,7 @@ Eigen::Matrix<T, 3, 3> aida_rotation(const T* degrees) {
   return about_y * about_x * about_z;
 }
 
-/// How far from the axis light of the angle theta is seen, over f.
+/// Returns the distance from the axis, over f, at the angle theta.
 template <class T>
 T aida_radius(int model, const T& theta, const T& a) {
   using std::pow, std::sin, std::tan;
@@ -200,7 +200,7 @@ AidaFit fitted_model(int model, const sim::Camera& camera, const sim::CameraView
         new ceres::AutoDiffCostFunction<AidaCost, 2, 8>(new AidaCost{
             model, static_cast<double>(camera.width), static_cast<double>(camera.height), point}),
         nullptr, numbers);
-  // Of theta^a the scale on the axis is finite for a = 1 alone; the pinhole has no such number.
+  // a is held: the scale of theta^a on the axis is finite for a = 1 alone, and the pinhole has no a.
   if (model == 1 || model == 4) problem.SetManifold(numbers, new ceres::SubsetManifold(8, {7}));
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -232,9 +232,9 @@ double julian_day(int year, int month, int day) {
   return static_cast<double>(number) - 0.5;
 }
 
-/// Of the day so many months later; days beyond the month's end run on into the next.
+/// Returns the Julian date some months later; days beyond the month's end count into the next month.
 double months_later(double julian_date, int months) {
-  // The same paper's way back.
+  // The inverse of the same paper.
   long l = static_cast<long>(std::floor(julian_date + 0.5)) + 68569;
   const long n = 4 * l / 146097;
   l -= (146097 * n + 3) / 4;

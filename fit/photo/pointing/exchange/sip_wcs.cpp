@@ -51,7 +51,7 @@ Eigen::Vector3d from_plane(const Eigen::Matrix3d& frame, const Eigen::Vector2d& 
       .normalized();
 }
 
-/// What a header says, with its complaints.
+/// The keywords of a header, with the errors about them.
 class WcsHeader {
  public:
   WcsHeader(std::string_view bytes, const std::string& file)
@@ -201,7 +201,8 @@ SipWcs solved_of_order(const std::vector<SipPoint>& points, const Eigen::Vector2
   return wcs;
 }
 
-/// Where the camera looks, on the sky; false where it looks nowhere, or below the horizon.
+/// Computes the direction of a place of the picture, on the sky; false if it has none, or is below the
+/// horizon.
 bool sky_of_camera(const sim::Camera& camera, const sim::Observer& observer, double julian_date, double x_px,
                    double y_px, Eigen::Vector3d& sky) {
   const sim::Direction direction = sim::direction_of_pixel(camera, x_px, y_px);
@@ -217,7 +218,7 @@ void measure_sip(const std::vector<SipPoint>& points, SipFit& fit) {
   constexpr double kHalfPixel = 0.5;
   for (const SipPoint& p : points) {
     const Eigen::Vector3d at = sky_of_pixel(fit.wcs, p.x_px, p.y_px);
-    // How much sky a pixel has here, along its rows and columns.
+    // The size of a pixel on the sky, along rows and columns.
     const double across = (sky_of_pixel(fit.wcs, p.x_px + kHalfPixel, p.y_px) -
                            sky_of_pixel(fit.wcs, p.x_px - kHalfPixel, p.y_px))
                               .norm(),
@@ -339,7 +340,7 @@ Eigen::Vector3d j2000_of_direction(const Eigen::Vector3d& enu, const sim::Observ
     const std::array<double, 3> found = sim::direction_of_star(place, own, julian_date);
     return Eigen::Vector3d(found[0], found[1], found[2]);
   };
-  // Without air it is a rotation, but for aberration.
+  // Without air and aberration it is a rotation.
   Eigen::Matrix3d turn;
   for (int i = 0; i < 3; ++i) turn.col(i) = seen(Eigen::Vector3d::Unit(i), false);
   Eigen::Vector3d sky = (turn.transpose() * enu).normalized();
