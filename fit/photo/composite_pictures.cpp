@@ -36,11 +36,12 @@ sim::Image read_foreground(const sim::Scene& scene) {
   } else {
     const sim::PictureFile file = read_named(scene, "composite.foreground", composite.foreground);
     if (coverage.empty() && file.image.channel_names.back() != "A") {
-      sim::ErrorDetails details;
-      details.key = "composite.foreground";
-      details.problem = "'" + composite.foreground + "' has no alpha: it would hide the whole sky";
-      details.hint = "give a composite.mask, white where it hides the sky";
-      throw sim::with_place(sim::Error(sim::ErrorKind::scene, details), scene);
+      throw sim::with_place(
+          sim::Error(sim::ErrorKind::scene,
+                     "'" + composite.foreground + "' has no alpha: it would hide the whole sky")
+              .key("composite.foreground")
+              .hint("give a composite.mask, white where it hides the sky"),
+          scene);
     }
     foreground = sim::linear_picture(file);
   }

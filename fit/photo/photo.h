@@ -40,7 +40,7 @@ struct Photo {
   bool floating = false;  ///< the file holds floats: no largest value, no quantisation
   double step = 0.0;      ///< between two codes, white = 1; 0: 1 / (2^bits - 1)
   /// Standard deviations, in codes of R, G and B, of the compression error that neighbouring pixels have in
-  /// common (fit/photo/codec/image_file.h); averaging over pixels does not reduce it.
+  /// common (fit/photo/codec/picture_format.h); averaging over pixels does not reduce it.
   std::array<double, 3> block_error{};
   std::string file_name;                     ///< without its folder; of one frame among several "a.pgm.gz#12"
   std::string sha256;                        ///< of the file's bytes, or of the frame's
@@ -59,7 +59,7 @@ struct Photo {
 /// usable; in float files only values that are not finite (stored as 0) are unusable. Throws
 /// sim::Error(unreadable_input) for a file that is missing, truncated, of zero size, not an image, or larger
 /// by its header than sim/base/picture/pixel_limit.h allows (OpenCV returns a full picture for a truncated
-/// JPEG: fit/photo/codec/image_file.h checks this before).
+/// JPEG: fit/photo/codec/picture_format.h checks this before).
 ///
 /// Decoding::sensor needs the `scene`: integers of display files are decoded by its tone curve (all others
 /// are linear light), the light is divided by the vignetting, and pixels to which a saturated pixel

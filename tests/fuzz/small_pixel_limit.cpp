@@ -8,10 +8,7 @@ namespace vegard::sim {
 void check_pixel_limit(long long width, long long height, const std::string& name) {
   constexpr long long kMaxPixels = 1LL << 20;
   if (width >= 1 && height >= 1 && width <= kMaxPixels && height <= kMaxPixels / width) return;
-  ErrorDetails details;
-  details.file = name;
-  details.problem = "the image has a size that the fuzz targets do not read";
-  throw Error(ErrorKind::unreadable_input, details);
+  throw unreadable(name, "the image has a size that the fuzz targets do not read");
 }
 
 }  // namespace vegard::sim

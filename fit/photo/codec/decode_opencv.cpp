@@ -41,8 +41,8 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   // What is wrong with an image is reported by sim::Error; OpenCV would write to the terminal as well.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   // OpenCV turns a TIFF by all eight orientations whatever the flags, and with IMREAD_COLOR fails on grey
-  // floats; of the others it misses the orientation at times (fit/photo/codec/image_file.h), so that is done
-  // here.
+  // floats; of the others it misses the orientation at times (fit/photo/codec/picture_format.h), so that is
+  // done here.
   const bool tiff = image.format->walk == walk_tiff;
   const int flags = tiff ? static_cast<int>(cv::IMREAD_UNCHANGED)
                          : cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION;

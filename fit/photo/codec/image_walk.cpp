@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "fit/photo/codec/image_file.h"
 #include "fit/photo/codec/pnm_header.h"
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
@@ -31,6 +30,12 @@ using sim::TiffDirectory;
 
 int checked_orientation(std::uint64_t value) {
   return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
+}
+
+[[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind) {
+  throw sim::unreadable(file, kind + " is not read")
+      .expected("8 or 16 bits, or a TIFF of 32-bit floats, grey or RGB")
+      .hint("save it again as a plain PNG or TIFF");
 }
 
 void check_kind(const TiffDirectory& directory, ImageFile& image, const std::string& file) {

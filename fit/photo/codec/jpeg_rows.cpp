@@ -7,7 +7,6 @@
 #include <jerror.h>
 #include <jpeglib.h>
 
-#include "fit/photo/codec/image_file.h"
 #include "sim/base/error.h"
 
 namespace vegard::fit {

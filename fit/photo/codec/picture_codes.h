@@ -10,8 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/photo/codec/image_file.h"
-
 namespace vegard::fit {
 
 struct PictureCodes {
@@ -36,7 +34,7 @@ struct PictureCodes {
   float value(std::size_t i) const { return bytes ? static_cast<float>(bytes.get()[i]) : values[i]; }
 };
 
-/// Reads any format of fit/photo/codec/image_file.h. `file` is for messages. Throws
+/// Reads any format of fit/photo/codec/picture_format.h. `file` is for messages. Throws
 /// sim::Error(unreadable_input).
 PictureCodes picture_codes(std::string_view bytes, const std::string& file);
 

@@ -1,15 +1,40 @@
 // The formats of pictures: how each is recognised, checked and decoded. A new one is a .cpp of this folder
 // and a row of picture_formats().
+//
+// Each file is checked ("walked") before a decoder sees it. OpenCV 4.6 returns a full picture (grey where
+// data are missing) for a truncated JPEG; ignores the EXIF orientation if another APP1 segment (XMP) comes
+// before it; prints messages to the terminal for a damaged PNG or TIFF; reads the planes of a 16-bit planar
+// TIFF as if they were interleaved, a TIFF where white is zero as its negative, and TIFF palettes, CMYK,
+// double precision and grey with alpha wrongly or not at all. libheif decodes already when it opens a file,
+// and LibRaw fills in missing data. FITS files are checked by their own reader (sim/base/picture/fits_io.h).
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/picture/tiff_directory.h"
 
 namespace vegard::fit {
+
+struct PictureFormat;
+
+struct ImageFile {
+  const PictureFormat* format = nullptr;  ///< a row of picture_formats(), set by inspect_image_file()
+  long long width = 0, height = 0;        ///< as stored, before orientation
+  bool size_comes_later = false;          ///< the size is 0 where only the decoder knows it
+  int bits = 8;                           ///< per channel, as in the file
+  bool floating = false;
+  int orientation = 1;              ///< EXIF's 1 to 8
+  bool colour_times_alpha = false;  ///< libtiff multiplies this file's colours by its alpha
+  /// Standard deviations, in codes of R, G and B, of the compression error that all pixels of a block have in
+  /// common; 0 for lossless formats, and for those whose quantisation tables are not read.
+  std::array<double, 3> block_error{};
+};
 
 /// Do the bytes begin as a file of the format does?
 using IsPicture = bool(std::string_view bytes);
@@ -79,6 +104,13 @@ std::string kind_of_codes(const ImageFile& image);
 /// True if, by the file's header, one of the pictures in a HEIC has this size, upright or turned; or at least
 /// this size, if the picture is cropped.
 bool heif_promises(std::string_view bytes, int width, int height, const std::string& file);
+
+/// Returns the size of the pictures in an HEVC stream, because the size in the container is not reliable
+/// (OpenImageIO 2.4 reads as many rows as the container states, even if they do not exist): width and height
+/// after cropping by the conformance window, from the sequence parameter set (ITU-T H.265, section 7.3.2.2)
+/// in a decoder configuration record (the box hvcC of ISO/IEC 14496-15, section 8.3.3). None if the parameter
+/// set is missing or invalid.
+std::optional<std::pair<long long, long long>> hevc_size(std::string_view configuration);
 
 /// Throws sim::Error(unreadable_input) unless every strip or tile of the directory's picture lies inside the
 /// file.

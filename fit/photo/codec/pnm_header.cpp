@@ -1,6 +1,5 @@
 #include "fit/photo/codec/pnm_header.h"
 
-#include "fit/photo/codec/image_file.h"
 #include "sim/base/error.h"
 
 namespace vegard::fit {

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <utility>
 
-#include "fit/photo/codec/image_file.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/pixel_limit.h"

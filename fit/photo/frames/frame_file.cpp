@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fit/photo/codec/image_file.h"
+#include "fit/photo/frames/frame_store.h"
 #include "fit/photo/frames/open_frame_store.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "fit/photo/codec/image_file.h"
 #include "sim/base/error.h"
 #include "sim/base/utc_time.h"
 

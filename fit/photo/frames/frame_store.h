@@ -31,7 +31,7 @@ class FrameStore {
   virtual std::size_t size() const = 0;
   /// Returns a frame's size and metadata, without its pixels. Throws sim::Error(unreadable_input).
   virtual StoredFrame frame(std::size_t number) = 0;
-  /// Returns a frame as the bytes of a picture file in a format of fit/photo/codec/image_file.h. Throws
+  /// Returns a frame as the bytes of a picture file in a format of fit/photo/codec/picture_format.h. Throws
   /// sim::Error(unreadable_input).
   virtual std::string picture(std::size_t number) = 0;
   /// Name of the kind of metadata that the frames' words are, for messages: "HDF5 word".

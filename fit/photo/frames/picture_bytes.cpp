@@ -7,7 +7,6 @@
 #include <system_error>
 #include <utility>
 
-#include "fit/photo/codec/image_file.h"
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
 #include "sim/base/file/input_file.h"

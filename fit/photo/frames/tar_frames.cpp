@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "fit/photo/codec/image_file.h"
 #include "fit/photo/frames/imager_words.h"
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"

@@ -1,5 +1,5 @@
 // Frames in a tar, in which TREx's cameras store a minute of colour frames (*.png.tar): PNGs whose names give
-// time, site, camera and exposure (imager_name.h). Frames are ordered by time; those without a time come
+// time, site, camera and exposure (imager_words.h). Frames are ordered by time; those without a time come
 // first, ordered by name.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Finds the rayleighs per count and second from stars whose spectra are known.
 //
-// A star of F photons cm^-2 s^-1 through the filter (filter_band.h) puts as many counts into its image as an
-// even sky of
+// A star of F photons cm^-2 s^-1 through the filter (rayleigh_camera.h) puts as many counts into its image as
+// an even sky of
 //   B = F 4 pi / (1e6 Omega) rayleighs
 // puts into one pixel there, Omega the pixel's solid angle by the lens (a rayleigh is 1e6 / 4 pi photons
 // cm^-2 s^-1 sr^-1: sim/view/colour/radiometry.h). Counts are those of aperture.h on a picture over its flat

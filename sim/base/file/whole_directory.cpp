@@ -14,6 +14,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/durable_rename.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 namespace fs = std::filesystem;
@@ -52,9 +53,7 @@ void refuse_strangers(const std::string& directory, const KnownFolder& known, co
   const std::vector<std::string> found = strangers(directory, known, target);
   if (found.empty()) return;
   constexpr std::size_t kMaxNamed = 3;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(found.size(), kMaxNamed); ++i)
-    names += (i == 0 ? "" : ", ") + found[i];
+  std::string names = joined({found.begin(), found.begin() + std::min(found.size(), kMaxNamed)});
   if (found.size() > kMaxNamed) names += " and " + std::to_string(found.size() - kMaxNamed) + " more";
   throw not_replaced(
       target,

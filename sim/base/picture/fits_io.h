@@ -33,7 +33,7 @@ struct FitsImage {
 };
 
 /// Reads the first image of at least two axes, in the first header or an extension, compressed in tiles by
-/// Rice's algorithm (fits_packing.h) or uncompressed. Rows are assumed to be stored from the bottom up, the
+/// Rice's algorithm (fits_header.h) or uncompressed. Rows are assumed to be stored from the bottom up, the
 /// convention of FITS, unless the keyword ROWORDER is TOP-DOWN. Throws Error(unreadable_input) for bytes that
 /// are truncated, damaged, not FITS, without an image, or with more pixels than
 /// sim/base/picture/pixel_limit.h allows (2^30 numbers in all planes).

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/photo/codec/image_file.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/photo.h"
 #include "sim/base/picture/image_io.h"
 #include "tests/support/dng_bytes.h"

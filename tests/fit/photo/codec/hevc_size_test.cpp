@@ -1,7 +1,7 @@
-#include "fit/photo/codec/hevc_size.h"
 
 #include <gtest/gtest.h>
 
+#include "fit/photo/codec/picture_format.h"
 #include "tests/support/image_bytes.h"
 #include "tests/support/source_folder.h"
 #include "tests/support/temporary_folder.h"
