@@ -6,7 +6,7 @@
 #include "sim/light/sheet_profile.h"
 #include "sim/render/air_on_film.h"
 #include "sim/render/picture.h"
-#include "sim/scene/table/same_values.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/film/blur.h"
 
 namespace vegard::sim {

@@ -10,7 +10,7 @@
 #include "fit/photo/photo.h"
 #include "sim/base/number/random.h"
 #include "sim/render/render.h"
-#include "sim/view/sensor/transfer_curve.h"
+#include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::tests {
 

@@ -17,7 +17,7 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/report/plot/plot.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/utc_time.h"
 #include "sim/light/air/msis_air.h"

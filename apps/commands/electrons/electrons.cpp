@@ -21,7 +21,6 @@
 #include "apps/output/plot_file.h"
 #include "fit/report/plot/plot.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/base/file/csv_text.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/tables/ionisation.h"

@@ -25,7 +25,7 @@
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/light/chemistry/auroral_run.h"
+#include "sim/light/chemistry/line_sources.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 

@@ -14,12 +14,11 @@
 #include "apps/options/survey_eyes.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
-#include "fit/survey/plan_json.h"
+#include "fit/survey/survey_plan.h"
 #include "fit/survey/report/survey_report.h"
 #include "fit/survey/survey_export.h"
 #include "fit/survey/survey_merge.h"
 #include "fit/survey/survey_motion.h"
-#include "fit/survey/survey_netcdf.h"
 
 namespace vegard::apps {
 namespace {

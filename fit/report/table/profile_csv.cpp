@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "fit/report/table/report_bins.h"
-#include "sim/base/file/csv_text.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
