@@ -104,7 +104,7 @@ class RunDataset {
     for (const ResultNumber& number : result_numbers())
       if (number.long_name != nullptr) long_names[number.key] = number.long_name;
     for (const auto& [key, long_name] : long_names)
-      dataset_.real(key, long_name, "1", {}, {record_number(json_, key)});
+      dataset_.real(key, long_name, "1", {}, {record_number(json_, key.c_str())});
   }
 
   void take_parameters() {

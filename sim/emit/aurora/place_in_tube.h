@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/base/number/vec3.h"
 #include "sim/light/sample.h"
 
 namespace vegard::sim {
