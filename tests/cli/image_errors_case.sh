@@ -20,7 +20,7 @@ for mask in missing.png other_size.png black.png; do
 done
 # A scene that does not belong to the photograph is the scene's mistake.
 expect_exit 2 fit "$SCENES/fit.toml" --photo other_size.png --out run
-expect_stderr "fit.toml:$(grep -n '^width' "$SCENES/fit.toml" | cut -d: -f1): camera.width"
+expect_stderr "fit.toml:$(grep -n '^width =' "$SCENES/fit.toml" | cut -d: -f1): camera.width"
 sed 's/^bands = .*/bands = 4\nroi_px = [100, 0, 100, 120]/' "$SCENES/fit.toml" >fit.toml
 expect_exit 2 fit fit.toml --photo photo.jpg --out run
 expect_stderr "fit.toml:$(grep -n '^roi_px' fit.toml | cut -d: -f1): fit.roi_px"
@@ -30,7 +30,7 @@ sed 's/^bands = .*/bands = 1000/' "$SCENES/fit.toml" >fit.toml
 expect_exit 2 fit fit.toml --photo photo.jpg --out run
 expect_stderr "fit.toml:$(grep -n '^bands' fit.toml | cut -d: -f1): fit.bands"
 expect_exit 2 profile other_size.png --scene fit.toml -o profile.csv
-expect_stderr "fit.toml:$(grep -n '^width' fit.toml | cut -d: -f1): camera.width"
+expect_stderr "fit.toml:$(grep -n '^width =' fit.toml | cut -d: -f1): camera.width"
 rm fit.toml
 expect_exit 2 fit "$SCENES/fit.toml" --photo photo.jpg --out run --set 'fit.roi_px=[100, 0, 100, 120]'
 expect_stderr fit.roi_px
