@@ -10,9 +10,9 @@ import pathlib
 import re
 import sys
 
-MOST = 125
+MOST = 121
 TEXT = r'"((?:[^"\\]|\\.)*)"'
-WORD = re.compile(r"[('\"]?[A-Za-z][a-z]*(?:['-][a-z]+)*[,.;:)'\"]*")
+WORD = re.compile(r"[('\"]?[A-Za-z][a-z]+(?:['-][a-z]+)*[,.;:)'\"]*")
 
 
 def is_sentence(text):
