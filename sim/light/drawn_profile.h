@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
+struct Sheet;
 
 /// Returns the profile of sheet.profile_file. The table has a column altitude_km and a column per line
 /// ("557.7", "5577" or "ver_5577"), in photons cm^-3 s^-1 at 1 mW m^-2. Interpolation between the rows is

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "sim/scene/structs/scene.h"
-
 namespace vegard::sim {
+
+struct Scene;
 
 /// Numbers of one line in the height profile of a sheet. Altitudes and distances are vertical, in km.
 struct LineLight {

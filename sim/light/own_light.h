@@ -16,9 +16,11 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
+struct Sheet;
 
 /// Replaces own lines by lines that the emission model has, and computes the own lines from its result.
 class OwnLight {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
 
+struct Footprint;
 struct Scene;
 
 /// Profiles at evenly spaced values of ln(energy / footprint.energy_kev). Between two of them the rate is

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "sim/light/height_profile.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {
+
+struct Scene;
+struct Sheet;
 
 /// True if a sheet's light is given by its brightness, so that its energy flux has no effect.
 bool has_given_brightness(const Sheet& sheet);

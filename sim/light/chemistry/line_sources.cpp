@@ -35,10 +35,24 @@ CollisionCurve impact_curve(ImpactLight process) {
   return curve;
 }
 
-class Light {
+ReactingAir reacting_air(const FieldAir& column, std::size_t m) {
+  ReactingAir air;
+  air.altitude_km = column.altitude_km[m];
+  air.temperature_k = column.temperature_k[m];
+  air.electron_temperature_k = column.electron_temperature_k[m];
+  air.n2 = column.density_cm3[kN2][m];
+  air.o2 = column.density_cm3[kO2][m];
+  air.o = column.density_cm3[kO][m];
+  air.no = column.no_cm3[m];
+  air.n = column.n_cm3[m];
+  return air;
+}
+
+/// The light that the electrons of `rates` excite in the air of `column`.
+class LightOfElectrons {
  public:
-  Light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
-        const Reactions& reactions)
+  LightOfElectrons(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
+                   const Reactions& reactions)
       : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions) {
     for (std::size_t m = 0; m < column.size(); ++m) {
       air_.push_back(reacting_air(column, m));
@@ -49,7 +63,7 @@ class Light {
 
   AuroralLight run() {
     const Rate o2_7774 = impact(kO2, ImpactLight::o2_7774);
-    const Rate blue = scaled(shell(kN2, "N2+ B"), blue_of_shell());
+    const Rate blue = scaled(shell(kN2, "N2+ B"), photons_4278_of_shell());
     add("ver_3371", 337.1, {{"N2 + e, to C3Pi", scaled(excited(kN2, "N2 C3Pi"), value(R::light_3371))}});
     add("ver_4278", 427.8, {{"N2 + e, to N2+(B)", blue}});
     nitrogen_2d();
@@ -117,8 +131,8 @@ class Light {
     return rate;
   }
 
-  /// 427.8 nm per ionisation of the shell that leaves N2+(B).
-  double blue_of_shell() const {
+  /// Returns the photons of 427.8 nm per ionisation of the shell that leaves N2+(B).
+  double photons_4278_of_shell() const {
     constexpr double kMeasuredEv = 100.0, kUnitCm2 = 1e-18;
     const GasCollisions& n2 = gas_collisions(Gas::n2);
     for (const IonisedShell& s : n2.shells)
@@ -149,26 +163,28 @@ class Light {
 
   void nitrogen_2d() {
     const Rate &a2 = excited(kN2, "N2 a''1Sigma"), &singlets = excited(kN2, "N2 singlets from 13 eV");
-    const Rate left = by_place([&](std::size_t m) {
+    const Rate losses_s = by_place([&](std::size_t m) {
       const auto& k = at_[m];
       return k(R::n2d_5200) + k(R::n2d_o2) * air_[m].o2 + k(R::n2d_o) * air_[m].o +
              k(R::n2d_no) * air_[m].no + k(R::n2d_e) * light_.ions[m].electrons;
     });
-    const auto shine = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::n2d_5200) * made(m) / left[m]; });
+    const auto photons = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::n2d_5200) * made(m) / losses_s[m]; });
     };
     add("ver_5200", 520.0,
-        {{"N2+ + O", shine([&](std::size_t m) { return at_[m](R::n2p_o) * air_[m].o * light_.ions[m].n2p; })},
-         {"N2+ + e", shine([&](std::size_t m) {
+        {{"N2+ + O",
+          photons([&](std::size_t m) { return at_[m](R::n2p_o) * air_[m].o * light_.ions[m].n2p; })},
+         {"N2+ + e", photons([&](std::size_t m) {
             return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * light_.ions[m].electrons * light_.ions[m].n2p;
           })},
-         {"NO+ + e", shine([&](std::size_t m) {
+         {"NO+ + e", photons([&](std::size_t m) {
             return value(R::n2d_of_nop) * at_[m].nop_e() * light_.ions[m].electrons * light_.ions[m].nop;
           })},
-         {"N2 + e", shine([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
-         {"N2 + e, to N+",
-          shine([&](std::size_t m) { return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m); })}},
-        left);
+         {"N2 + e", photons([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
+         {"N2 + e, to N+", photons([&](std::size_t m) {
+            return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m);
+          })}},
+        losses_s);
     const Rate all = light_.lines.back().photons_cm3_s();
     n2d_cm3_ = by_place([&](std::size_t m) { return all[m] / at_[m](R::n2d_5200); });
   }
@@ -178,51 +194,51 @@ class Light {
     for (const char* state : {"N2 A3Sigma v=0-4", "N2 A3Sigma v=5-9", "N2 A3Sigma v=10-", "N2 B3Pi",
                               "N2 W3Delta", "N2 B'3Sigma", "N2 C3Pi", "N2 E3Sigma"})
       for (std::size_t m = 0; m < places(); ++m) n2a[m] += excited(kN2, state)[m];
-    const Rate left = by_place([&](std::size_t m) {
+    const Rate losses_s = by_place([&](std::size_t m) {
       const auto& k = at_[m];
       return k(R::o1s_5577) + k(R::o1s_2972) + k(R::o1s_o2) * air_[m].o2 + k(R::o1s_o) * air_[m].o;
     });
-    const auto shine = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::o1s_5577) * made(m) / left[m]; });
+    const auto photons = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::o1s_5577) * made(m) / losses_s[m]; });
     };
     const Rate& impact = excited(kO, "O 1S");
     add("ver_5577", 557.7,
-        {{"O + e", shine([&](std::size_t m) { return impact[m]; })},
-         {"O2+ + e", shine([&](std::size_t m) { return value(R::o1s_of_o2p) * o2p_recombined(m); })},
-         {"N2(A) + O", shine([&](std::size_t m) {
+        {{"O + e", photons([&](std::size_t m) { return impact[m]; })},
+         {"O2+ + e", photons([&](std::size_t m) { return value(R::o1s_of_o2p) * o2p_recombined(m); })},
+         {"N2(A) + O", photons([&](std::size_t m) {
             const double by_o = at_[m](R::n2a_o) * air_[m].o;
             return value(R::o1s_of_n2a) * n2a[m] * by_o /
                    (by_o + at_[m](R::n2a_o2) * air_[m].o2 + at_[m](R::n2a_light));
           })},
-         {"O2 + e", shine([&](std::size_t m) { return value(R::o1s_of_o2) * o2_7774[m]; })},
-         {"O2+ + N", shine([&](std::size_t m) {
+         {"O2 + e", photons([&](std::size_t m) { return value(R::o1s_of_o2) * o2_7774[m]; })},
+         {"O2+ + N", photons([&](std::size_t m) {
             return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n * light_.ions[m].o2p;
           })},
-         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}},
-        left);
+         {"N+ + O2", photons([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}},
+        losses_s);
   }
 
   void oxygen_1d() {
     const Rate green = light_.lines.back().photons_cm3_s();
-    const Rate left = by_place([&](std::size_t m) {
+    const Rate losses_s = by_place([&](std::size_t m) {
       const auto& k = at_[m];
       return k(R::o1d_6300) + k(R::o1d_6364) + k(R::o1d_n2) * air_[m].n2 + k(R::o1d_o2) * air_[m].o2 +
              k(R::o1d_o) * air_[m].o + k(R::o1d_e) * light_.ions[m].electrons;
     });
-    const auto shine = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::o1d_6300) * made(m) / left[m]; });
+    const auto photons = [&](const auto& made) {
+      return by_place([&](std::size_t m) { return at_[m](R::o1d_6300) * made(m) / losses_s[m]; });
     };
     const Rate &impact = excited(kO, "O 1D"), &dissociated = excited(kO2, "O2 8.4 eV");
     add("ver_6300", 630.0,
-        {{"O + e", shine([&](std::size_t m) { return impact[m]; })},
-         {"O2+ + e", shine([&](std::size_t m) { return value(R::o1d_of_o2p) * o2p_recombined(m); })},
-         {"N(2D) + O2", shine([&](std::size_t m) {
+        {{"O + e", photons([&](std::size_t m) { return impact[m]; })},
+         {"O2+ + e", photons([&](std::size_t m) { return value(R::o1d_of_o2p) * o2p_recombined(m); })},
+         {"N(2D) + O2", photons([&](std::size_t m) {
             return value(R::o1d_of_n2d) * at_[m](R::n2d_o2) * air_[m].o2 * n2d_cm3_[m];
           })},
-         {"O(1S)", shine([&](std::size_t m) { return green[m]; })},
-         {"N+ + O2", shine([&](std::size_t m) { return value(R::o1d_of_np) * np_o2(m); })},
-         {"O2 + e", shine([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}},
-        left);
+         {"O(1S)", photons([&](std::size_t m) { return green[m]; })},
+         {"N+ + O2", photons([&](std::size_t m) { return value(R::o1d_of_np) * np_o2(m); })},
+         {"O2 + e", photons([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}},
+        losses_s);
   }
 
   double o2p_recombined(std::size_t m) const {
@@ -256,19 +272,6 @@ SourcedLine after_seconds(SourcedLine line, double seconds) {
   return line;
 }
 
-ReactingAir reacting_air(const FieldAir& column, std::size_t m) {
-  ReactingAir air;
-  air.altitude_km = column.altitude_km[m];
-  air.temperature_k = column.temperature_k[m];
-  air.electron_temperature_k = column.electron_temperature_k[m];
-  air.n2 = column.density_cm3[kN2][m];
-  air.o2 = column.density_cm3[kO2][m];
-  air.o = column.density_cm3[kO][m];
-  air.no = column.no_cm3[m];
-  air.n = column.n_cm3[m];
-  return air;
-}
-
 double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s) {
   // The path along the field is longer than the altitude by the same factor everywhere.
   const double slant = 1e-5 * (column.path_cm.back() - column.path_cm.front()) /
@@ -276,21 +279,18 @@ double column_rayleigh(const FieldAir& column, const std::vector<double>& photon
   return 1e-6 * path_integral(column, photons_cm3_s) / slant;
 }
 
-AuroralLight auroral_light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
-                           const Reactions& reactions) {
-  return Light(degradation, column, rates, reactions).run();
-}
-
 AuroralRun auroral_run(const Degradation& degradation, FieldAir column, const std::vector<double>& flux,
                        PitchAngles angles, const Reactions& reactions) {
   AuroralRun run;
   run.column = std::move(column);
   run.column.electrons_cm3.clear();
-  run.rates = electron_transport(degradation, run.column, flux, angles);
-  run.light = auroral_light(degradation, run.column, run.rates, reactions);
+  const auto compute = [&] {
+    run.rates = electron_transport(degradation, run.column, flux, angles);
+    run.light = LightOfElectrons(degradation, run.column, run.rates, reactions).run();
+  };
+  compute();
   for (const IonDensities& ions : run.light.ions) run.column.electrons_cm3.push_back(ions.electrons);
-  run.rates = electron_transport(degradation, run.column, flux, angles);
-  run.light = auroral_light(degradation, run.column, run.rates, reactions);
+  compute();
   return run;
 }
 

@@ -42,24 +42,16 @@ struct AuroralLight {
   std::vector<IonDensities> ions;  ///< [place]
 };
 
-/// What the electrons of `rates` make of the air of `column`.
-AuroralLight auroral_light(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
-                           const Reactions& reactions);
-
-/// The same line some seconds after electrons have begun to come: a source grows as 1 - exp(-t/lifetime) of
-/// the line's own atoms. What makes them is taken to be steady at once, so that N(2D) and ions which live as
-/// long come too early.
+/// Returns the line some seconds after the electrons have begun to fall: a source grows as 1 -
+/// exp(-t/lifetime) of the line's own atoms. Their production is taken to be steady at once, so that N(2D)
+/// and ions, which live as long, appear too early.
 SourcedLine after_seconds(SourcedLine line, double seconds);
 
-/// The air at a place. Nitric oxide, atomic nitrogen and the electrons' temperature are the column's.
-ReactingAir reacting_air(const FieldAir& column, std::size_t place);
-
-/// Rayleighs seen from straight below, 1e-6 times the integral over the altitude.
+/// Returns the rayleighs seen from straight below, 1e-6 times the integral over the altitude.
 double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s);
 
-// From electrons at the top to light: transport, chemistry, and the thermal electrons that both make and
-// meet.
-
+/// The way from electrons at the top to light: transport, chemistry, and thermal electrons, which both depend
+/// on.
 struct AuroralRun {
   FieldAir column;  ///< with the thermal electrons of the first run, which the second one met
   ElectronRates rates;

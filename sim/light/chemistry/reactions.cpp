@@ -20,9 +20,9 @@ bool is_one_of(int number, std::initializer_list<Reaction> reactions) {
                      [&](Reaction reaction) { return static_cast<int>(reaction) == number; });
 }
 
-/// Recombination, without which ions stay for ever, and the light of metastable atoms, by which they are
-/// counted.
-bool needs_more_than_nothing(int number) {
+/// Returns whether a rate must be above 0: of recombination, without which ions stay for ever, and of the
+/// light of metastable atoms, by which they are counted.
+bool must_be_positive(int number) {
   using R = Reaction;
   return is_one_of(number, {R::n2p_e, R::o2p_e_cold, R::o2p_e_hot, R::nop_e_cold, R::nop_e_hot, R::n2a_light,
                             R::o1s_5577, R::o1d_6300, R::n2d_5200, R::op2p_light_2d});
@@ -52,7 +52,7 @@ void Reactions::read(const std::string& csv, const std::string& name, bool may_a
     if (!may_add && known == rows_.end())
       table.refuse(r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
     if (values[r] < 0.0) table.refuse(r, "the value is negative", "0 or more");
-    if (needs_more_than_nothing(number) && values[r] == 0.0)
+    if (must_be_positive(number) && values[r] == 0.0)
       table.refuse(r, "the value is 0, and nothing else would end what it ends", "a value above 0");
     if (is_share(number) && values[r] > 1.0) table.refuse(r, "a share is above 1", "0 to 1");
     if (by != of[r] || (!may_add && by != known->second.of))

@@ -34,7 +34,8 @@ struct TableRequest {
 /// The text of each file of the folder by its name.
 using MadeTables = std::map<std::string, std::string>;
 
-std::vector<double> made_altitudes_km();  ///< 80 to 640 km
+/// Returns the altitudes of the tables, 80 to 640 km.
+std::vector<double> made_altitudes_km();
 
 /// Some hundreds of transports, a minute or two of two cores. `progress` is called with how many of how many
 /// are done, from any thread. The same bytes for every number of threads. Throws Error(unreadable_input) if

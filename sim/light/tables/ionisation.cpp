@@ -20,7 +20,7 @@ constexpr double kMinKev = 0.05;
 constexpr double kUnitG = 1.66053907e-24;  // of atomic mass
 constexpr double kBoltzmannErgK = 1.380649e-16;
 constexpr double kGravityCmS2 = 980.665;  // at sea level
-constexpr double kO = 15.999, kO2 = 31.998, kN2 = 28.014;
+constexpr double kMassO = 15.999, kMassO2 = 31.998, kMassN2 = 28.014;
 
 /// ln(A y^B exp(-C y^D)) for the four coefficients from `first` on, at ln(y) that falls with ln(E).
 LogRate log_term(int first, double log_y, double log_energy) {
@@ -50,7 +50,7 @@ LogRate log_dissipation(double log_y, double log_energy) {
 
 StoppingAir stopping_air(double altitude_km, double temperature_k, double n2_cm3, double o2_cm3,
                          double o_cm3) {
-  const double density = kUnitG * (kO * o_cm3 + kO2 * o2_cm3 + kN2 * n2_cm3);
+  const double density = kUnitG * (kMassO * o_cm3 + kMassO2 * o2_cm3 + kMassN2 * n2_cm3);
   const double mass = density / (o_cm3 + o2_cm3 + n2_cm3);
   const double out = 1.0 + altitude_km / kEarthRadiusKm;
   const double height = kBoltzmannErgK * temperature_k * out * out / (mass * kGravityCmS2);

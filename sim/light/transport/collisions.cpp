@@ -144,12 +144,13 @@ double beta2_of(double energy_ev) {
   return (gamma - 1.0) * (gamma + 1.0) / (gamma * gamma);
 }
 
-}  // namespace
-
+/// Returns m v^2/2 of an electron, relativistic.
 double half_mv2_ev(double energy_ev) {
   const double gamma = 1.0 + energy_ev / kElectronRestEv;
   return 0.5 * kElectronRestEv * (gamma - 1.0) * (gamma + 1.0) / (gamma * gamma);
 }
+
+}  // namespace
 
 double CollisionCurve::at(double energy) const {
   if (energy <= loss_ev || energy < energy_ev.front()) return 0.0;

@@ -101,10 +101,7 @@ const GasCollisions& gas_collisions(Gas gas);
 /// continuous. Not above 1.
 double elastic_transfer_ratio(double energy_ev);
 
-/// m v^2/2 of an electron, relativistic.
-double half_mv2_ev(double energy_ev);
-
-/// Energy per path and density, eV cm^2, of all inelastic collisions.
+/// Returns the energy loss per path and density, eV cm^2, by all inelastic collisions.
 double stopping_ev_cm2(Gas gas, double energy_ev);
 
 }  // namespace vegard::sim

@@ -11,6 +11,8 @@
 
 namespace vegard::sim {
 
+struct Camera;
+
 /// Directions of the pixels' centres, row-major: [y * width + x], with rows as in the picture. Both angles
 /// are NaN where a pixel has no direction (outside of a fisheye's circle).
 struct DirectionMap {

@@ -7,6 +7,7 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/spline.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
 namespace {

@@ -14,6 +14,8 @@
 
 namespace vegard::sim {
 
+enum class Primaries;
+
 /// Returns the colour matching functions at a wavelength: cubic splines through the 5 nm table, zero outside
 /// 380-780 nm.
 Vector3 colour_matching(double wavelength_nm);

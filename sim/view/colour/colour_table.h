@@ -19,9 +19,10 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 class ColourTable {
  public:

@@ -6,6 +6,7 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/spline.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim {

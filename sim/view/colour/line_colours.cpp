@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include "sim/scene/lines/emission_lines.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/colour/sensor_response.h"

@@ -4,10 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns the linear sensor value (white = 1) of the luminance of 1 kR of 557.7 nm: the scene's number, or
 /// for the exposure "camera" the value from the electrons of a green pixel (sim/view/colour/radiometry.h).

@@ -8,6 +8,8 @@
 
 namespace vegard::sim {
 
+struct Camera;
+
 /// A pixel, by column and row from 0, and the direction of its centre.
 struct BrightSpot {
   int x = 0, y = 0;

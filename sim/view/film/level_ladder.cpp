@@ -95,16 +95,11 @@ struct FallTaps {
   }
 };
 
-/// The cells that each of a film's columns or rows depends on, on a level.
-std::vector<CubicTaps> level_taps(const LevelAxis& axis, double start_px, double cell_px, int cells) {
-  if (axis.smooth) return cubic_taps(cells, cell_px, start_px, axis.start_px, axis.cell_px);
-  std::vector<CubicTaps> all(cells);
-  const int first = static_cast<int>(std::lround((start_px - axis.start_px) / axis.cell_px));
-  for (int i = 0; i < cells; ++i) all[i] = {first + i, {1.0f, 0.0f, 0.0f, 0.0f}};
-  return all;
-}
-
-}  // namespace
+/// The four cells of a cubic B-spline on which the value at a place depends, with their weights.
+struct CubicTaps {
+  int first = 0;
+  float weight[4] = {};
+};
 
 std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
                                   double cell_px) {
@@ -121,6 +116,17 @@ std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, d
   }
   return all;
 }
+
+/// Returns the cells that each of a film's columns or rows depends on, on a level.
+std::vector<CubicTaps> level_taps(const LevelAxis& axis, double start_px, double cell_px, int cells) {
+  if (axis.smooth) return cubic_taps(cells, cell_px, start_px, axis.start_px, axis.cell_px);
+  std::vector<CubicTaps> all(cells);
+  const int first = static_cast<int>(std::lround((start_px - axis.start_px) / axis.cell_px));
+  for (int i = 0; i < cells; ++i) all[i] = {first + i, {1.0f, 0.0f, 0.0f, 0.0f}};
+  return all;
+}
+
+}  // namespace
 
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px) {
   std::vector<BlurLevel> levels = {level_of(width_px, height_px, 0.0)};

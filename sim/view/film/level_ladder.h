@@ -33,17 +33,6 @@ struct BlurLevel {
 /// Returns the levels for a picture of this size, up to the first that is at least `widest_px` wide.
 std::vector<BlurLevel> level_ladder(int width_px, int height_px, double widest_px);
 
-/// The four cells of a cubic B-spline on which the value at a place depends, with their weights.
-struct CubicTaps {
-  int first = 0;
-  float weight[4] = {};
-};
-
-/// Returns the taps for the centres of `places` cells of a picture or a film, of width `step_px`, the first
-/// of which begins at `first_px`; the spline's cells have the width `cell_px` and begin at `start_px`.
-std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
-                                  double cell_px);
-
 /// The two levels that share a point's light.
 struct LevelShare {
   int lower = 0;             ///< the other level is lower + 1

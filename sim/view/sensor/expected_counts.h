@@ -10,10 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// One contribution to the relative uncertainty of counts.
 struct UncertaintyPart {

@@ -82,7 +82,6 @@ double sine_of_horizon(double observer_km, double sphere_km) {
 }
 
 AirShape molecules_shape() { return {0.0, 7.0, false}; }
-AirShape aerosol_shape(const LowerAir& air) { return {0.0, air.aerosol_height_km, false}; }
 AirShape ozone_shape() { return {22.0, 5.0, true}; }
 
 AirColumn::AirColumn(const AirShape& shape, double observer_km, double unit_km) {
@@ -107,7 +106,7 @@ AirAbove::AirAbove(const Scene& scene)
   molecules_above_ = pressure_share(observer_km);
   aerosol_above_ = std::exp(-observer_km / scale_km);
   molecules_.emplace(molecules_shape(), observer_km, molecules_shape().width_km);
-  aerosol_.emplace(aerosol_shape(scene.air), observer_km, scale_km);
+  aerosol_.emplace(AirShape{0.0, scale_km, false}, observer_km, scale_km);
   // A Gaussian's column is counted from the middle of the layer, not from the observer.
   ozone_.emplace(ozone_shape(), observer_km, std::sqrt(kTwoPi) * ozone_shape().width_km);
 }

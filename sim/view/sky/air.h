@@ -47,7 +47,6 @@ struct AirShape {
 /// at every elevation; ozone: a Gaussian layer at 22 km, 5 km wide (ours; Robinson's shell of 1966 is at
 /// 22 km too).
 AirShape molecules_shape();
-AirShape aerosol_shape(const LowerAir& air);
 AirShape ozone_shape();
 
 /// The column along a line of sight as a function of the sine of its elevation: the integral, along a

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 struct MoonPlace {
   double longitude_deg = 0.0, latitude_deg = 0.0;  ///< ecliptic, from the Earth's centre; 0 to 360, north

@@ -1,10 +1,12 @@
 // The place and time for which a scene's real sky (stars, planets, Moon, Sun) is computed.
 #pragma once
 
-#include "sim/scene/structs/scene.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::sim {
+
+struct Scene;
+struct Twilight;
 
 /// Returns the scene's observer. The air refracts for observers below 80 km, where the lower air ends
 /// (sim/view/sky/air.h).

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"

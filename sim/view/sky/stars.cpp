@@ -232,6 +232,36 @@ const MilkyWayTable& milky_way_table() {
 constexpr std::array<Equatorial, 3> kGalacticAxes = {
     {{266.40499, -28.93617}, {318.00438, 48.32964}, {192.85948, 27.12825}}};
 
+/// Adds the Milky Way to linear RGB of the scene's camera, at the middle of the instants.
+void add_milky_way(const Scene& scene, const std::vector<double>& instants_s, int threads, Image& light) {
+  const double date = julian_date_at(scene, 0.5 * (instants_s.front() + instants_s.back()));
+  Observer observer = observer_of(scene);
+  observer.refracting_air = false;  // half a degree at most, at the horizon
+  std::array<std::array<double, 3>, 3> axes{};
+  for (int a = 0; a < 3; ++a) axes[a] = direction_of_star({kGalacticAxes[a], 0.0, 0.0}, observer, date);
+  constexpr double kSquareDegree = kRadiansPerDegree * kRadiansPerDegree;
+  const double of_s10 = luminance_per_photon(scene) * star_photons_cm2_s(10.0) / kSquareDegree;
+  const std::array<double, 3> tint = star_tint(kMilkyWayColourIndex, SensorResponse(scene));
+  const StarExtinction air(scene);
+  const CameraView<double> view = camera_view(scene.camera);
+  const double lowest = sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3);
+  const MilkyWayTable& table = milky_way_table();
+  parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < light.width; ++x) {
+      double enu[3];
+      if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu) || enu[2] < lowest) continue;
+      double along[3];
+      for (int a = 0; a < 3; ++a) along[a] = enu[0] * axes[a][0] + enu[1] * axes[a][1] + enu[2] * axes[a][2];
+      const double s10 = table.s10(std::atan2(along[1], along[0]) / kRadiansPerDegree,
+                                   std::atan2(along[2], std::hypot(along[0], along[1])) / kRadiansPerDegree);
+      const std::array<double, 3> let_through = air.towards(enu[2]);
+      for (int c = 0; c < 3; ++c)
+        light.at(x, y, c) += static_cast<float>(of_s10 * s10 * tint[c] * let_through[c]);
+    }
+  });
+}
+
 }  // namespace
 
 double stars_brighter_than(double magnitude) {
@@ -307,35 +337,6 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
 
 double milky_way_s10(double longitude_deg, double latitude_deg) {
   return milky_way_table().s10(longitude_deg, latitude_deg);
-}
-
-void add_milky_way(const Scene& scene, const std::vector<double>& instants_s, int threads, Image& light) {
-  const double date = julian_date_at(scene, 0.5 * (instants_s.front() + instants_s.back()));
-  Observer observer = observer_of(scene);
-  observer.refracting_air = false;  // half a degree at most, at the horizon
-  std::array<std::array<double, 3>, 3> axes{};
-  for (int a = 0; a < 3; ++a) axes[a] = direction_of_star({kGalacticAxes[a], 0.0, 0.0}, observer, date);
-  constexpr double kSquareDegree = kRadiansPerDegree * kRadiansPerDegree;
-  const double of_s10 = luminance_per_photon(scene) * star_photons_cm2_s(10.0) / kSquareDegree;
-  const std::array<double, 3> tint = star_tint(kMilkyWayColourIndex, SensorResponse(scene));
-  const StarExtinction air(scene);
-  const CameraView<double> view = camera_view(scene.camera);
-  const double lowest = sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3);
-  const MilkyWayTable& table = milky_way_table();
-  parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {
-    const int y = static_cast<int>(row);
-    for (int x = 0; x < light.width; ++x) {
-      double enu[3];
-      if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu) || enu[2] < lowest) continue;
-      double along[3];
-      for (int a = 0; a < 3; ++a) along[a] = enu[0] * axes[a][0] + enu[1] * axes[a][1] + enu[2] * axes[a][2];
-      const double s10 = table.s10(std::atan2(along[1], along[0]) / kRadiansPerDegree,
-                                   std::atan2(along[2], std::hypot(along[0], along[1])) / kRadiansPerDegree);
-      const std::array<double, 3> let_through = air.towards(enu[2]);
-      for (int c = 0; c < 3; ++c)
-        light.at(x, y, c) += static_cast<float>(of_s10 * s10 * tint[c] * let_through[c]);
-    }
-  });
 }
 
 }  // namespace vegard::sim

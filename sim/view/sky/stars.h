@@ -14,10 +14,11 @@
 #include <vector>
 
 #include "sim/base/image.h"
-#include "sim/scene/structs/scene.h"
 #include "sim/view/sky/star_photometry.h"
 
 namespace vegard::sim {
+
+struct Scene;
 
 /// Returns the number of stars of the whole sky brighter than a V magnitude: 4, 15, 49, 172, 511, 1600 and
 /// 4800 at magnitudes 0 to 6 (Allen's Astrophysical Quantities, rounded; Hipparcos counts the same but 4968
@@ -66,8 +67,5 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s,
 /// Returns the brightness above the air in stars of V magnitude 10 per square degree, at galactic
 /// coordinates.
 double milky_way_s10(double longitude_deg, double latitude_deg);
-
-/// Adds the Milky Way to linear RGB of the scene's camera, at the middle of the instants.
-void add_milky_way(const Scene& scene, const std::vector<double>& instants_s, int threads, Image& light);
 
 }  // namespace vegard::sim

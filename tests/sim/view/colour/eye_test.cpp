@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/scene/structs/scene.h"
 #include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim::eye_test {

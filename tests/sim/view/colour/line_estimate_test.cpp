@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/sensor.h"
 #include "sim/view/colour/line_colours.h"
 

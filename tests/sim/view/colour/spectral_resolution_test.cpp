@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/sensor.h"
 
 namespace vegard::sim::spectral_resolution_test {

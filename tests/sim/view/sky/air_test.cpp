@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::sim::air_test {
 namespace {
