@@ -1,4 +1,4 @@
-// An electron that falls into the atmosphere: its speed and its number of collisions.
+// An electron that falls into the atmosphere: its number of collisions and its mean energy.
 //
 // Source: Baranoski et al. 2000, section 3.2; docs/physics.md row B12.
 #pragma once
@@ -6,12 +6,9 @@
 #include <optional>
 
 #include "sim/scene/structs/sheet.h"
-
 namespace vegard::sim {
 
-/// Returns the relativistic speed of an electron of this kinetic energy: 58 455 km/s at 10 keV, which the
-/// source rounds to 60 000.
-double electron_speed_km_s(double energy_kev);
+struct Sheet;
 
 /// Returns the number of collisions that stop an electron: 300 at 10 keV (the source's number), and
 /// proportional to the energy. That is one per 33 eV, near the 35 eV that an ion pair costs.
@@ -19,10 +16,6 @@ double mean_collisions(double energy_kev);
 
 /// Returns the source's threshold d_t for electrons of this energy, 1 / mean_collisions: 1/300 at 10 keV.
 double path_step_of(double energy_kev);
-
-/// Returns the number of deflection points per metre of a path whose steps are distributed uniformly between
-/// 0 and the fraction path_step of the path: the mean step is half the largest.
-double deflections_per_metre(double path_step, double path_km);
 
 // Energies of a sheet's electrons; they depend on the kind of its profile.
 

@@ -1,6 +1,6 @@
 // Numbers that Baranoski et al. 2000 state, measured on the simulator; docs/physics.md has the rows. Those
 // not here stand beside what they test: deflections and spread (rows B12, B14) in emit/aurora/fall_test.cpp,
-// the distance of the boundaries (B2) in emit/aurora/sheet_test.cpp, an electron's speed and collisions (B12)
+// the distance of the boundaries (B2) in emit/aurora/sheet_test.cpp, an electron's collisions (B12)
 // in light/electron_test.cpp, brightness (B21) in render/sheet_light_test.cpp, a form's light against
 // altitude (B19) and the forms' heights and brightness (B20) in render/forms_on_film_test.cpp, the forms'
 // other ranges (B20) in scene/forms_test.cpp.
