@@ -62,7 +62,7 @@ void take_border_sample(const Photo& photo, int channel, const sim::CameraView<d
   }
 }
 
-/// Small holes of a column, filled by a straight line.
+/// Fills small holes of each column by straight lines.
 void bridge_border_holes(SkyCells& cells) {
   const int widest = static_cast<int>(kWidestHoleDeg / cells.elevation_step_deg);
   for (int c = 0; c < cells.columns; ++c) {
@@ -81,8 +81,9 @@ void bridge_border_holes(SkyCells& cells) {
   }
 }
 
-/// Takes the smooth lower envelope off: cubic in elevation, each power with the first harmonic of azimuth, by
-/// asymmetric least squares (Newey and Powell 1987, Econometrica 55, 819), which light above hardly lifts.
+/// Returns the light less its smooth lower envelope: a cubic in elevation, each power with the first harmonic
+/// of azimuth, fitted by asymmetric least squares (Newey and Powell 1987, Econometrica 55, 819), which light
+/// above hardly lifts.
 std::vector<double> without_border_sky(const SkyCells& cells) {
   constexpr int kTerms = 12;
   constexpr double kAbove = 0.03;  // weight of what stands above, what stands below having 1
@@ -123,7 +124,8 @@ std::vector<double> without_border_sky(const SkyCells& cells) {
   return out;
 }
 
-/// Gaussian along elevation, (1 2 1) / 4 across azimuth, over what is usable.
+/// Returns the light smoothed over the usable cells: by a Gaussian along elevation, by (1 2 1) / 4 across
+/// azimuth.
 std::vector<double> smoothed_border_light(const SkyCells& cells, const std::vector<double>& light) {
   const double sigma = std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg);
   const int reach = static_cast<int>(std::ceil(3.0 * sigma));
@@ -146,7 +148,7 @@ std::vector<double> smoothed_border_light(const SkyCells& cells, const std::vect
   return out;
 }
 
-/// Noise of the smoothed cells against the brightness of the picture there, found in the picture.
+/// The noise of the smoothed cells as a function of the picture's brightness there, measured in the picture.
 struct BorderNoise {
   std::vector<double> brightness, sigma;
 
@@ -157,9 +159,9 @@ struct BorderNoise {
   }
 };
 
-/// Second differences of single cells against brightness, scaled by what smoothing leaves of them over its
-/// own reach in the darker half of the picture: there, structure does not pass for noise, and the likeness of
-/// neighbouring pixels (interpolation, compression) counts in full.
+/// Measures the noise by second differences of single cells at each brightness, scaled by what smoothing
+/// leaves of them over its own reach in the darker half of the picture: there, structure does not pass for
+/// noise, and the correlation of neighbouring pixels (interpolation, compression) counts in full.
 BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smooth) {
   constexpr std::size_t kBins = 12, kMin = 40;
   std::vector<std::pair<double, double>> rough;  // brightness, |second difference|
@@ -200,7 +202,7 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
       if (const double sigma = noise.at(cells.light[i]); sigma > rounding)
         ratio.push_back(std::abs(d) / sigma);
     }
-  // Smoothing takes no more off than of white noise.
+  // Smoothing reduces no noise by more than it reduces white noise.
   const double rows = std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg);
   double scale = std::sqrt(6.0 / 16.0 / (2.0 * std::sqrt(sim::kPi) * rows));
   if (!ratio.empty()) scale = std::max(scale, kMadToSigma * border_quantile(ratio, 0.5) / std::sqrt(1.5));
@@ -228,13 +230,14 @@ struct BorderLight {
   double at(int column, int row) const { return smooth[cells.index(column, row)]; }
 };
 
-/// Takes the border of a point back, for this reason.
+/// Marks a point as one without a border, for this reason.
 void hide_border(BorderPoint& point, BorderLimit limit) {
   point.limit = limit;
   point.elevation_deg = point.elevation_error_deg = point.fall_deg = sim::kNaN;
 }
 
-/// Where the light falls through a level below a peak, as a row; below `end` if it does not.
+/// Returns the row, with its fraction, where the light falls through a level below a peak; a row below `end`
+/// if it does not.
 double border_crossing(const BorderLight& light, int column, int peak, int end, double level) {
   for (int r = peak; r > end; --r) {
     const double above = light.at(column, r), below = light.at(column, r - 1);
@@ -249,7 +252,8 @@ double border_mean(const BorderLight& light, int column, int from, int to) {
   return sum / (to - from + 1);
 }
 
-/// The border below a peak, in the usable rows from `low` on. False if this is no border but a glow.
+/// Finds the border below a peak, in the usable rows from `low` on. Returns false if the peak is a glow
+/// without a border.
 bool find_border_below(const BorderLight& light, const BorderSettings& settings, int column, int peak,
                        int low, int foot, double sigma, BorderCandidate& found) {
   const SkyCells& cells = light.cells;
@@ -306,7 +310,7 @@ bool find_border_below(const BorderLight& light, const BorderSettings& settings,
   return true;
 }
 
-/// The candidates of the usable rows low to high of a column.
+/// Finds the candidates in the usable rows low to high of a column.
 void search_border_rows(const BorderLight& light, const BorderSettings& settings, int column, int low,
                         int high, std::vector<BorderCandidate>& found) {
   const SkyCells& cells = light.cells;
@@ -327,7 +331,7 @@ void search_border_rows(const BorderLight& light, const BorderSettings& settings
     for (int r = peak + 1; r <= high && light.at(column, r) <= top; ++r)
       valley = std::min(valley, light.at(column, r));
     if (top - valley < std::max(4.0 * sigma, 0.15 * amplitude)) continue;
-    // What is a hump only because a curve was taken off is none.
+    // A peak that exists only because the envelope was subtracted is none.
     const auto whole = [&](int row) { return light.whole[cells.index(column, row)]; };
     double dark = whole(peak);
     for (int r = peak + 1; r <= high; ++r) dark = std::min(dark, whole(r));
@@ -370,7 +374,8 @@ std::vector<std::vector<BorderCandidate>> border_candidates(const BorderLight& l
 
 using BorderPlaceInColumn = std::pair<int, std::size_t>;
 
-/// From a candidate on, column by column to one side; along a straight line through the last few.
+/// Follows the border from a candidate to one side, column by column, along a straight line through the last
+/// few places.
 std::vector<BorderPlaceInColumn> follow_border(const std::vector<std::vector<BorderCandidate>>& all,
                                                const BorderSettings& settings, BorderPlaceInColumn from,
                                                int side, int most) {
@@ -427,7 +432,7 @@ void add_border_scatter(BorderTrace& trace, double step_deg) {
   }
 }
 
-/// The edge of a roof is one all along, also where a lamp or a star brightens it.
+/// Hides all of a border that is the edge of a roof in many places, also where a lamp or a star brightens it.
 void hide_edge_of_ground(BorderTrace& trace) {
   std::size_t edges = 0;
   for (const BorderPoint& p : trace.points) edges += p.limit == BorderLimit::ground ? 1 : 0;

@@ -39,7 +39,7 @@ ColumnGradient column_gradient(const ColumnModel& model, const ColumnData& data,
   return g;
 }
 
-/// What cannot move: it is not free, or chi2 falls across its limit.
+/// Returns which unknowns cannot move: they are not free, or chi2 falls across their limit.
 ColumnFreedom held_unknowns(const ColumnModel& model, const ColumnPoint& point, const ColumnFreedom& free,
                             const Eigen::Vector3d& slope) {
   ColumnFreedom is_held{};
@@ -51,7 +51,8 @@ ColumnFreedom held_unknowns(const ColumnModel& model, const ColumnPoint& point, 
   return is_held;
 }
 
-/// The damped step, with the held ones left where they are, and shortened as a whole where it is too long.
+/// Returns the damped step, which leaves the held unknowns where they are and is shortened as a whole where
+/// it is too long.
 Eigen::Vector3d damped_step(const ColumnGradient& g, const ColumnFreedom& is_held, double damping) {
   Eigen::Matrix3d matrix = g.information;
   Eigen::Vector3d towards = -g.slope;

@@ -23,7 +23,8 @@ OpenInterval interval_of_exponential(const OpenInterval& of_ln) {
   return interval;
 }
 
-/// The intervals of one unknown about a valley. True if a deeper point turned up, which then is `valley`.
+/// Finds the intervals of one unknown about a valley. Returns true if a deeper point turned up, which then is
+/// `valley`.
 bool take_intervals(const ColumnChi2& chi2, const ColumnData& data, ColumnValley& valley, std::size_t k,
                     double sigma_ln, ColumnEstimate& estimate) {
   const MinimisedChi2 minimised = [&](std::size_t j, double fixed, std::vector<double>& point) {
@@ -90,7 +91,7 @@ std::string column_value_text(std::size_t k, double value) {
   return fmt::format("{:.3g}{}", value, kUnits[k]);
 }
 
-/// The line that is farthest off.
+/// Returns the name of the line with the largest deviation.
 std::string farthest_line(const ColumnInversion& inversion) {
   const ColumnSolution& best = inversion.solutions.front();
   std::size_t farthest = 0;
@@ -151,7 +152,7 @@ void assess_columns(ColumnInversion& inversion) {
   }
 }
 
-/// What trades off with what, and what would help.
+/// Returns sentences that say which unknowns trade off, and which lines would separate them.
 std::vector<std::string> degeneracies_of(const ColumnSolution& best) {
   std::vector<std::string> words;
   for (std::size_t a = 0; a < kColumnUnknowns; ++a)
@@ -181,7 +182,7 @@ const char* column_verdict_name(ColumnVerdict verdict) {
 double chi2_tail(double chi2, int degrees_of_freedom) {
   constexpr double kNoChance = 1e5;  // also of what is no number
   if (!(chi2 < kNoChance)) return 0.0;
-  // By the recurrence of the incomplete gamma function, from one degree of freedom or two.
+  // The recurrence of the incomplete gamma function, from one degree of freedom or two.
   const double half = 0.5 * std::max(0.0, chi2);
   const bool odd = degrees_of_freedom % 2 != 0;
   double tail = odd ? std::erfc(std::sqrt(half)) : std::exp(-half);

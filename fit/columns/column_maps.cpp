@@ -11,7 +11,7 @@ namespace {
 constexpr double kSeenSigmas = 3.0;  // standard deviations that a line with light stands out
 constexpr double kEdgeSigmas = 2.0;
 
-/// The brightnesses of a pixel. False: one of them, or its error, is missing.
+/// Takes the brightnesses of a pixel. Returns false if one of them, or its error, is missing.
 bool take_pixel(const std::vector<LineMap>& lines, std::size_t i, ColumnData& data) {
   for (std::size_t l = 0; l < lines.size(); ++l) {
     const LineMap& line = lines[l];
@@ -23,14 +23,14 @@ bool take_pixel(const std::vector<LineMap>& lines, std::size_t i, ColumnData& da
   return true;
 }
 
-/// Whether every brightness has an error: a share of what is 0 or below is none.
+/// Returns whether every brightness has an error: a relative error of 0 or less of light is none.
 bool has_errors(const ColumnData& data, std::size_t lines) {
   for (std::size_t l = 0; l < lines; ++l)
     if (!(data.sigma[l] > 0.0)) return false;
   return true;
 }
 
-/// Whether a line stands out of its error.
+/// Returns whether a line is brighter than its error.
 bool light_in_pixel(const ColumnData& data, std::size_t lines) {
   for (std::size_t l = 0; l < lines; ++l)
     if (data.rayleigh[l] > kSeenSigmas * data.sigma[l]) return true;

@@ -25,15 +25,15 @@ std::vector<double> even_nodes(double least, double most, double widest_step) {
   return nodes;
 }
 
-/// What the nodes from `first` on count for in a value, and in its slope.
+/// Weights of the nodes from `first` on in an interpolated value, and in its slope.
 struct CubicWeights {
   std::size_t first = 0;
   int count = 4;
   std::array<double, 4> value{1.0, 0.0, 0.0, 0.0}, slope{};
 };
 
-/// Between two nodes the cubic whose slopes at both are those of the parabolas through their neighbours
-/// (Catmull and Rom 1974); at the ends the parabola goes on.
+/// Returns the weights of the cubic between two nodes whose slopes at both are those of the parabolas through
+/// their neighbours (Catmull and Rom 1974); at the ends the parabola goes on.
 CubicWeights cubic_weights(const std::vector<double>& nodes, double at) {
   CubicWeights w;
   if (nodes.size() == 1) {

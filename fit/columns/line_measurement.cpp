@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kLineForm =
     "NM=RAYLEIGHS±ERROR, such as 427.8=2300±50, 427.8=2300+-50 or 427.8=2300±2%";
 
-/// A finite number at the beginning of the text from `at` on; `at` moves behind it and blanks about it.
+/// Reads a finite number at the beginning of the text from `at` on; `at` moves behind it and the blanks about
+/// it.
 std::optional<double> leading_number(const std::string& text, std::size_t& at) {
   const char* begin = text.c_str() + at;
   char* end = nullptr;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMegawattPerMw_km2 = 1e-3;  // 1 mW m^-2 on 1 km^2 is a kilowatt
 
-/// Standard deviation of what the replicates say; none where there are too few.
+/// Returns the standard deviation over the replicates; none where there are too few.
 std::optional<double> spread(const MapResult& map,
                              const std::function<double(const std::vector<CellFlux>&)>& number) {
   std::vector<double> values;

@@ -39,7 +39,7 @@ Extremes extremes_of(const Strip& strip) {
   return found;
 }
 
-/// The vertex of the parabola through the brightest row and those beside it.
+/// Returns the place of the vertex of the parabola through the brightest row and those beside it.
 double vertex(const Strip& strip, int row) {
   if (row == 0 || row + 1 == strip.profile.rows || !strip.is_known(row - 1) || !strip.is_known(row + 1))
     return row;
@@ -48,8 +48,8 @@ double vertex(const Strip& strip, int row) {
   return bend < 0.0 ? row + 0.5 * (above - below) / bend : row;
 }
 
-/// Where the light has fallen to a level, from a row on downwards (step 1) or upwards (-1); none if it leaves
-/// what is known first.
+/// Returns the row where the light has fallen to a level, from a row on downwards (step 1) or upwards (-1);
+/// none if it meets unknown rows first.
 std::optional<double> row_of_level(const Strip& strip, int from, int step, double level) {
   for (int row = from; row + step >= 0 && row + step < strip.profile.rows; row += step) {
     if (!strip.is_known(row + step)) return std::nullopt;

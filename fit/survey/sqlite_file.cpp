@@ -14,7 +14,8 @@ namespace {
 constexpr int kWait_ms = 60000;
 constexpr int kMaxCellBytes = 16 << 20;
 
-/// A name that is a file's whatever it looks like: ":memory:" and "file:…" mean something to the library.
+/// Returns a name that SQLite takes for a file's whatever it looks like: ":memory:" and "file:…" mean
+/// something else to it.
 std::string absolute_name(const std::string& file) {
   std::error_code ignored;
   return std::filesystem::absolute(file, ignored).string();

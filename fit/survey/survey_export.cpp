@@ -22,7 +22,7 @@ namespace {
 
 using Take = std::function<void(const std::string& line)>;
 
-/// Cells with commas between.
+/// Joins cells by commas.
 class CsvLine {
  public:
   template <class... Cells>

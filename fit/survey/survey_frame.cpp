@@ -28,7 +28,7 @@
 namespace vegard::fit {
 namespace {
 
-/// Without names of files, which depend on where the program runs.
+/// Returns an error's words without names of files, which depend on where the program runs.
 std::string words_of(const sim::Error& error) {
   const sim::ErrorDetails& d = error.details();
   return d.problem + (d.expected.empty() ? "" : " (expected " + d.expected + ")");
@@ -91,7 +91,7 @@ WorkAnswer border_answer(const Photo& photo, const sim::Scene& scene, int channe
   return answer;
 }
 
-/// What the last frame has left for the next to begin with.
+/// Returns the last frame's solution as the row that the next frame begins with.
 SequenceRow row_of_answer(const WorkAnswer& before) {
   SequenceRow row;
   for (const Verdict known : kVerdicts)
@@ -135,12 +135,12 @@ class FrameInHand {
   FrameInHand(const PictureBytes& picture, const SurveyEye& eye, const sim::Scene& scene)
       : picture_(picture), eye_(eye), scene_(scene) {}
 
-  /// As the file has it.
+  /// Returns the frame as the file has it.
   const Photo& whole() {
     if (!whole_) whole_ = read({});
     return *whole_;
   }
-  /// Averaged as a fit wants it.
+  /// Returns the frame averaged as a fit wants it.
   const Photo& for_fit() {
     const Averaging averaging = averaging_for_fit(scene_);
     if (!averaging.any()) return whole();

@@ -32,10 +32,10 @@ bool has_ending(const std::string& name, const std::vector<std::string>& endings
   });
 }
 
-/// "a/./b//c" as "a/b/c", so that a name is the same however it was come by.
+/// Returns "a/./b//c" as "a/b/c", so that a file has one name whichever way it was given.
 std::string plain_path(const std::string& path) { return fs::path(path).lexically_normal().generic_string(); }
 
-/// Of a file's name; none if it tells no time.
+/// Returns the time that a file's name tells; none if it tells no time.
 std::optional<double> time_in_name(const std::string& name) {
   if (const auto imager = imager_name(name)) return imager->begin_s;
   return sim::utc_seconds_in_name(name);
@@ -51,7 +51,7 @@ double time_of_name(const std::string& frame, const std::string& file, int line)
       .hint("a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out");
 }
 
-/// Whether it may hold many frames, which its name does not tell: such files alone are opened.
+/// Returns whether a file may hold many frames, which its name does not tell: such files alone are opened.
 bool may_have_frames(const std::string& file) {
   static const std::vector<std::string> endings = {".pgm",  ".ppm", ".pgm.gz", ".ppm.gz", ".h5",
                                                    ".hdf5", ".mat", ".cdf",    ".tar"};
@@ -64,8 +64,8 @@ struct Mention {
   int line = 0;      ///< of a list; 0: of none
 };
 
-/// One frame of a file, and when it was taken: as it says itself, as the file's name does if it is the only
-/// one.
+/// Returns when one frame of a file was taken: the time that it tells itself, or that of the file's name if
+/// it is the only frame.
 double time_of_frame(const FrameHead& frame, bool is_only, const std::string& name, const Mention& mention) {
   if (frame.time) return frame.time->seconds;
   if (is_only) return time_of_name(name, mention.file, mention.line);
@@ -77,8 +77,8 @@ double time_of_frame(const FrameHead& frame, bool is_only, const std::string& na
       .hint("a list (.txt) with lines FILE#NUMBER TIME says when each was taken");
 }
 
-/// A file of frames as its frames, path#0, path#1, …, as far as it can be read; where it is damaged one more
-/// stands for the rest, so that it is missed by nobody. False for what is no such file, or none that is
+/// Takes a file of frames as its frames, path#0, path#1, …, as far as it can be read; where it is damaged one
+/// more stands for the rest, so that it is reported. Returns false for a file that holds no frames, or is not
 /// there.
 bool take_frames_of_file(const Survey& survey, const std::string& name, const Mention& mention,
                          ListedFrames& all) {
@@ -107,7 +107,7 @@ bool take_frames_of_file(const Survey& survey, const std::string& name, const Me
   return true;
 }
 
-/// A line of a list: the frame, and the time after its last blank, if that is one. Names may have blanks.
+/// A line of a list: the frame, and the time after its last blank, if that is a time. Names may have blanks.
 struct ListLine {
   std::string frame, time;
 };
@@ -178,7 +178,7 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
   all.sources.push_back({name, sim::sha256(names)});
 }
 
-/// The frames that a skip's list names, as they are called here.
+/// Returns the frames that a skip's list names, with the names that the survey gives them.
 std::set<std::string> names_in_list(const Survey& survey, const std::string& list, std::string& sha256) {
   const std::string bytes = sim::input_bytes(survey.place(list), "a list of frames", kMaxListBytes);
   sha256 = sim::sha256(bytes);

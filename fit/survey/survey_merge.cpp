@@ -41,7 +41,7 @@ struct BlockSource {
   AnsweredBlock block;
 };
 
-/// Frames of a block, by which two databases are compared.
+/// Returns the digest of a block's frames, by which two databases are compared.
 std::string digest_of(const SurveyReader& reader, const AnsweredBlock& block, int frames) {
   sim::Sha256 sum;
   const auto add = [&](const std::optional<std::string>& text) {
@@ -74,7 +74,7 @@ std::string digest_of(const SurveyReader& reader, const AnsweredBlock& block, in
   return sum.digest();
 }
 
-/// What is in the databases, without their rows.
+/// The contents of the databases, without their rows.
 struct Inventory {
   std::vector<std::string> names;                                     ///< of the databases, sorted
   std::map<std::pair<std::string, std::string>, AnsweredPlan> plans;  ///< by name and hash
@@ -168,7 +168,7 @@ void refuse_mixture(const Inventory& stock) {
         .hint("--mixed merges them all the same");
 }
 
-/// The source that a block is taken from. Throws if others of the same versions tell something else.
+/// Returns the source that a block is taken from. Throws if others of the same versions have other answers.
 const BlockSource& chosen_source(std::vector<BlockSource>& sources, const Inventory& stock) {
   std::sort(sources.begin(), sources.end(), [](const BlockSource& a, const BlockSource& b) {
     return std::make_tuple(b.versions, b.block.done, a.database) <

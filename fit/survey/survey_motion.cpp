@@ -24,7 +24,7 @@ VelocityUnit velocity_unit(const std::string& unit) {
   return {(unit.empty() ? "1" : unit) + "/s", 1.0};
 }
 
-/// A number of a camera's frames.
+/// A number of a camera's frames that is followed in time.
 struct FollowedNumber {
   std::string camera;
   SurveyWork work = SurveyWork::border;

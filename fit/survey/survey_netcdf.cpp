@@ -75,7 +75,7 @@ struct QuantityColumns {
   std::optional<FlagColumn> trust;
 };
 
-/// How a number moves, of what vegard survey smooth has written.
+/// The motion of a number, which vegard survey smooth has written.
 struct MotionColumns {
   std::string work, name;
   int item = 0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSecondsPerMinute = 60.0;
 
-/// -1 where there is none for that time.
+/// Returns the index of the camera's calibration at a time; -1 if there is none.
 int calibration_at(const SurveyCamera& camera, double time_s) {
   for (std::size_t i = 0; i < camera.calibrations.size(); ++i)
     if (camera.calibrations[i].period.has(time_s)) return static_cast<int>(i);
@@ -34,7 +34,7 @@ constexpr std::size_t kMaxPlanBytes = (std::size_t{1} << 31) - 1;
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-/// Limits of a period; null where it has none.
+/// Returns a limit of a period as JSON; null where it has none.
 Json limit_json(double seconds) { return std::isfinite(seconds) ? Json(seconds) : Json(nullptr); }
 
 Json camera_json_of_plan(const SurveyCamera& camera) {
@@ -55,7 +55,7 @@ Json frame_json(const PlannedFrame& frame) {
   return json;
 }
 
-/// What is no plan, reported at once.
+/// Throws an error about a file that is no plan.
 [[noreturn]] void refuse_plan(const std::string& file, const std::string& problem) {
   throw sim::Error(sim::ErrorKind::unreadable_input, problem)
       .file(file)
@@ -68,7 +68,7 @@ double finite_number(const Json& json) {
   return value;
 }
 
-/// JSON's numbers may be of any size, and reals.
+/// Reads an int: JSON's numbers may be of any size, and reals.
 int whole_number(const Json& json) {
   const auto value =
       json.is_number_integer() ? json.get<std::int64_t>() : std::numeric_limits<std::int64_t>::min();

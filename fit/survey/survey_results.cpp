@@ -22,7 +22,7 @@ constexpr int kTablesFormat = 1;
 struct TableOfSurvey {
   const char *name, *columns;
 };
-/// In the order of their names, as they are asked for.
+/// The tables of every survey's database, in the order of their names.
 constexpr std::array<TableOfSurvey, 7> kTables = {{
     {"block",
      "(block INTEGER PRIMARY KEY, origin INTEGER NOT NULL, first_frame INTEGER NOT NULL, frames INTEGER NOT "
@@ -49,7 +49,7 @@ constexpr std::array<TableOfSurvey, 7> kTables = {{
      "seed INTEGER, free_values TEXT, PRIMARY KEY (frame, work)) WITHOUT ROWID"},
 }};
 
-/// Beside those, in what vegard survey smooth writes.
+/// The further tables that vegard survey smooth writes.
 constexpr std::array<TableOfSurvey, 3> kMotionTables = {{
     {"flag",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, item INTEGER NOT NULL, name TEXT NOT NULL, track INTEGER "
@@ -77,7 +77,7 @@ std::string creation_of(const TableOfSurvey& table) {
       .expected("a database of vegard survey");
 }
 
-/// A whole number that is one of ours.
+/// Reads an int, which only a foreign database can exceed.
 int small_number(const SqliteFile& file, const SqliteStatement& row, int column) {
   const std::int64_t number = row.integer(column);
   if (number < 0 || number > std::numeric_limits<int>::max())

@@ -90,7 +90,7 @@ class SurveyReader {
 class ShardResults {
  public:
   /// Makes the database, or opens an existing one. Throws sim::Error(existing_output) for one of another plan
-  /// or of other versions, and as SqliteFile and check_survey_tables() do.
+  /// or of other versions, and as SqliteFile does; also for tables that this version does not make.
   ShardResults(const std::string& file, const SurveyPlan& plan);
 
   /// Returns how many frames of the block, from its first one, are in the database.

@@ -21,7 +21,7 @@ class FramesToKeep {
  public:
   explicit FramesToKeep(ShardResults& results) : results_(results) {}
 
-  /// True if it is kept now, with those before it.
+  /// Adds an answer. Returns true if it is kept now, with those before it.
   bool add(FrameAnswer answer) {
     constexpr auto kLongest = std::chrono::seconds(1);
     frames_.push_back(std::move(answer));

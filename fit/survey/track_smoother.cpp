@@ -79,8 +79,8 @@ using Indices = std::vector<std::size_t>;
 /// The numbers that are used for the track, piece by piece in the order of time.
 using Pieces = std::vector<Indices>;
 
-/// Of the third and later numbers: the sum over their innovations, whose mean is 1 if errors are as stated,
-/// and -2 log likelihood.
+/// The misfit of the third and later numbers: the sum over the squares of their normalised innovations, whose
+/// mean is 1 if errors are as stated, and -2 log likelihood.
 struct Misfit {
   double chi2 = 0.0, deviance = 0.0;
   int count = 0;
@@ -103,7 +103,7 @@ Misfit misfit_of(const std::vector<TrackPoint>& points, const Pieces& pieces, do
   return sum;
 }
 
-/// Limits of q: below the first the noise moves nothing over all of the time, above the second a number says
+/// Limits of q: below `least` the noise moves nothing over all of the time, above `most` a number predicts
 /// nothing of the next.
 struct NoiseLimits {
   double least = 1.0, most = 1.0;
@@ -184,8 +184,9 @@ struct WeighedNoise {
   double q = 0.0, weight = 1.0;
 };
 
-/// By the likelihood, and beforehand by the square root of q, all of whose values are alike (Gelman 2006,
-/// Bayesian Analysis 1, 515): the logarithm's would put all short tracks on straight lines.
+/// Returns values of q with their posterior weights. The prior is uniform in the square root of q (Gelman
+/// 2006, Bayesian Analysis 1, 515): one uniform in the logarithm would put all short tracks on straight
+/// lines.
 std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   const NoiseLimits limits = noise_limits(points, pieces);
   if (!limits.any) return {{0.0, 1.0}};
@@ -222,8 +223,8 @@ std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, c
 
 struct Segmentation {
   Pieces pieces;
-  /// -2 log likelihood, where a number that jumps counts as one that lies at the limit: so what is left out
-  /// is paid for, and q is not made small by leaving out much, nor large by taking jumps for movement.
+  /// -2 log likelihood, where an outlier counts as a number that lies at the limit: so what is left out is
+  /// paid for, and q is not made small by leaving out much, nor large by taking jumps for movement.
   double deviance = 0.0;
   std::vector<std::pair<std::size_t, double>> outliers, breaks;  ///< with their chi2
 };
@@ -250,14 +251,14 @@ class TrackSegmenter {
   }
 
  private:
-  /// One of measured_ that jumps; those in a row are held until it is clear what they are.
+  /// A number that jumps, by its place in measured_; those in a row are held until it is clear what they are.
   struct Held {
     std::size_t number = 0;
     double chi2 = 0.0, variance = 1.0;
   };
 
-  /// Begins a track with the first two of those from here on that a third agrees with; of four one may be
-  /// left out. The next number to be asked.
+  /// Begins a piece with the first two numbers from here on that a third agrees with; of four one may be left
+  /// out. Returns the place of the next number to test.
   std::size_t begin_piece(std::size_t from) {
     segmentation_.pieces.emplace_back();
     held_.clear();
@@ -362,8 +363,8 @@ struct BackwardStep {
   }
 };
 
-/// The smoothed states of a piece at the times from its first number to its last, and at all between them.
-/// `is_used`: of all points. `first`, `last`: of the points whose states are asked for, around the piece's.
+/// Writes the smoothed states of a piece at the points first to last, which reach around its own numbers,
+/// into `smoothed` and marks them in `is_known`; both have an element for every point.
 void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, std::size_t first,
                   std::size_t last, double q, std::vector<TrackEstimate>& smoothed,
                   std::vector<char>& is_known) {
@@ -408,7 +409,8 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
   }
 }
 
-/// Numbers that do not lie between all others, the worst of their neighbourhood: its place in the piece.
+/// Returns the numbers that do not lie between all others, the worst of each neighbourhood, by their places
+/// in the piece and with their chi2.
 std::vector<std::pair<std::size_t, double>> jumps_between(const std::vector<TrackPoint>& points,
                                                           const Indices& piece,
                                                           const std::vector<TrackEstimate>& smoothed,
@@ -418,7 +420,7 @@ std::vector<std::pair<std::size_t, double>> jumps_between(const std::vector<Trac
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const TrackPoint& point = points[piece[i]];
     const double difference = point.value - smoothed[piece[i]].state[0];
-    // Of what the others say, the smoothed number's own part taken out again.
+    // The variance of what the others predict: the smoothed number's own part is taken out again.
     const double variance = point.sigma * point.sigma - smoothed[piece[i]].covariance(0, 0);
     if (variance > 1e-9 * point.sigma * point.sigma) chi2[i] = difference * difference / variance;
   }
@@ -434,7 +436,8 @@ std::vector<std::pair<std::size_t, double>> jumps_between(const std::vector<Trac
   return found;
 }
 
-/// Points that a piece gives states for: from the one before's end to its own last number.
+/// The points that a piece gives states for: from its first number (of the first piece, from the first point)
+/// to the point before the next piece.
 struct PieceReach {
   std::size_t first = 0, last = 0;
 };
@@ -461,7 +464,7 @@ Segmentation best_segmentation(const std::vector<TrackPoint>& points, const Indi
   return best;
 }
 
-/// States of all points that have any, over the pieces.
+/// The states of all points that have any, over all pieces.
 struct SmoothedStates {
   std::vector<TrackEstimate> states;
   std::vector<char> is_known;

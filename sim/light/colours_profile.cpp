@@ -10,7 +10,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-/// The best way found so far.
+/// The best set of lines found so far.
 struct Best {
   double residual = 0.0;  ///< its square
   double light = 0.0;

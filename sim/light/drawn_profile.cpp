@@ -27,7 +27,7 @@ Error table_error(const CsvTable& table, const std::string& problem) {
   return Error(ErrorKind::unreadable_input, problem).file(table.name);
 }
 
-/// The wavelength that a column's name says, in nm or, above 2000, in angstrom.
+/// Returns the wavelength that a column's name says, in nm or, above 2000, in angstrom.
 std::optional<double> wavelength_in(std::string_view name) {
   constexpr std::string_view kPrefix = "ver_";
   if (name.substr(0, kPrefix.size()) == kPrefix) name.remove_prefix(kPrefix.size());
@@ -38,7 +38,7 @@ std::optional<double> wavelength_in(std::string_view name) {
   return number >= kMinAngstrom ? number / 10.0 : number;
 }
 
-/// Empty if there is none.
+/// Returns the name of a wavelength's column; empty if there is none.
 std::string column_if_any(const CsvTable& table, double wavelength_nm) {
   std::string found;
   for (const std::string& name : table.columns) {
@@ -73,7 +73,7 @@ CsvTable read_table(const Scene& scene, const Sheet& sheet) {
   return table;
 }
 
-/// Straight between the rows, 0 beyond them.
+/// Interpolates linearly between the rows; returns 0 beyond them.
 double rate_at(const std::vector<double>& altitudes, const std::vector<double>& rates, double altitude) {
   if (altitude < altitudes.front() || altitude > altitudes.back()) return 0.0;
   const auto above = std::upper_bound(altitudes.begin() + 1, altitudes.end() - 1, altitude);

@@ -16,7 +16,7 @@ constexpr double kOxygenInN2 = 10.18, kOxygenInOxygen = 8.00;  // reduced masses
 
 double mass_dalton(const EmissionLine& line) { return std::string_view(line.species) == "O" ? 16.0 : 14.0; }
 
-/// Losses by collisions per second.
+/// Returns the rate of quenching by collisions, per second.
 double quenching_s(const EmissionLine& line, const Air& air) {
   const double t = air.temperature_k;
   const std::string_view transition = line.transition;

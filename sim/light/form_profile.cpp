@@ -11,7 +11,7 @@ constexpr double kLnTen = 2.302585092994046;
 constexpr double kDark = 1e-30;  // of the peak; floats would soon lose their digits, and their speed
 constexpr double kTenthAbove = 3.8897201698674290;  // (1 + x) exp(-x) = 1/10
 
-/// Light of all lines of a profile, and its derivative.
+/// The light of all lines of a profile, and its derivative.
 struct Total {
   double rate = 0.0, slope = 0.0;
 };
@@ -26,7 +26,7 @@ Total total_at(const HeightProfile& profile, int altitude) {
   return total;
 }
 
-/// d form_intensity / d number.
+/// Returns d form_intensity / d number.
 double intensity_slope(const FormCurve& curve, double altitude_km, double FormCurve::*number) {
   const double above = altitude_km - curve.peak_km;
   if (above < 0.0) {
@@ -41,7 +41,7 @@ double intensity_slope(const FormCurve& curve, double altitude_km, double FormCu
   return by_x * (number == &FormCurve::peak_km ? -kTenthAbove : -x) / curve.upper_km;
 }
 
-/// Moves the light of a profile to the curve, and its derivatives with it. `reference` is the profile of
+/// Shifts the light of a profile to the curve, and its derivatives with it. `reference` is the profile of
 /// kTotalLinesNm.
 HeightProfile moved(HeightProfile profile, const HeightProfile& reference, const FormCurve& curve) {
   Total of_tables;

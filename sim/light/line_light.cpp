@@ -26,7 +26,7 @@ struct Peak {
   bool is_at_an_end() const { return at == 0 || at == kLast; }
 };
 
-/// The parabola through the three points about the peak has its own there.
+/// Returns the altitude of the vertex of the parabola through the three points about the peak.
 double altitude_of(const Peak& peak) {
   if (peak.is_at_an_end()) return HeightProfile::altitude_km(peak.at);
   const double a = peak.rate(peak.at - 1), b = peak.rate(peak.at), c = peak.rate(peak.at + 1);
@@ -34,7 +34,8 @@ double altitude_of(const Peak& peak) {
   return HeightProfile::altitude_km(peak.at + (bend < 0.0 ? 0.5 * (a - c) / bend : 0.0));
 }
 
-/// Where the rate has fallen to a share of the peak's on the way down (-1) or up (1); NaN if it does not.
+/// Returns the altitude where the rate has fallen to a share of the peak's on the way down (-1) or up (1);
+/// NaN if it does not.
 double altitude_of_fall_km(const Peak& peak, double share, int way) {
   const double level = share * peak.rate(peak.at);
   const int last = way < 0 ? 0 : kLast;

@@ -10,11 +10,12 @@
 namespace vegard::sim {
 namespace {
 
-/// Half of this apart, a profile differs from the line between its neighbours by 0.2 % of its peak at most:
-/// its peak is some 0.3 wide in ln E, and the square of the step over 8 times the curvature is what is lost.
+/// The step of ln E. Half a step off, a profile differs from the line between its neighbours by 0.2 % of its
+/// peak at most: its peak is some 0.3 wide in ln E, and linear interpolation errs by the square of the step
+/// over 8 times the curvature.
 constexpr double kLnStep = 0.04;
 
-/// A scene with nothing but one sheet that has the footprint's electrons.
+/// Returns a scene with nothing but one sheet that has the footprint's electrons.
 Scene scene_of(const Scene& scene, const Footprint& f) {
   Scene one;
   one.file = scene.file;

@@ -20,13 +20,14 @@ const std::vector<double> kBrightnessLineNm = {557.7};
 
 FormCurve form_curve(const Sheet& sheet) { return {sheet.peak_km, sheet.lower_km, sheet.upper_km}; }
 
-/// The flux at which the light per mW m^-2 is taken: the sheet's own, at the peak of a layer, for all of it.
+/// Returns the flux at which the light per mW m^-2 is taken: the sheet's own, at the peak of a layer, for all
+/// of it.
 double flux_of(const Scene& scene, const Sheet& sheet) {
   return scene.emission.flux_law == FluxLaw::linear || has_given_brightness(sheet) ? 1.0
                                                                                    : sheet.energy_flux_mw_m2;
 }
 
-/// By the model that the sheet names.
+/// Returns the profile by the model that the sheet names.
 HeightProfile of_model(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
                        SlopeBy by) {
   const double flux = flux_of(scene, sheet);
@@ -59,13 +60,14 @@ HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scen
   return profile;
 }
 
-/// Whether the light per flux of electrons grows with their flux.
+/// Returns whether the light per flux of electrons grows with their flux.
 bool follows_flux_law(const Scene& scene, const Sheet& sheet) {
   return scene.emission.flux_law != FluxLaw::linear && !has_given_brightness(sheet) &&
          (sheet.profile == ProfileKind::form || sheet.profile == ProfileKind::maxwellian);
 }
 
-/// Its derivative by a number; empty for one that it does not depend on, or by the energy alone.
+/// Returns the derivative of the light per flux by a number; empty for one that it does not depend on, or by
+/// the energy alone.
 std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                       const Sheet& sheet, const ParameterId& number) {
   const auto by_form = [&](double FormCurve::*of_curve) {

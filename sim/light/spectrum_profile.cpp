@@ -26,8 +26,8 @@ double slope_of(const MonoRate& rate, SlopeBy by, double oxygen_factor) {
   return by == SlopeBy::oxygen_factor ? rate.by_log_oxygen / oxygen_factor : 0.0;
 }
 
-/// The sum over the pieces, in logarithms: far below where the electrons stop every piece would underflow.
-/// Values, and slopes as `by` says.
+/// Sums over the Gaussian pieces in logarithms: far below where the electrons stop every piece would
+/// underflow. Returns values, and slopes as `by` says.
 std::vector<LogRate> gaussian_rates(const EmissionSource& source, const EmissionLine& line,
                                     const std::vector<GaussianPiece>& pieces, SlopeBy by) {
   std::vector<std::vector<MonoRate>> of_piece;
@@ -49,7 +49,7 @@ std::vector<LogRate> gaussian_rates(const EmissionSource& source, const Emission
   return rates;
 }
 
-/// A profile of the lines' rates at the altitudes of the tables.
+/// Returns a profile of the lines' rates at the altitudes of the tables.
 template <class RatesOf>
 HeightProfile sampled(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                       const RatesOf& rates_of) {

@@ -18,9 +18,9 @@ namespace {
 
 constexpr int kFilterCells = 64;
 constexpr double kLowestSky_deg = 5.0;
-/// White of a file, less what rounding takes.
+/// Linear light from which on a channel counts as clipped: white, less what rounding takes.
 constexpr float kClippedLight = 0.995f;
-/// Below it light is lost in a file's steps, and no logarithm is to see them.
+/// Linear light below which a file's steps hide differences: logarithms are taken of no less.
 constexpr double kMinLight = 1e-4;
 constexpr int kMeridianBins = 40;
 
@@ -30,14 +30,14 @@ double cosine_between(const SkyDirection& a, const SkyDirection& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The value at a share of the sorted ones, without interpolation.
+/// Returns the quantile at a share of the values, without interpolation.
 double value_at_share(std::vector<double> values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
 }
 
-/// Light of cells, and what was made of it; only cells of sky count.
+/// Light of cells and its residual above the smooth sky; only cells of sky count.
 struct CellLight {
   std::vector<std::array<double, 3>> rgb;
   std::vector<double> grey;      ///< mean of the three
@@ -82,7 +82,8 @@ CellLight light_of_cells(const Photo& photo, const FilterCells& cells) {
   return light;
 }
 
-/// Quadratic in the cells' place, by least squares over the sky.
+/// Subtracts a smooth sky from the light: a quadratic function of the cells' place, by least squares over the
+/// sky.
 void take_smooth_sky_off(const FilterCells& cells, CellLight& light) {
   constexpr int kTerms = 6;
   const auto basis = [&](std::size_t i) {
@@ -104,7 +105,7 @@ void take_smooth_sky_off(const FilterCells& cells, CellLight& light) {
   for (const std::size_t i : light.sky) light.residual[i] = light.log_grey[i] - basis(i).dot(terms);
 }
 
-/// Angle in the magnetic meridian, in degrees from the magnetic northern horizon.
+/// Returns each cell's angle along the magnetic meridian, in degrees from the magnetic northern horizon.
 std::vector<double> meridian_angles(const FilterCells& cells, double declination_deg) {
   const double east = std::sin(declination_deg * sim::kRadiansPerDegree),
                north = std::cos(declination_deg * sim::kRadiansPerDegree);
@@ -136,7 +137,8 @@ double banded_share(const CellLight& light, const std::vector<double>& angles) {
   return explained / all;
 }
 
-/// Gradients of the residual: how much of them lies across arcs, and how elongated things are at all.
+/// Adds the features of the residual's gradients: how much of them lies across arcs, and how elongated things
+/// are at all.
 void add_gradients(const FilterCells& cells, const CellLight& light, const std::vector<double>& angles,
                    FrameFeatures& features) {
   const int w = cells.columns, h = cells.rows;
@@ -159,7 +161,7 @@ void add_gradients(const FilterCells& cells, const CellLight& light, const std::
     }
   feature(features, FrameFeature::crosswise) =
       across + along > 0.0 ? (across - along) / (across + along) : 0.0;
-  // Means of the tensor over five by five cells: what is long is so over more than a cell.
+  // The structure tensor is averaged over five by five cells: what is long is so over more than a cell.
   constexpr int kHalf = 2;
   double coherent = 0.0, energy = 0.0;
   for (int y = kHalf; y + kHalf < h; ++y)
@@ -207,8 +209,8 @@ void add_colours(const CellLight& light, FrameFeatures& features) {
   if (sky > 0.0) feature(features, FrameFeature::blue) = std::clamp((below[2] - below[0]) / sky, -1.0, 1.0);
 }
 
-/// Stars by their look alone: brighter than their eight neighbours, and well above what is three pixels off.
-/// The root of light has the same noise everywhere where that is the photons'.
+/// Counts stars by their look alone: pixels brighter than their eight neighbours, and well above those three
+/// pixels off. The root of light has the same noise everywhere where that is the photons'.
 double count_points(const Photo& photo, const FilterCells& cells) {
   const int w = photo.linear.width, h = photo.linear.height;
   constexpr int kOff = 3;
@@ -247,8 +249,8 @@ double count_points(const Photo& photo, const FilterCells& cells) {
   return points;
 }
 
-/// Blobs: cells that are no darker than their neighbours, against the ring about them. An arc crosses its
-/// ring and stands out of it by nothing.
+/// Adds the features of blobs: cells no darker than their neighbours, against the ring about them. An arc
+/// crosses its ring and does not rise above it.
 void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirection& moon,
                FrameFeatures& features) {
   const int w = cells.columns, h = cells.rows;
@@ -280,7 +282,7 @@ void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirect
   feature(features, FrameFeature::lamp_peak) = elsewhere;
 }
 
-/// The slope of log10 brightness by the cosine of the angle to the horizon under the Sun.
+/// Returns the slope of log10 brightness against the cosine of the angle to the horizon under the Sun.
 double sunward_slope(const FilterCells& cells, const CellLight& light, const SkyDirection& sun) {
   const double level = std::max(std::hypot(sun[0], sun[1]), 1e-9);
   double n = 0.0, s = 0.0, ss = 0.0, v = 0.0, sv = 0.0;

@@ -18,7 +18,7 @@ std::string text_of_trees(const std::string& file) {
                       : sim::input_bytes(file, "trees of a filter (JSON)", kMaxTreesBytes);
 }
 
-/// Per pixel, 0 under the mask.
+/// Returns a flag for each pixel: 0 under the mask.
 std::vector<std::uint8_t> kept_by(const std::string& mask, const sim::Camera& camera) {
   if (mask.empty()) return {};
   Photo blank;

@@ -17,7 +17,8 @@ constexpr std::size_t kNamedFrames = 5, kMaxReasons = 60;
 constexpr double kHour_s = 3600.0, kMinute_s = 60.0;
 constexpr const char* kOtherReasons = "other reasons";
 
-/// "the file ends after 3000 bytes": its number is another in every frame.
+/// Returns the words without their numbers: that of "the file ends after 3000 bytes" is another in every
+/// frame.
 std::string without_numbers(const std::string& words) {
   std::string text;
   bool in_number = false;
@@ -31,7 +32,7 @@ std::string without_numbers(const std::string& words) {
   return text;
 }
 
-/// The entry of a reason; beyond kMaxReasons of them, that of all others.
+/// Returns the entry of a reason; beyond kMaxReasons of them, the common entry of all others.
 FailedFrames& failures_of(const std::string& reason, Failures& failures) {
   const bool is_new = failures.count(reason) == 0;
   return failures[is_new && failures.size() >= kMaxReasons ? kOtherReasons : reason];

@@ -29,7 +29,8 @@ std::vector<ChosenFrame> chosen_frames(const SurveyReader& reader, const CameraN
   std::stable_sort(all.begin(), all.end(),
                    [](const ChosenFrame& a, const ChosenFrame& b) { return a.time_s < b.time_s; });
   if (all.empty()) return chosen;
-  // Each so-manieth, so that their times are as even as the camera's: uneven ones would look like gaps.
+  // Every n-th frame is taken, so that their times are as even as the camera's: uneven ones would look like
+  // gaps.
   const std::size_t every =
       (all.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most);
   for (std::size_t i = 0; i < all.size(); i += every)

@@ -31,7 +31,7 @@ constexpr std::array<KindWords, 7> kCurveKinds = {{
     {FollowedKind::border, "Elevation of the lower border where it is highest", "elevation (\u00b0)"},
 }};
 
-/// Limits that a few wild points and wide error bars do not spoil: what 1 % lies below and above, and the
+/// Sets limits that a few wild points and wide error bars do not spoil: the 1 % and 99 % quantiles, and the
 /// errors there.
 void set_sound_limits(Panel& panel) {
   std::vector<double> values;
@@ -107,7 +107,7 @@ Colour count_ink(int count, int most) {
   return {mix(226, 8), mix(240, 64), mix(247, 110)};
 }
 
-/// Cells of equal size as a panel's raster; white where there are none.
+/// Shows cells of equal size as a panel's raster; it is white where there are none.
 void show_cells(const std::map<std::pair<int, int>, int>& cells, double width, double height, Panel& panel) {
   int left = cells.begin()->first.first, right = left, bottom = cells.begin()->first.second, top = bottom,
       most = 1;
@@ -145,7 +145,7 @@ int cell_of(double value, double size) { return static_cast<int>(std::floor(valu
 constexpr double kEnergyCell = 0.05;  ///< of a power of ten
 constexpr double kHalfHour_h = 0.5, kHalfDegree = 0.5, kSecondsOfHour = 3600.0, kHoursOfDay = 24.0;
 
-/// The order in which verdicts are stacked: what is best at the bottom.
+/// Returns a verdict's place in the stack: the best stands at the bottom.
 int verdict_rank(const std::string& verdict) {
   const std::array<const char*, 9> order = {"good",     "arc",   "doubtful", "aurora", "none",
                                             "twilight", "cloud", "failed",   "refused"};
@@ -240,7 +240,7 @@ Plot night_curves(const NightDigest& digest, const ShownSpan& span) {
         panel.series.push_back(std::move(jumped));
     }
     if (panel.series.empty()) continue;
-    // Of one alone the title says it.
+    // A single series needs no label besides the title.
     if (number == 1)
       for (Series& series : panel.series)
         if (series.label == alone) series.label.clear();
@@ -333,7 +333,7 @@ std::string verdict_bars(const std::map<int, VerdictCounts>& verdicts_of_hour, S
   constexpr double kLeft = 50, kHeight = 170, kBelow = 44, kMaxBar = 46, kWidth = 470;
   const double bar = std::min(kMaxBar, (kWidth - kLeft - 10) / (end - begin));
   constexpr double kLegendRow = 16, kLegendText = 12;
-  // Where the words of the legend stand: as many rows as the picture is too narrow for.
+  // The places of the legend's words, in as many rows as the picture's width asks for.
   std::vector<std::pair<std::string, std::pair<double, double>>> legend;
   double x = kLeft, y = 27;
   for (const auto& [verdict, count] : ranked_verdicts(all)) {
@@ -437,7 +437,7 @@ std::string night_strip(const NightMinutes& night, const StripScales& scales) {
   constexpr int kMaxStretches = 128, kMinStretches = 8;
   constexpr double kWidth = 384, kHeight = 40, kEdge = 3;
   const int minutes = std::max(1, scales.end_minute - scales.first_minute);
-  // As wide as to have frames in each, also of cameras that take one every few minutes.
+  // Stretches are so wide that each has frames, also of cameras that take one every few minutes.
   const int stretches = std::min(minutes, std::clamp(scales.most_filled / 2, kMinStretches, kMaxStretches));
   struct Stretch {
     int frames = 0, measured = 0;
@@ -459,7 +459,7 @@ std::string night_strip(const NightMinutes& night, const StripScales& scales) {
       if (line.size() == 1) canvas.dot(line[0], 2.5, kStripEnergy);
       line.clear();
     };
-    // Neighbours of one height as one box: a night of nothing is a box, not a hundred.
+    // Neighbours of one height are drawn as one box: a night of nothing is a box, not a hundred.
     const auto boxes = [&](const auto& height_of, Colour ink) {
       for (std::size_t i = 0, next = 0; i < all.size(); i = next) {
         const double height = height_of(all[i]);

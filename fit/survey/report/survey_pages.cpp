@@ -76,7 +76,7 @@ int counted_all(const VerdictCounts& counts, SurveyWork work) {
   return sum;
 }
 
-/// What the works found, in half a sentence each: "a lower border was measured in 912 of 1000".
+/// Returns what the works found, in half a sentence each: "a lower border was measured in 912 of 1000".
 std::string found_words(const VerdictCounts& verdicts) {
   std::vector<std::string> words;
   for (const auto& [work, counts] : verdicts) {
@@ -103,7 +103,7 @@ std::string verdict_cell(const std::string& verdict) {
          sim::html_text(verdict);
 }
 
-/// A row for each camera, work and verdict.
+/// Returns the table of verdicts, with a row for each camera, work and verdict.
 std::string camera_verdicts(const std::map<std::string, VerdictCounts>& cameras,
                             const std::map<std::string, std::map<FrameStatus, int>>& statuses) {
   std::string html =
@@ -180,7 +180,7 @@ std::string numbers_sentence(const NightDigest& digest) {
   return text;
 }
 
-/// How many numbers jump.
+/// Returns the sentence that tells how many numbers jump.
 std::string jump_words(const NightDigest& digest) {
   if (!digest.is_smoothed) return "For velocities and jumps: vegard survey smooth.";
   int outliers = 0;

@@ -95,7 +95,7 @@ SurveyFacts facts_of(const SurveyReader& reader, const SurveyNights& nights, int
   return facts;
 }
 
-/// The way from the report's folder to a frame's file.
+/// Returns links from the report's folder to a frame's file.
 FrameLink link_from(const std::string& folder, const SurveyPlan* plan) {
   if (plan == nullptr) return {};
   std::error_code error;

@@ -1,4 +1,4 @@
-// The air for electrons to come down through, for a place, a time and an activity.
+// The air through which electrons fall, at a place and time and for a solar and magnetic activity.
 #pragma once
 
 #include <array>
@@ -21,23 +21,26 @@ struct AirConditions {
   std::optional<std::array<double, 7>> ap_history;
 };
 
-/// The model for them. Throws Error(usage), key "--ap", if it is not sound (MsisModel::sound()).
+/// Returns the model for these conditions. Throws Error(usage), key "--ap", if it is not sound
+/// (MsisModel::sound()).
 MsisModel sound_msis_model(const AirConditions& conditions);
 
-/// Local time is that of the mean Sun: the coefficients know the season, not the equation of time.
+/// Returns the model's inputs. Local time is that of the mean Sun: the coefficients depend on the season, not
+/// on the equation of time.
 MsisDrivers msis_drivers(const AirConditions& conditions);
 
-/// "2014-03-10T06:05:33Z, 65 N 148 W, 20:14 local time, F10.7 150, mean 140, Ap 20".
+/// Returns "2014-03-10T06:05:33Z, 65 N 148 W, 20:14 local time, F10.7 150, mean 140, Ap 20".
 std::string condition_words(const AirConditions& conditions);
 
-/// From `bottom_km` to `top_km`, both in it: 1 km apart below 150 km, 2 km below 200 km, 5 km above. Straight
-/// lines between the logarithms of densities there are within 0.2 % of the model, below 100 km (O) 1 %.
+/// Returns altitudes from `bottom_km` to `top_km`, including both: 1 km apart below 150 km, 2 km below 200
+/// km, 5 km above. Linear interpolation of the logarithms of densities between them is within 0.2 % of the
+/// model, below 100 km (O) within 1 %.
 std::vector<double> air_altitudes(double bottom_km, double top_km);
 
 inline constexpr double kAirBottomKm = 75.0,
                         kAirTopKm = 640.0;  ///< of the transport, as standard_air_table()
 
-/// sound_msis_model() at these altitudes.
+/// Returns the air of sound_msis_model() at air_altitudes().
 AirTable msis_air(const AirConditions& conditions, double bottom_km = kAirBottomKm,
                   double top_km = kAirTopKm);
 
@@ -50,10 +53,10 @@ struct NamedConditions {
 };
 const std::vector<NamedConditions>& named_conditions();
 
-/// The names of all air that is built in: "us76" and those above.
+/// Returns the names of all air that is built in: "us76" and those of named_conditions().
 std::vector<std::string> air_names();
 
-/// That of a name; nothing for what is none.
+/// Returns the air of such a name; nothing for another name.
 std::optional<AirTable> named_air(const std::string& name);
 
 }  // namespace vegard::sim

@@ -14,7 +14,7 @@ constexpr double kMsisDay = 1.72142e-2;     // of the year, radians
 constexpr double kMsisHour = 0.2618;        // of the local time, radians
 constexpr double kMsisSecond = 7.2722e-5;   // of the universal time, radians
 
-/// Where the parameters of magnetic activity stand, for its daily index and for its history.
+/// The places of the parameters of magnetic activity, for its daily index and for its history.
 struct ActivityParameters {
   int mean, second, fourth;                         // with P0, P2, P4
   int season;                                       // the first of three with P1, P3, P5 and the season
@@ -35,13 +35,15 @@ constexpr std::array<int, 3> kOdd = {1, 3, 5}, kEven = {2, 4, 6};
 
 double at(const MsisParameters& p, int number) { return p[static_cast<std::size_t>(number)]; }
 
-/// The index above quiet conditions, growing more slowly where it is large (Hedin 1987, equation A24d).
+/// Returns the index above quiet conditions, which grows more slowly where it is large (Hedin 1987, equation
+/// A24d).
 double tempered_index(double ap, double decay, double share) {
   const double above = ap - 4.0;
   return above + (share - 1.0) * (above + std::expm1(-decay * above) / decay);
 }
 
-/// P_l^m without the sign (-1)^m, from those of the order by recurrence.
+/// Returns the associated Legendre functions P_l^m without the sign (-1)^m, from those of the order by
+/// recurrence.
 std::array<std::array<double, 8>, 4> legendre_functions(double sine, double cosine) {
   std::array<std::array<double, 8>, 4> p{};
   double sectoral = 1.0;
@@ -136,7 +138,7 @@ double MsisExpansion::semiannual_cosine(double phase_day) const {
   return std::cos(2.0 * kMsisDay * (drivers_.day_of_year - phase_day));
 }
 
-/// Three parameters that stand side by side, each with its Legendre function.
+/// Returns the sum of three parameters that stand side by side, each times its Legendre function.
 double MsisExpansion::series(const MsisParameters& p, int first, int order,
                              std::array<int, 3> degrees) const {
   double sum = 0.0;
@@ -145,7 +147,7 @@ double MsisExpansion::series(const MsisParameters& p, int first, int order,
   return sum;
 }
 
-/// A wave with one maximum around the Earth, at rest on its surface.
+/// Returns a wave with one maximum around the Earth, at rest on its surface.
 double MsisExpansion::longitudinal(const MsisParameters& p, int cosine, int sine,
                                    std::array<int, 3> degrees) const {
   const double longitude = kMsisDegree * drivers_.longitude_deg;
@@ -153,7 +155,7 @@ double MsisExpansion::longitudinal(const MsisParameters& p, int cosine, int sine
          series(p, sine, 1, degrees) * std::sin(longitude);
 }
 
-/// Waves that go round with the Sun: one, two and three a day. The nodes have the shorter series.
+/// Returns the waves that go round with the Sun: one, two and three a day. The nodes have the shorter series.
 double MsisExpansion::daily_part(const MsisParameters& p, double season, bool long_series) const {
   const auto& [p0, p1, p2, p3] = legendre_;
   double once_cos = p[3] * p1[1] + p[4] * p1[3] + p[11] * p1[2] * season;

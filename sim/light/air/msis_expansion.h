@@ -1,5 +1,5 @@
-// How the numbers of NRLMSISE-00 vary with place, time and activity: expansions in spherical harmonics whose
-// coefficients follow the season, the Sun's radio flux and the magnetic index.
+// The variation of the numbers of NRLMSISE-00 with place, time and activity: expansions in spherical
+// harmonics whose coefficients depend on the season, the Sun's radio flux and the magnetic index.
 //
 // Source: A. E. Hedin (1987), MSIS-86 thermospheric model, J. Geophys. Res. 92, 4649, appendix; the terms
 // that were added since as in Picone et al. 2002 (data/atmosphere/msis_thermosphere.csv). The constants of
@@ -21,7 +21,7 @@ namespace vegard::sim {
 enum class MsisGas { n2, o2, o, he, ar, h, n };
 inline constexpr std::size_t kMsisGases = 7;
 
-/// Of one expansion (sim/light/air/msis_expansion.h), numbered as in the data files.
+/// The parameters of one expansion, numbered as in the data files.
 using MsisParameters = std::array<double, 150>;
 
 /// A correction of the logarithm of a density by altitude: msis_gases.csv has its formula.
@@ -50,13 +50,13 @@ struct MsisCoefficients {
   std::array<MsisGasNumbers, kMsisGases> gas;
 };
 
-/// Read once.
+/// Returns the coefficients, which are read once.
 const MsisCoefficients& msis_coefficients();
 
-/// What the model's air depends on. Fluxes in 10^-22 W m^-2 Hz^-1; f107 that of the day before, f107a the
-/// mean of the 81 days about the day. `ap_history`: the magnetic index of the day; of the three hours now, 3,
-/// 6 and 9 hours before; its mean over 12 to 33 and over 36 to 57 hours before. Without it `ap` of the day
-/// stands.
+/// The inputs of the model. Fluxes are in 10^-22 W m^-2 Hz^-1: f107 is that of the day before, f107a the mean
+/// of the 81 days about the day. `ap_history`: the magnetic index of the day; of the three hours now, 3, 6
+/// and 9 hours before; its mean over 12 to 33 and over 36 to 57 hours before. Without it, `ap` of the day is
+/// used.
 struct MsisDrivers {
   double day_of_year = 1.0;  ///< 1 on 1 January
   double ut_s = 0.0, latitude_deg = 0.0, longitude_deg = 0.0;
@@ -69,13 +69,14 @@ class MsisExpansion {
  public:
   explicit MsisExpansion(const MsisDrivers& drivers);
 
-  /// The expansion of the thermosphere: 0 on the average.
+  /// Returns the expansion of the thermosphere, whose average is 0.
   double thermosphere(const MsisParameters& p) const;
 
-  /// That of the nodes below 123 km. `activity`: of the lower boundary, as activity() gives it.
+  /// Returns the expansion of the nodes below 123 km. `activity`: activity() of the lower boundary.
   double node(const MsisParameters& p, double activity) const;
 
-  /// What the magnetic index does to an expansion before latitudes and times come in, in units of ap.
+  /// Returns the effect of the magnetic index on an expansion, without that of latitude and time, in units of
+  /// ap.
   double activity(const MsisParameters& p) const;
 
   double above_mean_flux() const { return flux_; }  ///< f107a - 150

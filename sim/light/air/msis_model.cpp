@@ -18,8 +18,8 @@ double correction(const MsisCorrection& c, double log, double altitude_km) {
   return std::exp(log / (1.0 + 0.5 * (std::exp(away / c.length_km) + std::exp(away / c.length_2_km))));
 }
 
-/// From mixed to diffusive: the larger of the two where they are far apart, at the turbopause between them
-/// (Hedin 1987, equation A12). `transition`: masses over which they change places.
+/// Joins the mixed and the diffusive density (Hedin 1987, equation A12): the larger where they are far apart,
+/// a smooth transition at the turbopause. `transition` is the mass that sets its width.
 double turbulent_cm3(double diffusive, double mixed, double transition) {
   constexpr double kFarApart = 10.0;
   if (!(diffusive > 0.0) || !(mixed > 0.0)) return std::max(diffusive, mixed);
@@ -31,7 +31,7 @@ double turbulent_cm3(double diffusive, double mixed, double transition) {
 
 constexpr std::array<double, 4> kNodeKm = {110.0, 100.0, 90.0, 72.5};
 
-/// 8.314 J/(mol K), with gravity in cm/s^2 and heights in km; the model's own digits.
+/// The gas constant, 8.314 J/(mol K), with gravity in cm/s^2 and heights in km; the model's own digits.
 constexpr double kMsisGasConstant = 831.4;
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 namespace vegard::sim {
 
-// Temperature against altitude as NRLMSISE-00 has it, and how densities fall off in it.
+// The temperature of NRLMSISE-00 against altitude, and the decrease of densities in it.
 //
 // Above the join (123 km) Bates's profile: T = T_inf - (T_inf - T_lb) exp(-sigma zeta), zeta the geopotential
 // height above 120 km (Walker 1965, J. Atmos. Sci. 22, 462); below it a cubic spline of 1/T in geopotential
@@ -27,7 +27,7 @@ struct MsisGravity {
 
   explicit MsisGravity(double latitude_deg);
   double at(double altitude_km) const;
-  /// Height of equal work from `from_km`, in km of the gravity there.
+  /// Returns the geopotential height above `from_km`, in km of the gravity there.
   double geopotential_km(double altitude_km, double from_km) const;
 };
 
@@ -39,14 +39,15 @@ struct MsisTemperatures {
 
 class MsisProfile {
  public:
-  /// join_km above 110 km.
+  /// `join_km` must be above 110 km.
   MsisProfile(const MsisGravity& gravity, const MsisTemperatures& temperatures, double boundary_km,
               double join_km);
 
-  /// From 72.5 km up.
+  /// Returns the temperature at an altitude from 72.5 km up.
   double temperature_k(double altitude_km) const;
 
-  /// Density over that at the boundary, of particles of one mass (of mixed air: the mean) in equilibrium.
+  /// Returns the density over that at the boundary, of particles of one mass (of mixed air: the mean) in
+  /// equilibrium.
   double falloff(double altitude_km, double mass_number, double thermal_diffusion) const;
 
  private:
@@ -76,16 +77,16 @@ class MsisModel {
  public:
   explicit MsisModel(const MsisDrivers& drivers);
 
-  /// Whether the expansions stay where they make sense: temperatures of the nodes within a factor of two of
+  /// True if the expansions have plausible values: temperatures of the nodes within a factor of two of
   /// their means, but at 110 km up to 1.25 of that at 120 km, and the exosphere hotter than that. They do up
   /// to an Ap of 100 and a mean flux of 250; in greater storms, the sooner the nearer to a pole, the node at
   /// 110 km runs away.
   bool sound() const;
 
-  /// Of a sound model. kMsisBottomKm to kMsisTopKm. As in the published programs the exosphere is the mean
-  /// one up to 123.4 km: there temperature and densities jump, by up to 0.7 % (F10.7 = 75 in winter). They
-  /// jump by up to 0.3 % where a gas's turbulent part ends (160 km for N2), and at 300 km, above which the
-  /// nodes are mean ones.
+  /// Returns the air at an altitude from kMsisBottomKm to kMsisTopKm, of a sound model. As in the published
+  /// programs the exosphere is the mean one up to 123.4 km: there temperature and densities jump, by up to
+  /// 0.7 % (F10.7 = 75 in winter). They jump by up to 0.3 % where a gas's turbulent part ends (160 km for
+  /// N2), and at 300 km, above which the nodes are mean ones.
   MsisAir at(double altitude_km) const;
 
  private:

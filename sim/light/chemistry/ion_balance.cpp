@@ -10,7 +10,7 @@ namespace {
 
 double over(double production, double loss) { return production > 0.0 ? production / loss : 0.0; }
 
-/// All ions for a given density of thermal electrons.
+/// Returns all ions for a given density of thermal electrons.
 IonDensities ions_among(const ReactingAir& a, const IonProduction& p, const RatesAtPlace& k, double diffusion,
                         double electrons) {
   using R = Reaction;

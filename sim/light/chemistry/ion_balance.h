@@ -1,4 +1,4 @@
-// The ions that electrons leave behind, in balance with the air and the thermal electrons.
+// The densities of the ions that electrons produce, in balance with the air and the thermal electrons.
 //
 // Every ion has its production over its losses (sim/light/chemistry/reactions.h); the density of thermal
 // electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
@@ -19,13 +19,13 @@ struct ReactingAir {
   double n2 = 0.0, o2 = 0.0, o = 0.0, no = 0.0, n = 0.0;
 };
 
-/// Per cm^3 and second.
+/// Production rates of ions, per cm^3 and second.
 struct IonProduction {
   double n2p = 0.0, np = 0.0, o2p = 0.0, op = 0.0, op2d = 0.0, op2p = 0.0;
   double all() const { return n2p + np + o2p + op + op2d + op2p; }
 };
 
-/// In cm^-3.
+/// Densities of ions, in cm^-3.
 struct IonDensities {
   double n2p = 0.0, np = 0.0, o2p = 0.0, op = 0.0, op2d = 0.0, op2p = 0.0, nop = 0.0;
   double electrons = 0.0;
@@ -33,9 +33,10 @@ struct IonDensities {
   double ions() const { return n2p + np + o2p + op + op2d + op2p + nop; }
 };
 
+/// Returns the densities of the ions in balance.
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions);
 
-/// Losses of O+ by diffusion, s^-1.
+/// Returns the loss rate of O+ by diffusion, s^-1.
 double diffusion_loss_s(const ReactingAir& air);
 
 }  // namespace vegard::sim

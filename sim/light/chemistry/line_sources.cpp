@@ -15,8 +15,8 @@ constexpr std::size_t kN2 = 0, kO2 = 1, kO = 2;
 using Rate = std::vector<double>;
 using R = Reaction;
 
-/// Processes of data/electrons/emissions.csv. Beyond their tables that of 777.4 nm from O changes the spin;
-/// the others go on as their last two rows do.
+/// Numbers of processes in data/electrons/emissions.csv. Beyond their tables that of 777.4 nm from O changes
+/// the spin; the others go on as their last two rows do.
 enum class ImpactLight { o_7774 = 400, o2_7774, o_8446, o2_8446 };
 
 CollisionCurve impact_curve(ImpactLight process) {
@@ -102,7 +102,7 @@ class LightOfElectrons {
     return rate;
   }
 
-  /// By the name of sim/light/transport/collisions.cpp.
+  /// Returns the rate of an excitation by its name in sim/light/transport/collisions.cpp.
   const Rate& excited(std::size_t gas, const char* name) const {
     const auto& excitations = gas_collisions(static_cast<Gas>(gas)).excitations;
     for (std::size_t e = 0; e < excitations.size(); ++e)

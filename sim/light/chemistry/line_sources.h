@@ -1,4 +1,4 @@
-// The light of the auroral lines by where it comes from: impact, cascades, chemistry.
+// The light of the auroral lines by its source: impact, cascades, chemistry.
 //
 //     427.8        N2+(B) of ionisation, with the ratio of 391.4 nm to the shell at 100 eV
 //     337.1        N2(C) by impact
@@ -58,8 +58,9 @@ struct AuroralRun {
   AuroralLight light;
 };
 
-/// `flux` as electron_transport() takes it. The column's thermal electrons, if it has any, are replaced: a
-/// first run without them gives their density, a second one loses energy to them. Deterministic.
+/// Computes the light of electrons; `flux` as in electron_transport(). The column's thermal electrons, if it
+/// has any, are replaced: a first run without them gives their density, a second one loses energy to them.
+/// Deterministic.
 AuroralRun auroral_run(const Degradation& degradation, FieldAir column, const std::vector<double>& flux,
                        PitchAngles angles, const Reactions& reactions);
 

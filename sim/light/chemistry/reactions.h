@@ -1,4 +1,4 @@
-// What ions and excited atoms of the upper air do: rate coefficients, yields, Einstein coefficients.
+// Reactions of ions and excited atoms of the upper air: rate coefficients, yields, Einstein coefficients.
 //
 // Source: data/electrons/reactions.csv, which names the source of every number; docs/electrons.md.
 // None of them is from GLOW's files.
@@ -84,7 +84,7 @@ enum class Reaction {
 
 inline constexpr int kReactionNumbers = 100;
 
-/// All rows at the temperatures of a place: cm^3 s^-1, or a row's value.
+/// The rates of all rows at the temperatures of a place: cm^3 s^-1, or a row's value.
 class RatesAtPlace {
  public:
   RatesAtPlace(const std::array<double, kReactionNumbers>& rates, bool hot) : rates_(rates), hot_(hot) {}
@@ -100,17 +100,17 @@ class RatesAtPlace {
 
 class Reactions {
  public:
-  /// Those of the data file. Read once.
+  /// Returns the reactions of the data file, which is read once.
   static const Reactions& standard();
 
-  /// The standard ones, with rows of a user's table of the same columns in place of theirs. Throws
-  /// Error(unreadable_input) for a number that is none of them, a negative value, another `of`, a share above
-  /// 1, or nothing where something has to end what is made.
+  /// Returns the standard reactions with some rows replaced by those of a user's table of the same columns.
+  /// Throws Error(unreadable_input) for a number that is none of them, a negative value, another `of`, a
+  /// share above 1, or 0 for a loss without which a product would accumulate for ever.
   static Reactions changed(const std::string& csv, const std::string& name);
 
   RatesAtPlace at(double temperature_k, double electron_temperature_k) const;
 
-  /// A row without a temperature: a yield, a share, s^-1.
+  /// Returns the value of a row that does not depend on a temperature: a yield, a share, s^-1.
   double value(Reaction reaction) const;
 
  private:

@@ -35,7 +35,7 @@ std::vector<double> energies(double first, double last, int count) {
   return kev;
 }
 
-/// Between places what is above 0 falls off exponentially.
+/// Interpolates at an altitude: between two places a rate above 0 falls off exponentially.
 double at_altitude(const FieldAir& column, const std::vector<double>& rate, double altitude_km) {
   const auto after = std::upper_bound(column.altitude_km.begin(), column.altitude_km.end() - 1, altitude_km);
   const auto high = static_cast<std::size_t>(std::max(after - column.altitude_km.begin(), std::ptrdiff_t{1}));
@@ -112,7 +112,7 @@ std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLigh
   return text;
 }
 
-/// "ver_5577" as "R_5577".
+/// Returns the names of the columns of brightness: "R_5577" for "ver_5577".
 std::string column_names(const CaseLight& light) {
   std::string text;
   for (const std::string& name : light.names)

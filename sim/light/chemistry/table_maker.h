@@ -1,4 +1,4 @@
-// Emission tables of our own: the light of Maxwellian and mono-energetic electrons by altitude and energy,
+// Makes emission tables: the light of Maxwellian and mono-energetic electrons by altitude and energy,
 // for an air and a set of reactions, in the form of a folder of tables (docs/file_formats.md, "Emission
 // tables").
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace vegard::sim {
 
-/// E0 of Maxwellian electrons, 0.1 to 20 keV, and E of mono-energetic ones, 0.05 to 100 keV, of the program's
-/// own tables; in keV, as they are written.
+/// Return E0 of Maxwellian electrons, 0.1 to 20 keV, and E of mono-energetic ones, 0.05 to 100 keV, of the
+/// program's own tables; in keV, as they are written.
 std::vector<double> usual_maxwellian_kev();
 std::vector<double> usual_mono_kev();
 
@@ -37,9 +37,10 @@ using MadeTables = std::map<std::string, std::string>;
 /// Returns the altitudes of the tables, 80 to 640 km.
 std::vector<double> made_altitudes_km();
 
-/// Some hundreds of transports, a minute or two of two cores. `progress` is called with how many of how many
-/// are done, from any thread. The same bytes for every number of threads. Throws Error(unreadable_input) if
-/// the air does not reach from 80 to 640 km, or the energy does not balance in it.
+/// Makes the tables by some hundreds of transports, in a minute or two on two cores. `progress` is called
+/// from any thread with the numbers of finished and of all transports. The bytes do not depend on the number
+/// of threads. Throws Error(unreadable_input) if the air does not reach from 80 to 640 km, or the energy does
+/// not balance in it.
 MadeTables make_tables(const TableRequest& request, int threads,
                        const std::function<void(std::size_t done, std::size_t all)>& progress = {});
 

@@ -16,7 +16,7 @@ constexpr double kUnitNt = 50000.0;
 
 using Components = std::array<double, 3>;
 
-/// `field` is asked at places from -reach to reach.
+/// Fits a patch to a field, which is called with places from -reach to reach.
 FieldPatch fitted(double reach, const std::function<Components(double, double)>& field) {
   const auto chebyshev = [](int degree, int node) { return std::cos(kPi * degree * (node + 0.5) / kNodes); };
   std::array<std::array<Components, kNodes>, kNodes> at;
@@ -44,7 +44,7 @@ FieldPatch fitted(double reach, const std::function<Components(double, double)>&
   return patch;
 }
 
-/// The place that evened() makes that of.
+/// Inverts evened().
 double uneven(double even) {
   double u = std::tan(even);
   for (int round = 0; round < 30; ++round) {
@@ -55,7 +55,7 @@ double uneven(double even) {
   return u;
 }
 
-/// The field at the foot in a direction of the Earth's axes, in those axes.
+/// Returns the field at the foot in a direction of the Earth's axes, in those axes.
 Components in_earth_axes(const Igrf& igrf, const Components& direction) {
   Site place;
   place.latitude_deg = std::atan2(direction[2], std::hypot(direction[0], direction[1])) / kRadiansPerDegree;

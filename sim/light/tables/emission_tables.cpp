@@ -22,7 +22,7 @@ CsvTable table_in(const TableFolder& folder, const char* file) {
   return read_csv_table(folder.files.at(file), folder.place + "/" + file);
 }
 
-/// That a table can be used for every height profile.
+/// Returns the table after checking that height profiles can use it.
 EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
   EmissionTable table(csv, energy_column);
   const std::size_t last = csv.rows() - 1;
@@ -44,7 +44,7 @@ EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
   return table;
 }
 
-/// The columns of the lines, each once.
+/// Returns the columns of the lines, each once.
 std::vector<std::string> columns_of_lines(const EmissionTable& table) {
   std::map<std::string, bool> names;
   for (const EmissionLine& line : emission_lines())

@@ -15,7 +15,7 @@ constexpr double kBackgroundEnergyKev = 10.0;  // both tables have it, and the l
 constexpr double kColumnRounding = 5e-5;       // of column_brightness.csv
 constexpr double kLowestFlux = 0.1, kMiddleFlux = 1.0, kHighestFlux = 10.0;
 
-/// Rows of a table at one flux (all of them, if it has none) by energy.
+/// Returns the rows of a table at one flux (all of them, if it has none) by energy.
 std::map<double, std::size_t> rows_at(const CsvTable& table, double flux) {
   const std::vector<double>& energy = table.column("E0_keV");
   std::map<double, std::size_t> rows;
@@ -24,7 +24,7 @@ std::map<double, std::size_t> rows_at(const CsvTable& table, double flux) {
   return rows;
 }
 
-/// The row of an energy. Throws at the table's last row if there is none.
+/// Returns the row of an energy. Throws at the table's last row if there is none.
 std::size_t row_at(const CsvTable& table, const std::map<double, std::size_t>& rows, double energy,
                    double flux) {
   const auto found = rows.find(energy);
@@ -36,7 +36,7 @@ std::size_t row_at(const CsvTable& table, const std::map<double, std::size_t>& r
   return found->second;
 }
 
-/// A function of ln Q through three values, and its slope: a linear function of them.
+/// Returns a function of ln Q through three values, and its slope: a linear function of them.
 SplineValue along_flux(double low, double middle, double high, double log_flux) {
   static const std::vector<double> knots = {std::log(kLowestFlux), 0.0, std::log(kHighestFlux)};
   const std::vector<double> values = {low, middle, high}, curvature = spline_curvature(knots, values);

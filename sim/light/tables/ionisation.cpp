@@ -22,7 +22,8 @@ constexpr double kBoltzmannErgK = 1.380649e-16;
 constexpr double kGravityCmS2 = 980.665;  // at sea level
 constexpr double kMassO = 15.999, kMassO2 = 31.998, kMassN2 = 28.014;
 
-/// ln(A y^B exp(-C y^D)) for the four coefficients from `first` on, at ln(y) that falls with ln(E).
+/// Returns ln(A y^B exp(-C y^D)) for the four coefficients from `first` on, at ln(y), which falls as ln(E)
+/// grows.
 LogRate log_term(int first, double log_y, double log_energy) {
   const double least = std::log(kMinKev), l = std::max(log_energy, least);
   double log_c[4], slope[4];

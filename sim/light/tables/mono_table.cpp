@@ -20,14 +20,14 @@ constexpr int kCorrections = 1;
 
 double piece_energy_kev(int piece) { return kFirstPieceKev * std::pow(kPieceRatio, piece); }
 
-/// ln of the ion pairs of mono-energetic electrons in the tables' air.
+/// Returns ln of the ion pairs of mono-energetic electrons in the tables' air.
 LogRate log_ion_pairs(const StoppingAir& air, double energy_kev) {
   LogRate rate = log_ionisation(air, range_energy_kev(energy_kev));
   rate.slope *= kRangeExponent;
   return rate;
 }
 
-/// The logarithms of rates, raised to the floor below their peak.
+/// Returns the logarithms of rates, raised to the floor below their peak.
 std::vector<double> floored_logs(const std::vector<double>& rates) {
   const double floor = kMonoFloorOfPeak * *std::max_element(rates.begin(), rates.end());
   std::vector<double> logs;

@@ -1,4 +1,4 @@
-// What electrons of 0.3 eV to some 100 keV hit in the upper air: cross-sections of N2, O2 and O.
+// Cross-sections of N2, O2 and O for electrons of 0.3 eV to some 100 keV.
 //
 // Source: data/electrons/cross_sections.csv and data/electrons/shells.csv, which name the source of every
 // number; docs/electrons.md rows T1 to T4. None of them is from GLOW.
@@ -9,7 +9,7 @@
 
 namespace vegard::sim {
 
-// How often electrons ionise a shell of a molecule, and what energy the second electron gets.
+// The ionisation of a shell of a molecule by electrons, and the energy of the second electron.
 //
 // Source: the relativistic binary-encounter-Bethe formula, Kim, Santos and Parente 2000, Phys. Rev. A 62,
 // 052710, equations (20) and (22); below some keV that of Kim and Rudd 1994, Phys. Rev. A 50, 3954. With
@@ -54,15 +54,15 @@ class ShellSpectrum {
 enum class Gas { n2, o2, o };
 inline constexpr int kGases = 3;
 
-/// How a cross-section goes on beyond its table.
+/// The continuation of a cross-section beyond its table.
 enum class CollisionTail {
   allowed,    ///< ln(4 T/W)/T of Bethe's dipole transitions
   forbidden,  ///< 1/T: the spin stays, no dipole
   exchange,   ///< 1/T^3: the spin changes
 };
 
-/// One cross-section against energy: straight between the table's rows in logarithms, in the values where one
-/// of them is 0; nothing below the first row and below the loss. T of the tail is m v^2/2.
+/// One cross-section against energy: linear between the table's rows in logarithms, or in the values where
+/// one of them is 0; 0 below the first row and below the loss. T of the tail is m v^2/2.
 struct CollisionCurve {
   std::vector<double> energy_ev, cm2;
   double loss_ev = 0.0;
@@ -82,23 +82,23 @@ struct GasCollisions {
   std::vector<Excitation> excitations;
   std::vector<IonisedShell> shells;
 
-  /// All elastic scattering.
+  /// Returns the cross-section of all elastic scattering.
   double elastic_cm2(double energy_ev) const;
 
-  /// By what the formula of the shells is multiplied so that their sum is the observed total ionisation, as
-  /// far as its table goes. From there to ten times that energy the factor returns to 1, where the formula
+  /// Returns the factor on the formula of the shells with which their sum is the observed total ionisation,
+  /// as far as its table goes. From there to ten times that energy the factor returns to 1, where the formula
   /// has Bethe's limit.
   double shell_factor(double energy_ev) const;
 
   CollisionCurve elastic, ionisation;  ///< as in the tables
 };
 
-/// Read once.
+/// Returns the cross-sections of a gas, which are read once.
 const GasCollisions& gas_collisions(Gas gas);
 
-/// Momentum transfer by elastic scattering over all elastic scattering, the mean of 1 - cos: that of N2,
-/// which stands for all three gases. Above 0.97 keV it is the screened Rutherford one, times what makes it
-/// continuous. Not above 1.
+/// Returns the momentum transfer by elastic scattering over all elastic scattering, the mean of 1 - cos, at
+/// most 1: that of N2, which is used for all three gases. Above 0.97 keV it is that of screened Rutherford
+/// scattering, times the factor that makes it continuous.
 double elastic_transfer_ratio(double energy_ev);
 
 /// Returns the energy loss per path and density, eV cm^2, by all inelastic collisions.

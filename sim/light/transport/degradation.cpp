@@ -6,13 +6,13 @@
 namespace vegard::sim {
 namespace {
 
-/// The rows of a gas on their way, for collisions of electrons of one energy.
+/// Collects the rows of a gas, for collisions of electrons of one energy.
 class Collector {
  public:
   Collector(const EnergyGrid& grid, std::size_t from, GasDegradation& gas)
       : grid_(grid), from_(from), gas_(gas) {}
 
-  /// An electron of `energy_ev` after a collision, per path and density `cm2` of them.
+  /// Adds an electron of `energy_ev` after a collision, per path and density `cm2` of them.
   void electron(double energy_ev, double cm2, double straight) {
     const EnergyShare share = share_of_energy(grid_, energy_ev);
     if (share.thermal) {

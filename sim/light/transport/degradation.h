@@ -1,5 +1,5 @@
-// Where electrons go in energy when they hit something: the cross-sections of
-// sim/light/transport/collisions.h between the energies of a grid.
+// The energies of electrons after collisions: the cross-sections of sim/light/transport/collisions.h between
+// the energies of a grid.
 //
 // Every collision conserves number and energy on the grid: what is left of the first electron, the second
 // one and an Auger electron are each shared out to the two energies about theirs (energy_grid.h), what falls
@@ -18,8 +18,8 @@
 
 namespace vegard::sim {
 
-/// Of one gas; all in cm^2, energies in eV. [to][from - to]: from an energy of the grid to the same or a
-/// lower one.
+/// The cross-sections of one gas in cm^2; energies are in eV. [to][from - to]: from an energy of the grid to
+/// the same or a lower one.
 struct GasDegradation {
   std::vector<std::vector<float>> straight, anywhere;
   std::vector<double> inelastic;       ///< by energy: all inelastic collisions
@@ -35,7 +35,8 @@ struct Degradation {
   std::array<GasDegradation, kGases> gases;
 };
 
-/// Deterministic; some tenths of a second for a grid up to 20 keV.
+/// Computes the cross-sections on a grid; deterministic. Takes some tenths of a second for a grid up to 20
+/// keV.
 Degradation degradation(const EnergyGrid& grid);
 
 }  // namespace vegard::sim

@@ -31,7 +31,7 @@ Streams gauss_streams() {
   return result;
 }
 
-/// The screening with this mean of 1 - cos, by halving in its logarithm.
+/// Returns the screening parameter with this mean of 1 - cos, by bisection in its logarithm.
 double screening_of(double transfer_ratio) {
   double low = std::log(1e-9), high = std::log(1e6);
   for (int round = 0; round < 100; ++round) {

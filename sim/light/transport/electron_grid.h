@@ -13,23 +13,23 @@ struct EnergyGrid {
   std::vector<double> energy_ev;
 
   std::size_t size() const { return energy_ev.size(); }
-  /// Between the middles to the neighbours; at the ends to one side alone.
+  /// Returns the distance between the middles to the two neighbours; at the ends that to one side alone.
   double width_ev(std::size_t i) const;
 };
 
-/// From 0.3 eV to at least `highest_ev`, spaced by 5 % of the energy below 20 eV and by 1.5 % from 1 keV on,
-/// each divided by `refinement`.
+/// Returns energies from 0.3 eV to at least `highest_ev`, spaced by 5 % of the energy below 20 eV and by 1.5
+/// % from 1 keV on, each divided by `refinement`.
 EnergyGrid energy_grid(double highest_ev, double refinement = 1.0);
 
-/// An electron of some energy as parts of electrons at two energies of the grid. Below the lowest there are
-/// none: it counts as thermal.
+/// An electron of some energy as parts of electrons at two energies of the grid. Below the lowest energy it
+/// counts as thermal.
 struct EnergyShare {
   std::size_t lower = 0;  ///< the parts are at `lower` and `lower` + 1
   double at_lower = 0.0, at_upper = 0.0;
   bool thermal = false;
 };
 
-/// At or above the highest energy the whole is at the highest.
+/// Returns the parts of an electron; at or above the highest energy all of it is at the highest.
 EnergyShare share_of_energy(const EnergyGrid& grid, double energy_ev);
 
 /// Cosines of the pitch angle, first those downwards (negative), then those upwards, by Gauss's quadrature in
@@ -41,11 +41,11 @@ struct Streams {
   std::size_t half() const { return cosine.size() / 2; }
 };
 
-/// 4 or 8 in each half.
+/// Returns the directions, `half` (4 or 8) in each half.
 Streams pitch_streams(int half);
 
 /// The part of elastic collisions that turns electrons into other streams: [to * size + from] for electrons
-/// per cosine, times all elastic collisions. What is left of `kept` goes straight on.
+/// per cosine, times all elastic collisions. The rest of `kept` goes straight on.
 struct ElasticTurn {
   std::vector<double> into;
   double kept = 0.0;  ///< 1 - f: the share that counts as collisions

@@ -10,7 +10,8 @@
 namespace vegard::sim {
 namespace {
 
-/// Mean of what falls off (or grows) exponentially from a to b; of a straight line where one is not above 0.
+/// Returns the mean of a function that falls off (or grows) exponentially from a to b; of a straight line
+/// where one is not above 0.
 double mean_between(double a, double b) {
   if (a <= 0.0 || b <= 0.0) return 0.5 * (a + b);
   const double ratio = a / b;
@@ -18,7 +19,7 @@ double mean_between(double a, double b) {
   return (a - b) / std::log(ratio);
 }
 
-/// What a path through an optical depth leaves of the flux that comes in, and what the sources at its
+/// The share of the incident flux that a path through an optical depth transmits, and what the sources at its
 /// beginning and its end add.
 struct Passage {
   double left, from_begin, from_end;
@@ -31,8 +32,8 @@ Passage passage(double depth) {
   return {left, mean - left, 1.0 - mean};
 }
 
-/// How often per path, cm^-1, electrons at an energy of the grid pass on to the next lower one (from the
-/// lowest, to the thermal ones), since thermal electrons slow them down.
+/// Returns how often per path, cm^-1, electrons at an energy of the grid pass on to the next lower one (from
+/// the lowest, to the thermal ones), since thermal electrons slow them down.
 double slowing_cm(const EnergyGrid& grid, const FieldAir& column, std::size_t energy, std::size_t place) {
   if (column.electrons_cm3.empty()) return 0.0;
   const double here = grid.energy_ev[energy], lower = energy > 0 ? grid.energy_ev[energy - 1] : 0.0;
@@ -40,7 +41,7 @@ double slowing_cm(const EnergyGrid& grid, const FieldAir& column, std::size_t en
          (here - lower);
 }
 
-/// All energies of a column with 2 N streams.
+/// Solves all energies of a column with 2 N streams.
 template <int Size>
 class Sweep {
  public:
@@ -81,7 +82,7 @@ class Sweep {
 
   double density(std::size_t gas, std::size_t place) const { return column_.density_cm3[gas][place]; }
 
-  /// What higher energies leave at this one; false if nothing.
+  /// Adds what higher energies leave at this one. Returns false if that is nothing.
   bool add_sources(std::size_t i) {
     for (Vector& source : source_) source.setZero();
     std::array<std::vector<double>, kGases> anywhere;
@@ -120,7 +121,8 @@ class Sweep {
     return any;
   }
 
-  /// Into other streams at the same energy: elastic turns, and losses that are smaller than the grid's step.
+  /// Returns the scattering into other streams at the same energy: elastic collisions, and losses smaller
+  /// than the grid's step.
   Block turns(const Block& elastic, std::size_t i, std::size_t place) const {
     double hits = 0.0, losses = 0.0;
     for (std::size_t g = 0; g < kGases; ++g) {
@@ -209,7 +211,7 @@ class Sweep {
   Vector weight_;
 };
 
-/// Density times the sum over energies of a cross-section and the flux.
+/// Returns the density times the sum over energies of a cross-section and the flux.
 std::vector<double> rate_of(const std::vector<double>& cm2, const std::vector<double>& density,
                             const std::vector<std::vector<double>>& flux) {
   std::vector<double> rate(density.size(), 0.0);

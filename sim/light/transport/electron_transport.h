@@ -1,5 +1,5 @@
-// Electrons on their way down a field line through the air: where they ionise and excite it, and what comes
-// back.
+// The transport of electrons down a field line through the air: where they ionise and excite it, and which
+// electrons come back.
 //
 // In steady state, for electrons psi per cosine mu of the pitch angle at every energy of a grid, at the path
 // s along the field (from the bottom up),
@@ -34,7 +34,7 @@
 
 namespace vegard::sim {
 
-/// Per cm^2 of a plane across the field and second; energies in eV.
+/// The budget of energy and number per second and cm^2 of a plane across the field; energies are in eV.
 struct ElectronBudget {
   double incident_ev = 0.0, incident_number = 0.0;
   double back_ev = 0.0, back_number = 0.0;        ///< up through the top
@@ -46,15 +46,15 @@ struct ElectronBudget {
   double ion_pairs = 0.0;
 
   double deposited_ev() const { return excitation_ev + ionisation_ev + thermal_ev + heating_ev; }
-  /// What is missing of the incident energy, as a share of it: the error of the grids.
+  /// Returns the missing share of the incident energy: the error of the grids.
   double missing_share() const {
     return incident_ev > 0.0 ? 1.0 - (deposited_ev() + back_ev + through_ev) / incident_ev : 0.0;
   }
   double ev_per_ion_pair() const { return ion_pairs > 0.0 ? deposited_ev() / ion_pairs : 0.0; }
 };
 
-/// A budget that lacks more is of an air whose density jumps, or that is thick where electrons begin: not
-/// what the places are made for.
+/// Largest missing share of a valid run. A larger one means that the density of the air jumps or is high
+/// where the electrons begin, for which the places are not made.
 inline constexpr double kMaxMissingShare = 0.03;
 
 struct ElectronRates {
@@ -83,10 +83,10 @@ ElectronRates electron_transport(const Degradation& degradation, const FieldAir&
                                  const std::vector<double>& flux, PitchAngles angles,
                                  const TransportOptions& options = {});
 
-/// Energy that an electron loses to thermal ones, per path.
+/// Returns the energy that an electron loses to thermal ones, per path.
 double loss_to_electrons_ev_cm(double energy_ev, double electrons_cm3, double electron_temperature_k);
 
-/// The integral over the path of what falls off exponentially between places.
+/// Returns the integral over the path of a rate that is exponential between places.
 double path_integral(const FieldAir& column, const std::vector<double>& rate);
 
 }  // namespace vegard::sim

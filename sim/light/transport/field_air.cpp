@@ -50,7 +50,7 @@ double mass_density(const AirPlace& place) {
   return sum;
 }
 
-/// Distance over which the density falls by e, from 1 km of it.
+/// Returns the distance over which the density falls by e, from 1 km of it.
 double scale_height_km(const AirTable& table, double altitude_km) {
   const double end = table.altitude_km.back(), low = std::min(altitude_km, end - 1.0);
   const double fall =

@@ -20,7 +20,7 @@ double table_value(const IncidentSpectrum& spectrum, double energy_kev) {
   return spectrum.table_flux[i - 1] + way * (spectrum.table_flux[i] - spectrum.table_flux[i - 1]);
 }
 
-/// Up to a factor; not of mono.
+/// Returns the density of a spectrum other than mono, up to a factor.
 double spectrum_density(const IncidentSpectrum& spectrum, double energy_kev) {
   const double e0 = spectrum.energy_kev;
   switch (spectrum.kind) {
@@ -43,7 +43,8 @@ double spectrum_density(const IncidentSpectrum& spectrum, double energy_kev) {
   return 0.0;
 }
 
-/// The part of energies within a step that have a density, for spectra that begin or end within it.
+/// Returns the flux of the energies within a step that have a density, for spectra that begin or end within
+/// it.
 double flux_about(const IncidentSpectrum& spectrum, double low_kev, double high_kev) {
   constexpr int kParts = 8;
   double sum = 0.0;

@@ -30,21 +30,21 @@ struct IncidentSpectrum {
   std::vector<double> table_energy_kev, table_flux;
 };
 
-/// Energies that the transport is made for.
+/// The range of energies of the transport.
 inline constexpr double kMinSpectrumKev = 0.02, kMaxSpectrumKev = 100.0;
-/// Beyond it a spectrum is cut.
+/// The energy at which a spectrum is cut off.
 inline constexpr double kHighestKev = 300.0;
 
-/// What has an upper end that the grid has to reach: where less than 1e-4 of the energy is above, at most
-/// kHighestKev.
+/// Returns the energy that the grid has to reach: less than 1e-4 of the spectrum's energy is above it. At
+/// most kHighestKev.
 double highest_energy_kev(const IncidentSpectrum& spectrum);
 
-/// Electrons cm^-2 s^-1 at each energy of the grid with together `energy_flux_mw_m2` through a plane across
-/// the field.
+/// Returns the electrons cm^-2 s^-1 at each energy of the grid whose energy flux through a plane across the
+/// field is `energy_flux_mw_m2`.
 std::vector<double> incident_flux(const IncidentSpectrum& spectrum, const EnergyGrid& grid,
                                   double energy_flux_mw_m2);
 
-/// Mean energy of the electrons of such a flux.
+/// Returns the mean energy of the electrons of such a flux.
 double mean_energy_ev(const EnergyGrid& grid, const std::vector<double>& flux);
 
 enum class PitchAngles {
@@ -52,10 +52,11 @@ enum class PitchAngles {
   field_aligned,  ///< all in the stream nearest to the field
 };
 
-/// Electrons per cosine in each downward stream for a flux of 1 through a plane across the field; 0 upwards.
+/// Returns the electrons per cosine in each downward stream for a flux of 1 through a plane across the field;
+/// 0 upwards.
 std::vector<double> incident_angles(const Streams& streams, PitchAngles angles);
 
-/// keV per erg, since 1 mW m^-2 is 1 erg cm^-2 s^-1.
+/// eV per erg; 1 mW m^-2 is 1 erg cm^-2 s^-1.
 inline constexpr double kEvPerErg = 6.241509074e11;
 
 }  // namespace vegard::sim

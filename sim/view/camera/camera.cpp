@@ -48,7 +48,7 @@ void put(FilmEdges& edges, const Vec3<double>& outward) {
   std::copy(outward.begin(), outward.end(), edges.outward[edges.count++]);
 }
 
-/// Directions along the rectangle's border; empty if some of it is outside of the lens's picture.
+/// Returns directions along the rectangle's border; empty if some of it is outside of the lens's picture.
 std::vector<Vec3<double>> border(const Lens<double>& lens, double left, double top, double right,
                                  double bottom) {
   constexpr int kPieces = 48;

@@ -23,7 +23,7 @@ DirectionMap empty_map(int width, int height) {
   return map;
 }
 
-/// As a float it may round up to 360.
+/// Returns the azimuth from 0 to below 360: as a float it may round up to 360.
 float azimuth_from_0_to_360(double degrees) {
   const double turned = degrees - 360.0 * std::floor(degrees / 360.0);
   const float azimuth = static_cast<float>(turned);

@@ -10,13 +10,13 @@ namespace {
 constexpr double kFarthestOff = 170.0 * kRadiansPerDegree;
 constexpr int kMaxSteps = 60;
 
-/// d/dr of r (1 + k1 r^2 + k2 r^4 + k3 r^6).
+/// Returns d/dr of r (1 + k1 r^2 + k2 r^4 + k3 r^6).
 double growth(double k1, double k2, double k3, double r) {
   const double r2 = r * r;
   return 1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + r2 * 7.0 * k3));
 }
 
-/// The first r at which the radial terms fold the picture back, at most `end`.
+/// Returns the first r at which the radial terms fold the picture back, at most `end`.
 double first_fold(double k1, double k2, double k3, double end) {
   constexpr int kPieces = 4096;
   for (int i = 1; i <= kPieces; ++i) {
@@ -31,8 +31,8 @@ double first_fold(double k1, double k2, double k3, double end) {
   return end;
 }
 
-/// r with r (1 + k1 r^2 + ...) = radius, below the fold; Newton's steps held inside a bracket. Negative if
-/// there is none.
+/// Returns the r below the fold with r (1 + k1 r^2 + ...) = radius, by Newton's steps held inside a bracket;
+/// negative if there is none.
 double undo_radial(const Lens<double>& lens, double radius, double fold) {
   const auto at = [&](double r) {
     const double r2 = r * r;
@@ -51,7 +51,7 @@ double undo_radial(const Lens<double>& lens, double radius, double fold) {
   return r;
 }
 
-/// The angle of a radius in units of focal_px; negative if the lens draws nothing there.
+/// Returns the angle of a radius in units of focal_px; negative if the lens draws nothing there.
 double angle_of_radius(const Lens<double>& lens, double radius) {
   const double end = std::acos(lens.min_cosine);
   double theta = radius;

@@ -30,7 +30,7 @@ struct Chromaticity {
   Vector3 xyz() const { return {x / y, 1.0, (1.0 - x - y) / y}; }
 };
 
-/// The matrix whose white (equal RGB) is `white` and whose primaries have these chromaticities.
+/// Returns the matrix whose white (equal RGB) is `white` and whose primaries have these chromaticities.
 Matrix3 rgb_from_xyz(const std::array<Chromaticity, 3>& primaries, const Chromaticity& white) {
   Matrix3 columns;
   for (int c = 0; c < 3; ++c)
@@ -41,8 +41,8 @@ Matrix3 rgb_from_xyz(const std::array<Chromaticity, 3>& primaries, const Chromat
   return inverse(columns);
 }
 
-/// XYZ under one white to XYZ that look alike under another: the whites' ratio in the Bradford cone responses
-/// (Lam 1985; the matrix as in ICC.1:2010, annex E).
+/// Returns the matrix from XYZ under one white to XYZ that look alike under another: the whites' ratio in the
+/// Bradford cone responses (Lam 1985; the matrix as in ICC.1:2010, annex E).
 Matrix3 bradford(const Chromaticity& from, const Chromaticity& to) {
   constexpr Matrix3 kCones = {
       {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};

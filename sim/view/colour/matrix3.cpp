@@ -27,7 +27,7 @@ Matrix3 product(const Matrix3& a, const Matrix3& b) {
 
 namespace {
 
-/// With its sign.
+/// Returns the cofactor with its sign.
 double cofactor(const Matrix3& m, int r, int c) {
   const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
   return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];

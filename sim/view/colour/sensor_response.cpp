@@ -20,7 +20,8 @@ namespace {
 constexpr double kFilterHalfBase_nm = 5.0;
 constexpr const char* kResponseChannels[3] = {"red", "green", "blue"};
 
-/// Sums over wavelengths are taken at these; the tables of light and observer are no finer.
+/// Calls use(wavelength_nm, power of daylight) at each step of a sum; the tables of light and observer are no
+/// finer.
 template <class Use>
 void for_each_nm(const Use& use) {
   for (double nm = 380.0; nm <= 780.0; nm += 5.0) use(nm, daylight_power(nm, kD65Temperature_k));
@@ -72,7 +73,8 @@ Matrix3 rgb_of_raw(const ChannelTable& channels, const Sensor& sensor) {
 
 std::size_t filters(const Scene& scene) { return std::min<std::size_t>(3, scene.emission.lines.size()); }
 
-/// Where a kernel falls through half of its height, from its peak in steps of `direction`, in grid steps.
+/// Returns where a kernel falls through half of its height, from its peak in steps of `direction`, in grid
+/// steps.
 double half_height(const std::vector<double>& kernel, int peak, int direction) {
   const double half = 0.5 * kernel[peak];
   const int count = static_cast<int>(kernel.size());

@@ -63,7 +63,7 @@ int reach(double sigma, int radius) {
   return radius >= 0 ? radius : static_cast<int>(std::ceil(kBlurReach * sigma));
 }
 
-/// The normal distribution function.
+/// Returns the normal distribution function.
 double normal_share_below(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 double density(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2.0 * std::acos(-1.0)); }
 
@@ -83,7 +83,8 @@ void for_rows(int rows, int threads, const Body& body) {
   });
 }
 
-/// Weights that reach past a plane from any place in it meet nothing but darkness.
+/// Returns the kernel cut to a plane: weights that reach past it from any place in it meet nothing but
+/// darkness.
 BlurKernel within(BlurKernel kernel, int cells) {
   if (kernel.weights.size() > static_cast<std::size_t>(cells)) kernel.weights.resize(cells);
   return kernel;

@@ -21,7 +21,8 @@ struct Share {
   std::vector<double> weights;
 };
 
-/// For each of `count` new pixels along an axis, `step` old ones apart, the first beginning at `start`.
+/// Returns the shares of `count` new pixels along an axis, `step` old ones apart, the first beginning at
+/// `start`.
 std::vector<Share> shares(int old_count, int count, double start, double step) {
   std::vector<Share> all;
   for (int i = 0; i < count; ++i) {

@@ -42,7 +42,7 @@ namespace {
 constexpr double kTolerance = 0.1;   // of the relative difference of distances
 constexpr double kMinWeight = 0.05;  // of a full one, below which neighbours say too little
 
-/// How alike two ends are, 0 to 1; 0 if one is no ray.
+/// Returns how alike two ends are, 0 to 1; 0 if one is no ray.
 double likeness(float a, float b) {
   if (a == b) return 1.0;  // both infinite, or both at the observer's feet
   if (std::isnan(a) || std::isnan(b) || std::isinf(a) || std::isinf(b)) return 0.0;

@@ -67,7 +67,7 @@ FilmLevel film_level(const FilmGeometry& film, double sigma_px) {
   return level;
 }
 
-/// Which cells a place falls on, and how much; false if not all of them are there.
+/// The cells that a place falls on, and their weights; set() returns false if some of them are missing.
 struct FallTaps {
   int first = 0, count = 0;
   float weight[3] = {1.0f, 0.0f, 0.0f};
@@ -101,6 +101,8 @@ struct CubicTaps {
   float weight[4] = {};
 };
 
+/// Returns the taps for the centres of `places` cells of a picture or a film, of width `step_px`, the first
+/// of which begins at `first_px`; the spline's cells have the width `cell_px` and begin at `start_px`.
 std::vector<CubicTaps> cubic_taps(int places, double step_px, double first_px, double start_px,
                                   double cell_px) {
   std::vector<CubicTaps> all(places);

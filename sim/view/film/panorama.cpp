@@ -23,7 +23,7 @@ int whole_remainder(int number, int of) {
   return rest < 0 ? rest + of : rest;
 }
 
-/// A row beyond a pole as the one within that it mirrors, and whether it is half a turn on.
+/// Returns the row within the panorama that a row beyond a pole mirrors, and whether it is half a turn on.
 int row_within(int row, int rows, bool& turned) {
   const int place = whole_remainder(row, 2 * rows);
   turned = place >= rows;
@@ -36,8 +36,8 @@ double width_within(int row, int rows) {
   return (std::sin(last) - std::sin(first)) * rows / kPi;
 }
 
-/// The sky about a pole on a plane of its own (azimuthal, equidistant), where a blur is a blur: of the rows
-/// close to a pole, where rows and columns are no guide.
+/// The sky about a pole on a plane of its own (azimuthal, equidistant), where a blur is a blur. It serves the
+/// rows close to a pole, where rows and columns are no guide.
 class PolarCap {
  public:
   PolarCap(const FilmGeometry& film, const float* plane, double sigma_rows, int radius, bool at_lower_pole)
@@ -66,7 +66,7 @@ class PolarCap {
         spread(area, x, y, share);
       }
     }
-    // What the plane's own cells smooth, coming and going: a sixth of a cell squared each time.
+    // The plane's own cells smooth too, coming and going: a sixth of a cell squared each time.
     const double sigma = std::sqrt(std::max(0.0, std::pow(sigma_rows * kFine, 2) - 1.0 / 3.0));
     const BlurKernel kernel = gaussian_kernel(sigma, radius < 0 ? -1 : radius * kFine);
     for (std::vector<float>* grid : {&light, &area}) {
@@ -78,7 +78,7 @@ class PolarCap {
     light_ = std::move(light);
   }
 
-  /// Whether it is for this row within the turn.
+  /// Returns whether the cap serves this row within the turn.
   bool has(int row) const { return off_pole(row) < inside_; }
 
   float at(int row, int column) const {
@@ -172,7 +172,7 @@ void blur_on_sphere(const FilmGeometry& film, const float* plane, double sigma_r
     const float* from = plane + (row + margin.rows) * film.columns + margin.columns;
     float* to = wide.data() + (row + reach) * pitch;
     const double narrower = columns / (2.0 * rows) / width_within(static_cast<int>(row), rows);
-    // A row that the kernel goes around of more than once is the same everywhere.
+    // Where the kernel goes around a row more than once, the row is the same everywhere.
     const double sigma = sigma_rows * narrower;
     if (sigma > columns / 4.0) {
       double sum = 0.0;

@@ -12,8 +12,8 @@
 namespace vegard::sim {
 namespace {
 
-/// Angle between the axis and the farthest corner of the picture; a fisheye's is taken for 90 degrees at
-/// most.
+/// Returns the angle between the axis and the farthest corner of the picture; a fisheye's counts as 90
+/// degrees at most.
 double corner_angle(const Camera& camera) {
   const Lens<double> lens = camera_view(camera).lens;
   double least = 1.0;
@@ -26,7 +26,7 @@ double corner_angle(const Camera& camera) {
   return std::acos(least);
 }
 
-/// Half the width of a range as a standard uncertainty.
+/// Returns half the width of a range as a relative standard uncertainty.
 double of_range(double low, double high) { return (high - low) / (std::sqrt(3.0) * (high + low)); }
 
 void add_calibrated(const Sensor& sensor, std::vector<UncertaintyPart>& parts) {

@@ -23,7 +23,7 @@ Vector3 pixel(const Image& rgb, int x, int y) { return {rgb.at(x, y, 0), rgb.at(
 
 bool has_mosaic(const Scene& scene) { return scene.sensor.mosaic != MosaicPattern::none; }
 
-/// One pixel's number, of light that would free so many electrons.
+/// Returns one pixel's number, of light that would free so many electrons.
 double number_of(const SensorScale& scale, double full_well_e, std::uint64_t seed, double electrons,
                  std::uint32_t pixel_index, std::uint32_t frame, std::uint32_t channel) {
   double charge = poisson(electrons + scale.dark_e, seed, Stream::photon_noise, pixel_index, frame, channel);
@@ -36,7 +36,7 @@ double number_of(const SensorScale& scale, double full_well_e, std::uint64_t see
   return std::clamp<double>(number, 0.0, scale.largest_dn);
 }
 
-/// The camera of a picture, which may have been scaled.
+/// Returns the scene with the camera of a picture, which may have been scaled.
 Scene with_size_of(const Scene& scene, const Image& image) {
   Scene sized = scene;
   sized.camera.width = image.width;
@@ -44,7 +44,7 @@ Scene with_size_of(const Scene& scene, const Image& image) {
   return sized;
 }
 
-/// Of a raw channel's linear value.
+/// Returns the variance of a raw channel's linear value.
 double raw_variance(const SensorScale& scale, double raw) {
   const double rounding_e = 1.0 / scale.dn_per_electron;
   const double variance_e = std::max(raw, 0.0) * scale.white_e + scale.dark_e +
@@ -52,14 +52,14 @@ double raw_variance(const SensorScale& scale, double raw) {
   return variance_e / (scale.white_e * scale.white_e);
 }
 
-/// The width in linear light of one step of an encoded value.
+/// Returns the width in linear light of one step of an encoded value.
 double step_at(const ToneCurve& tone, double linear, double file_step) {
   const double code =
       std::clamp(tone.encode(std::clamp(linear, 0.0, 1.0)), 0.5 * file_step, 1.0 - 0.5 * file_step);
   return tone.decode(code + 0.5 * file_step) - tone.decode(code - 0.5 * file_step);
 }
 
-/// 1 where a pixel or, behind a mosaic, one that it takes from is marked.
+/// Returns marks that are 1 where a pixel or, behind a mosaic, one that it takes from is marked.
 std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked, int width, int height) {
   std::vector<std::uint8_t> result(marked.size(), 0);
   for (int y = 0; y < height; ++y)
@@ -70,7 +70,7 @@ std::vector<std::uint8_t> spread(const std::vector<std::uint8_t>& marked, int wi
   return result;
 }
 
-/// Sums of what enters a channel at a pixel.
+/// Sums of the numbers that enter a channel at a pixel.
 struct Taken {
   double sum = 0.0;
   int count = 0;
@@ -88,7 +88,7 @@ Taken taken(const Image& mosaic, MosaicPattern pattern, int x, int y, int channe
   return t;
 }
 
-/// count_power: 1 for a mean, 2 for its variance.
+/// Interpolates the colours of a mosaic. `count_power` is 1 for a mean, 2 for its variance.
 Image demosaiced(const Image& mosaic, MosaicPattern pattern, int count_power) {
   assert(mosaic.channels() == 1 && mosaic.width > 1 && mosaic.height > 1);
   Image rgb(mosaic.width, mosaic.height, {"R", "G", "B"});

@@ -14,7 +14,7 @@
 namespace vegard::sim {
 namespace {
 
-/// y at x of straight lines through points with increasing x, which is limited to theirs.
+/// Returns y at x of straight lines through points with increasing x, which is limited to theirs.
 double straight_between(const std::vector<double>& xs, const std::vector<double>& ys, double x) {
   if (!(x > xs.front())) return ys.front();
   if (x >= xs.back()) return ys.back();
@@ -32,7 +32,7 @@ constexpr double kAtWhite = 2.4 / 1.055;  // d ln D / d v there
 constexpr int kBentMaxHalvings = 200;     // far more than a double has bits
 constexpr double kBentCloseEnough = 1e-13;
 
-/// d ln D / d v of sRGB's decoding.
+/// Returns d ln D / d v of sRGB's decoding.
 double srgb_log_slope(double encoded) {
   return encoded <= kEncodedKnee ? 1.0 / encoded : 2.4 / (encoded + 0.055);
 }

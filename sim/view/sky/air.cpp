@@ -20,17 +20,17 @@ constexpr double kAirReach = 40.0;  // in scale heights: what lies higher is e^-
 constexpr double kNode[3] = {0.238619186083197, 0.661209386466265, 0.932469514203152};
 constexpr double kWeight[3] = {0.467913934572691, 0.360761573048139, 0.171324492379170};
 
-/// By the sine of the elevation.
+/// A number with its derivative by the sine of the elevation.
 using SineDual = Dual<double, Tangents<double, 1>>;
 
-/// Density over that at the observer.
+/// Returns the density over that at the observer.
 SineDual relative_density(const AirShape& shape, const SineDual& altitude_km, double observer_km) {
   if (!shape.gaussian) return exponential((altitude_km - observer_km) * (-1.0 / shape.width_km));
   const SineDual away = (altitude_km - shape.centre_km) / shape.width_km;
   return exponential(away * away * -0.5);
 }
 
-/// The line's way up to `top_km`, and what lies along it.
+/// Returns the way along the line up to `top_km` and the column along it.
 SineDual column_km(const AirShape& shape, double observer_km, double top_km, const SineDual& sine) {
   const double from_centre = kEarthRadiusKm + observer_km, to_top = kEarthRadiusKm + top_km;
   const double along = from_centre * sine.v;
@@ -69,7 +69,7 @@ double ozone_optical_depth(double wavelength_nm, double ozone_dobson) {
 
 double pressure_share(double altitude_km) {
   constexpr double kStandardRadiusKm = 6356.766, kTropopauseKm = 11.0, kScaleHeightAboveKm = 6.34162;
-  // Geopotential altitude, in which gravity is constant.
+  // The geopotential altitude, in which gravity is constant.
   const double potential_km = kStandardRadiusKm * altitude_km / (kStandardRadiusKm + altitude_km);
   const double below = std::min(potential_km, kTropopauseKm);
   return std::pow(1.0 - 6.5 * below / 288.15, 5.25588) *

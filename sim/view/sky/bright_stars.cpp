@@ -24,7 +24,7 @@ std::vector<std::string> star_cells(std::string_view line) {
   return cells;
 }
 
-/// 0 for an empty cell.
+/// Reads a cell's number; 0 for an empty cell.
 template <typename Number>
 Number star_number(const std::string& cell) {
   Number number{};
@@ -62,7 +62,7 @@ std::vector<BrightStar> read_star_table() {
   return stars;
 }
 
-/// Small letters, blanks left out.
+/// Returns the words in small letters without blanks.
 std::string name_without_blanks(const std::string& words) {
   std::string out;
   for (const char c : words)

@@ -17,11 +17,11 @@
 namespace vegard::sim {
 namespace {
 
-/// Of an angle in degrees that has turned many times.
+/// Returns the sine of an angle in degrees that has turned many times.
 double sin_deg(double degrees) { return std::sin(std::remainder(degrees, 360.0) * kRadiansPerDegree); }
 double cos_deg(double degrees) { return std::cos(std::remainder(degrees, 360.0) * kRadiansPerDegree); }
 
-/// A multiple of each argument, and millionths of a degree, or metres.
+/// A term of the Moon's series: a multiple of each argument, and millionths of a degree, or metres.
 struct MoonTerm {
   int elongation, sun, moon, node;
   double size;
@@ -49,7 +49,7 @@ constexpr MoonTerm kMoonDistance[] = {
     {0, 1, -1, 0, -129620.0},  {1, 0, 0, 0, 108743.0},    {0, 1, 1, 0, 104755.0},   {0, 0, 1, -2, 79661.0},
     {0, 1, 0, 0, 48888.0}};
 
-/// The Sun's place, equinox of date.
+/// Returns the Sun's place, equinox of date.
 Equatorial sun_of_date(double julian_date) {
   return apparent_place({place_of_sun(julian_date), 0.0, 0.0}, julian_date);
 }
@@ -58,7 +58,7 @@ constexpr double kMoonOverEarth = 0.272481;   // radii
 constexpr double kMeanParallax_deg = 0.9507;  // at which magnitude_of_moon() holds
 constexpr double kMoonColourIndex = 0.92;
 
-/// The sum of moon_spot() over the disc, in units of the radius squared.
+/// Returns the sum of moon_spot() over the disc, in units of the radius squared.
 double sum_over_disc(double phase_angle_deg) {
   constexpr int kSteps = 400;
   double sum = 0.0;
@@ -204,8 +204,8 @@ void add_moon_disc(const Scene& scene, const std::vector<double>& instants_s, in
   }
   if (moons.empty()) return;
   const double of_each = 1.0 / static_cast<double>(instants_s.size());
-  // As many spots of a pixel as there are some thirty across the disc, and one at least for every pixel of a
-  // large one.
+  // The Moon is drawn in spots of a pixel, some thirty of them across the disc, and one at least for every
+  // pixel of a large one.
   const double disc_px = 2.0 * moons.front().radius / kRadiansPerDegree * pixels_per_degree(scene.camera);
   const int fine = std::clamp(static_cast<int>(std::ceil(32.0 / disc_px)), 3, 32);
   parallel_for(static_cast<std::size_t>(light.height), threads, [&](std::size_t row, int) {

@@ -14,7 +14,7 @@ constexpr double kNanolambert_cd_m2 = 1e-5 / kPi;  // 1 lambert is 1 / pi cd cm^
 constexpr double kUsualExtinction_mag = 0.172;     // theirs, of Mauna Kea
 constexpr double kMagnitudesPerDepth = 1.0857362047581296;
 
-/// Their I*, equation (20): the Moon's illuminance above the air.
+/// Returns the Moon's illuminance above the air: their I*, equation (20).
 double moon_illuminance(double phase_angle_deg) {
   return std::pow(10.0, -0.4 * (magnitude_of_moon(phase_angle_deg) + 12.73 + 3.84));
 }

@@ -12,10 +12,10 @@ namespace {
 constexpr double kLightDaysPerAu = 0.0057755183;
 constexpr double kObliquityJ2000_deg = 23.43928;  // Standish's own
 
-/// Of the northern pole of Saturn's rings, J2000 (IAU).
+/// The northern pole of Saturn's rings, J2000 (IAU).
 constexpr double kRingPoleRa_deg = 40.589, kRingPoleDec_deg = 83.537;
 
-/// At J2000 and the change in a century: astronomical units and degrees.
+/// Orbital elements at J2000 and their changes in a century: astronomical units and degrees.
 struct Elements {
   double axis, axis_rate, eccentricity, eccentricity_rate, inclination, inclination_rate, longitude,
       longitude_rate, perihelion, perihelion_rate, node, node_rate;
@@ -33,7 +33,7 @@ constexpr Elements kEarth = {1.00000261,   0.00000562,  0.01671123,   -0.0000439
                              -0.00001531,  -0.01294668, 100.46457166, 35999.37244981,
                              102.93768193, 0.32327364,  0.0,          0.0};
 
-/// From the Sun, in astronomical units, ecliptic and equinox J2000.
+/// Returns the place from the Sun, in astronomical units, ecliptic and equinox J2000.
 Vec3<double> heliocentric(const Elements& of, double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
   const double axis = of.axis + of.axis_rate * t, e = of.eccentricity + of.eccentricity_rate * t;
@@ -54,7 +54,7 @@ Vec3<double> heliocentric(const Elements& of, double julian_date) {
           across * std::sin(inclination)};
 }
 
-/// Elements of date as linear functions of the days since 1999 December 31, 0 h.
+/// Orbital elements of date as linear functions of the days since 1999 December 31, 0 h.
 struct GiantElements {
   double node, node_rate, inclination, inclination_rate, perihelion, perihelion_rate, axis, eccentricity,
       eccentricity_rate, anomaly, anomaly_rate;
@@ -64,7 +64,7 @@ constexpr GiantElements kJupiter = {100.4542, 2.76854e-5, 1.3030,   -1.557e-7, 2
 constexpr GiantElements kSaturn = {113.6634, 2.38980e-5, 2.4886,    -1.081e-7, 339.3939,    2.97661e-5,
                                    9.55475,  0.055546,   -9.499e-9, 316.9670,  0.0334442282};
 
-/// The same of Jupiter or Saturn, which pull at each other.
+/// Returns the heliocentric place of Jupiter or Saturn, which perturb each other.
 Vec3<double> heliocentric_giant(Planet planet, double julian_date) {
   constexpr double kFirstDay = 2451543.5, kPrecession_deg_per_day = 3.82394e-5;
   const double days = julian_date - kFirstDay;
@@ -116,7 +116,7 @@ Equatorial equatorial_of(const Vec3<double>& ecliptic) {
   return {a, std::atan2(z, std::hypot(ecliptic[0], y)) / kRadiansPerDegree};
 }
 
-/// In astronomical units, ecliptic and equinox J2000.
+/// A planet as the Earth sees it, in astronomical units, ecliptic and equinox J2000.
 struct PlanetSight {
   Vec3<double> from_sun, from_earth;
 };

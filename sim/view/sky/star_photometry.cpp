@@ -16,14 +16,14 @@ namespace {
 
 constexpr double kMagnitude0_lx = 2.54e-6;
 constexpr double kLuminanceNm = 557.7;
-// Where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as these
-// wavelengths.
+// Wavelengths where sRGB's primaries are brightest to the eye, roughly: a star's channels are dimmed as
+// these.
 constexpr std::array<double, 3> kChannelNm = {610.0, 550.0, 465.0};
 
 constexpr double kNormNm = 555.6, kVegaFlux_w_m2_nm = 3.44e-11, kVegaMagnitude = 0.03;
 constexpr double kColourTerm = 0.07;
 
-/// Of the library's type of this B - V, over that at 555.6 nm.
+/// A point of the spectrum of the library's type of this B - V, over that at 555.6 nm.
 struct SpectrumPoint {
   double colour_index, ratio;
 };
@@ -32,7 +32,7 @@ struct SpectrumNode {
   std::vector<SpectrumPoint> points;  ///< by increasing colour index
 };
 
-/// B2 IV, A0 IV, F8 IV and K0 III.
+/// Returns the spectra of the types B2 IV, A0 IV, F8 IV and K0 III.
 const std::array<SpectrumNode, 4>& spectrum_nodes() {
   static const std::array<SpectrumNode, 4> nodes = {{
       {427.8, 0.04, {{-0.20, 2.722}, {0.0, 2.225}, {0.52, 1.015}, {1.0, 0.596}}},
@@ -43,7 +43,7 @@ const std::array<SpectrumNode, 4>& spectrum_nodes() {
   return nodes;
 }
 
-/// Straight in the logarithm, and on beyond the ends.
+/// Interpolates linearly in the logarithm, and extrapolates beyond the ends.
 double ln_ratio(const SpectrumNode& node, double colour_index) {
   const std::vector<SpectrumPoint>& points = node.points;
   std::size_t i = 0;
@@ -53,7 +53,7 @@ double ln_ratio(const SpectrumNode& node, double colour_index) {
   return std::log(points[i].ratio) + share * std::log(points[i + 1].ratio / points[i].ratio);
 }
 
-/// ln of the spectrum over a black body's at a node.
+/// Returns ln of the spectrum over a black body's at a node.
 double ln_excess(const SpectrumNode& node, double colour_index, const Spectrum& black) {
   return ln_ratio(node, colour_index) - std::log(black(node.wavelength_nm) / black(kNormNm));
 }

@@ -25,8 +25,7 @@ Equatorial place_of(const Vec3<double>& v) {
   return {a, std::atan2(v[2], std::hypot(v[0], v[1])) / kRadiansPerDegree};
 }
 
-/// The vector in axes that are turned about the first (0) or third (2) of the old ones by an angle,
-/// anticlockwise.
+/// Returns the vector in axes that are turned about the old ones' axis 0, 1 or 2 by an angle, anticlockwise.
 Vec3<double> turned(const Vec3<double>& v, int axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   if (axis == 0) return {v[0], c * v[1] + s * v[2], -s * v[1] + c * v[2]};
@@ -41,7 +40,7 @@ Vec3<double> moved(const CataloguePlace& star, double julian_date) {
   const double east = star.motion_ra_mas_per_year * 1e-3 * kSecond * years;
   const double north = star.motion_dec_mas_per_year * 1e-3 * kSecond * years;
   Vec3<double> v = vector_of(star.j2000);
-  // In a straight line, as the stars go: near the poles an angle a year would not do.
+  // Proper motion goes in a straight line, as the stars do: near the poles an angle a year would not do.
   v[0] += -std::sin(a) * east - std::sin(d) * std::cos(a) * north;
   v[1] += std::cos(a) * east - std::sin(d) * std::sin(a) * north;
   v[2] += std::cos(d) * north;
@@ -82,7 +81,7 @@ SkyOfInstant sky_of(double julian_date) {
 Vec3<double> aberrated(const Vec3<double>& v, const SkyOfInstant& sky) {
   constexpr double kAberration = 20.49552 * kSecond;
   const double s = std::sin(sky.sun_longitude), c = std::cos(sky.sun_longitude);
-  // The Earth moves a quarter of a turn behind the Sun's place.
+  // The Earth moves at a right angle to the Sun's place.
   return {v[0] + kAberration * s, v[1] - kAberration * c * std::cos(sky.obliquity),
           v[2] - kAberration * c * std::sin(sky.obliquity)};
 }
@@ -97,7 +96,7 @@ Vec3<double> apparent(const CataloguePlace& star, double julian_date) {
   return nutated(aberrated(precessed(moved(star, julian_date), julian_date), sky), sky);
 }
 
-/// The standard atmosphere's share of the refraction of 1010 hPa and 10 degrees at this height.
+/// Returns the refraction in the standard atmosphere at this height.
 double refraction_at(double true_elevation_deg, double height_m) {
   constexpr double kTropopause_m = 11000.0, kLapse_c_per_m = 0.0065;
   const double low_m = std::clamp(height_m, -500.0, kTropopause_m);

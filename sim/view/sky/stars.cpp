@@ -29,11 +29,11 @@ constexpr double kStarReach = 6.0;        // in standard deviations: beyond it e
 constexpr std::array<double, 7> kCounts = {4.0, 15.0, 49.0, 172.0, 511.0, 1600.0, 4800.0};  // at 0, 1 … 6
 constexpr double kFaintSlope = 0.46;  // dex per magnitude
 
-// Ours: about as blue and as red as what is seen without a telescope, without its two humps.
+// Our own choice: about as blue and as red as what is seen without a telescope, without its two humps.
 constexpr double kMeanColourIndex = 0.6, kSpreadOfColourIndex = 0.4;
 constexpr double kBluest = -0.3, kReddest = 1.8;
 
-/// In dex per magnitude, from the magnitude m of the table to m + 1 or above its end.
+/// Returns the slope in dex per magnitude from the magnitude m of the table to m + 1, or above its end.
 double slope_after(int m) {
   if (m >= static_cast<int>(kCounts.size()) - 1) return kFaintSlope;
   return std::log10(kCounts[m + 1] / kCounts[m]);
@@ -60,7 +60,7 @@ class Tints {
   std::vector<std::array<double, 3>> tints_;
 };
 
-/// What each of the pixels from `first` on has of a Gaussian around `centre`.
+/// The shares of a Gaussian around `centre` in the pixels from `first` on.
 struct Spread {
   int first = 0;
   std::vector<double> shares;
@@ -127,7 +127,8 @@ class StarPainter {
     }
   }
 
-  /// Rows beyond a pole are those before it, half a turn on; a row is the narrower the nearer to a pole.
+  /// Adds a star near a pole: rows beyond it are those before it, half a turn on; a row is the narrower the
+  /// nearer to a pole.
   void add_around(double x_px, double y_px, double brightness, const std::array<double, 3>& tint) {
     const int width = camera_.width, height = camera_.height;
     const double px_per_rad = height / kPi;
@@ -174,7 +175,7 @@ constexpr double kBulgeLength = 0.7, kBulgeOverDisc = 7.0;  // of stars at the c
 constexpr double kPoles_s10 = 30.0;
 constexpr double kMilkyWayColourIndex = 0.75;
 
-/// The sum along a line of sight, in units of the stars' density near the Sun.
+/// Returns the sum along a line of sight, in units of the stars' density near the Sun.
 double light_along(double longitude_deg, double latitude_deg) {
   const double l = longitude_deg * kRadiansPerDegree, b = latitude_deg * kRadiansPerDegree;
   constexpr int kSteps = 240;
@@ -197,7 +198,7 @@ double light_along(double longitude_deg, double latitude_deg) {
   return sum;
 }
 
-/// At even steps of |longitude| and |latitude|.
+/// A table of the light at even steps of |longitude| and |latitude|.
 class MilkyWayTable {
  public:
   MilkyWayTable() : values_(static_cast<std::size_t>(kLongitudes + 1) * (kLatitudes + 1)) {
