@@ -54,10 +54,12 @@ class CurtainFit {
     best_ = settled(start, "curves of the map", kShareOfStart);
     if (!is_overdetermined(best_.fitted))
       throw sim::Error(sim::ErrorKind::unreadable_input,
-                       {fmt::format("only {} usable values for the {} numbers of {}", best_.fitted.values,
-                                    best_.fitted.parameters, best_.fitted.name),
-                        photos_.front().file_name, 0, "fit.bands", "more values than unknowns",
-                        "more bands, a larger region, or a map with fewer curtains"});
+                       fmt::format("only {} usable values for the {} numbers of {}", best_.fitted.values,
+                                   best_.fitted.parameters, best_.fitted.name))
+          .file(photos_.front().file_name)
+          .key("fit.bands")
+          .expected("more values than unknowns")
+          .hint("more bands, a larger region, or a map with fewer curtains");
     record(CurtainStep::Change::start, "", best_, true, 0.0);
     drop_what_is_not_needed();
     // A curve may have stood in for one that was missing.
@@ -146,7 +148,7 @@ class CurtainFit {
     for (std::size_t o = 0; o < observations.size(); ++o) {
       fitted.values += observations[o].full->residuals();
       fitted.parameters +=
-          observations[o].full->coefficients() - observations[o].full->held_gains(point.of_photo[o]);
+          observations[o].full->coefficients() - observations[o].full->held_gains(point.by_photo[o]);
     }
     if (is_overdetermined(fitted))
       fitted.correlated = joint_inflation(cost, point, fitted.parameters).correlated;
@@ -267,10 +269,11 @@ FitResult fit_curtains(const sim::Scene& scene, const std::vector<Photo>& photos
   assert(!curtains.empty() && !photos.empty());
   for (const Photo& photo : photos)
     if (photo.unknowns > 0)
-      throw sim::Error(
-          sim::ErrorKind::scene,
-          {"the transfer curve of " + photo.file_name + " is unknown", scene.file, 0, "fit.decoding",
-           "a decoding that is known", "curtains are refined with the decoding that they were mapped with"});
+      throw sim::Error(sim::ErrorKind::scene, "the transfer curve of " + photo.file_name + " is unknown")
+          .file(scene.file)
+          .key("fit.decoding")
+          .expected("a decoding that is known")
+          .hint("curtains are refined with the decoding that they were mapped with");
   return CurtainFit(scene, photos, options).run(curtains, faint);
 }
 

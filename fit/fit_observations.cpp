@@ -10,7 +10,6 @@
 #include "fit/answer/derived.h"
 #include "fit/answer/energy_flux.h"
 #include "fit/answer/error_bar_validation.h"
-#include "fit/answer/free_profile.h"
 #include "fit/answer/photo_line_ratio.h"
 #include "fit/answer/verdict.h"
 #include "fit/compare/observation.h"
@@ -19,14 +18,12 @@
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/photo/averaging.h"
-#include "fit/search/gradient_cosine.h"
+#include "fit/search/descent.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
-#include "fit/search/search_outcome.h"
-#include "fit/uncertainty/flat_directions.h"
-#include "fit/uncertainty/sampled_uncertainty.h"
 #include "fit/uncertainty/uncertainty.h"
+#include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/value_check.h"
 
@@ -40,7 +37,7 @@ constexpr double kSecondMode = 4.0;  // difference of chi2 (two standard deviati
 double chi2_without_aurora(const std::vector<Observation>& observations, const ProfileCost::Point& point) {
   double chi2 = 0.0;
   for (std::size_t o = 0; o < observations.size(); ++o)
-    chi2 += observations[o].full->chi2_without_aurora(point.of_photo[o]);
+    chi2 += observations[o].full->chi2_without_aurora(point.by_photo[o]);
   return chi2;
 }
 
@@ -90,7 +87,7 @@ ComparedValues compared_values(const std::vector<Observation>& observations, int
 int held_gains(const std::vector<Observation>& observations, const ProfileCost::Point& point) {
   int held = 0;
   for (std::size_t o = 0; o < observations.size(); ++o)
-    held += observations[o].full->held_gains(point.of_photo[o]);
+    held += observations[o].full->held_gains(point.by_photo[o]);
   return held;
 }
 
@@ -99,7 +96,7 @@ std::vector<ComparedStatistic> compared_statistics(const std::vector<Observation
                                                    const ProfileCost::Point& point) {
   std::vector<ComparedStatistic> all;
   for (std::size_t o = 0; o < observations.size(); ++o)
-    for (const Comparison::Share& share : observations[o].full->shares(point.of_photo[o])) {
+    for (const Comparison::Share& share : observations[o].full->shares(point.by_photo[o])) {
       auto found = std::find_if(all.begin(), all.end(),
                                 [&](const ComparedStatistic& s) { return s.name == share.name; });
       if (found == all.end()) found = all.insert(all.end(), {share.name, share.weight, 0, 0.0});
@@ -153,17 +150,17 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
       fitted.decoding += ", " + averaged;
     fitted.data = full.data();
     fitted.sigma = full.sigma();
-    fitted.model = full.profile_model(point.of_photo[o]);
+    fitted.model = full.profile_model(point.by_photo[o]);
     fitted.behind =
-        full.linear().light(point.of_photo[o].aurora, point.of_photo[o].solution, fitted.model.size()).behind;
-    fitted.chi2 = point.of_photo[o].chi2;
+        full.linear().light(point.by_photo[o].aurora, point.by_photo[o].solution, fitted.model.size()).behind;
+    fitted.chi2 = point.by_photo[o].chi2;
     fitted.best = observations[o].scene;
     terms[o].map.put(values, fitted.best);
     if (!fitted.name.empty()) {  // a scene by itself, where no other photograph is known
       fitted.best.fit.free.clear();
       fitted.best.fit.tied.clear();
     }
-    put_solution(full, point.of_photo[o], known, r.error_inflation, fitted);
+    put_solution(full, point.by_photo[o], known, r.error_inflation, fitted);
     fitted.rms_over_peak = rms_over_peak(fitted);
     fitted.model_error = found_model_error(
         fitted.data, fitted.model, fitted.sigma,
@@ -304,7 +301,7 @@ class FitRun {
     point_ = cost_->at(values_, true);
     evidence_.chi2_without_aurora = chi2_without_aurora(observations_, point_);
     r_.chi2 = chi2_of_priors(free_, values_);
-    for (const Comparison::Point& p : point_.of_photo) r_.chi2 += p.chi2;
+    for (const Comparison::Point& p : point_.by_photo) r_.chi2 += p.chi2;
     const int held = held_gains(observations_, point_);
     r_.dof = residuals_ + static_cast<int>(PriorRows(free_).count()) - unknowns_ + held;
     const Inflation inflation = joint_inflation(*cost_, point_, unknowns_);
@@ -370,7 +367,7 @@ class FitRun {
 
   void judge(const SearchOutcome& outcome) {
     evidence_.aurora_in_view =
-        std::any_of(point_.of_photo.begin(), point_.of_photo.end(), [](const Comparison::Point& p) {
+        std::any_of(point_.by_photo.begin(), point_.by_photo.end(), [](const Comparison::Point& p) {
           return std::any_of(p.aurora.value.begin(), p.aurora.value.end(), [](double x) { return x > 0.0; });
         });
     look_for_second_mode(free_, values_, outcome, r_, evidence_);
@@ -425,12 +422,13 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
   assert(photos.size() == scene.fit.photos.size());
   for (const Photo* photo : photos)
     if (photo->unknowns > 0)
-      throw sim::Error(
-          sim::ErrorKind::scene,
-          {"the transfer curve of " + photo->file_name +
-               " is unknown, and that of one photograph alone can be found",
-           scene.file, 0, "fit.decoding", "a decoding that is known",
-           "fit one of them by itself with --decoding unknown, and give all the curve that it finds"});
+      throw sim::Error(sim::ErrorKind::scene,
+                       "the transfer curve of " + photo->file_name +
+                           " is unknown, and that of one photograph alone can be found")
+          .file(scene.file)
+          .key("fit.decoding")
+          .expected("a decoding that is known")
+          .hint("fit one of them by itself with --decoding unknown, and give all the curve that it finds");
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const FramedScene framed = framed_scene(scene, scene.fit.photos[i]);
     observations.push_back(

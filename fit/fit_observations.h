@@ -1,4 +1,4 @@
-// The steps of a fit between reading the photographs and returning the result; used by fit/fit.cpp and
+// The steps of a fit between reading the photographs and returning the result; used by fit/scene_fit.cpp and
 // fit/transfer_curve_fit.cpp.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include "fit/answer/fit_result.h"
 #include "fit/compare/observation.h"
 #include "fit/search/fit_options.h"
-#include "fit/search/search_outcome.h"
+#include "fit/search/journal.h"
 #include "fit/uncertainty/uncertainty.h"
 
 namespace vegard::fit {

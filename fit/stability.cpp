@@ -29,8 +29,8 @@ void vary_region(const sim::Scene& from, const std::vector<Photo>& photos, std::
                           from.fit.profile_along == sim::ProfileAlong::field;
   if (!is_upright || photos.size() != 1) return;
   std::array<int, 4> whole = from.fit.roi_px;
-  const sim::PictureSize of_file = size_of_file(photos.front());
-  if (whole == std::array<int, 4>{0, 0, 0, 0}) whole = {0, 0, of_file.width, of_file.height};
+  const sim::PictureSize file_size = size_of_file(photos.front());
+  if (whole == std::array<int, 4>{0, 0, 0, 0}) whole = {0, 0, file_size.width, file_size.height};
   const auto add = [&](const char* name, double left, double right, double top, double bottom) {
     Variation v{"region", name, from};
     const auto cut = [](double share, int of) { return static_cast<int>(std::lround(share * of)); };

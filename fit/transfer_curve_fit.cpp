@@ -15,7 +15,6 @@
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
-#include "fit/search/search_outcome.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
@@ -33,9 +32,11 @@ sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
 
 [[noreturn]] void refuse_unknown_curve(const sim::Scene& scene, const std::string& key,
                                        const std::string& what, const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene,
-                   {what + " with an unknown transfer curve", scene.file, 0, key, expected,
-                    "or say the curve: --decoding srgb, gamma:2.2 or curve:FILE.csv"});
+  throw sim::Error(sim::ErrorKind::scene, what + " with an unknown transfer curve")
+      .file(scene.file)
+      .key(key)
+      .expected(expected)
+      .hint("or say the curve: --decoding srgb, gamma:2.2 or curve:FILE.csv");
 }
 
 void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& free,
@@ -52,10 +53,10 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
     refuse_unknown_curve(scene, "fit.free", "a free-form height profile cannot be told apart",
                          "no spline_rate");
   if (options.intervals || options.bootstrap > 0 || options.mcmc > 0)
-    throw sim::Error(sim::ErrorKind::usage,
-                     {"error bars cannot be validated with an unknown transfer curve", "", 0,
-                      "--intervals, --bootstrap, --mcmc", "a decoding that is known",
-                      "fit the curve first, then give what it finds as --decoding"});
+    throw sim::Error(sim::ErrorKind::usage, "error bars cannot be validated with an unknown transfer curve")
+        .key("--intervals, --bootstrap, --mcmc")
+        .expected("a decoding that is known")
+        .hint("fit the curve first, then give what it finds as --decoding");
 }
 
 /// Everything but the curve, at one curve after the other.
@@ -156,13 +157,13 @@ class TransferCurveFit {
     const double weight = scene_.fit.weight[sim::StatisticKind::profile];
     const std::vector<double> slopes = mean_slopes(as_srgb_, bent, full.data().grid, kProfileSmoothing_px);
     result.value = scaled_chi2(chi2, dof) + weight * log_determinant(full.sigma(), slopes) +
-                   result.correlated * of_priors(end.values);
+                   result.correlated * prior_chi2_at(end.values);
     result.solution = coordinates_of(end.values);
     return result;
   }
 
   /// How many of the residuals go up and down as one, at some values; chi2 of the data there too.
-  double correlated_at(const Observation& observation, const std::vector<double>& values, int of_curve,
+  double correlated_at(const Observation& observation, const std::vector<double>& values, int curve_unknowns,
                        double* chi2_there = nullptr, int* dof_there = nullptr) const {
     const Comparison& full = *observation.full;
     const std::vector<CostTerm> terms = {{observation.scene,
@@ -171,15 +172,15 @@ class TransferCurveFit {
     EvaluationLog ignored;
     const ProfileCost cost(free_, terms, ignored);
     const ProfileCost::Point point = cost.at(values, false);
-    const double chi2 = point.of_photo.front().chi2;
-    const int unknowns = static_cast<int>(free_.size()) + of_curve + full.coefficients();
+    const double chi2 = point.by_photo.front().chi2;
+    const int unknowns = static_cast<int>(free_.size()) + curve_unknowns + full.coefficients();
     const int dof = std::max(1, full.residuals() - unknowns);
     if (chi2_there != nullptr) *chi2_there = chi2;
     if (dof_there != nullptr) *dof_there = dof;
     return joint_inflation(cost, point, unknowns).correlated;
   }
 
-  double of_priors(const std::vector<double>& values) const {
+  double prior_chi2_at(const std::vector<double>& values) const {
     std::vector<double> residuals;
     PriorRows(free_).evaluate(values, residuals, nullptr);
     double sum = 0.0;

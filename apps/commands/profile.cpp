@@ -23,7 +23,6 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
 #include "fit/measure/line_brightness.h"
-#include "fit/measure/measured_profile.h"
 #include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
 #include "fit/photo/photo.h"

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 
-#include "fit/answer/constrained_gains.h"
 #include "fit/measure/noise_model.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/photo/grey_light.h"
 #include "fit/uncertainty/trade_off.h"
+#include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/scene/table/parameter_table.h"
@@ -231,6 +233,77 @@ double rms_over_peak(const FittedPhoto& r) {
   }
   const double peak = profile_peak(r.data);
   return peak > 0.0 ? rms / peak : 0.0;
+}
+
+std::vector<std::vector<double>> gain_sigmas(const FittedPhoto& fitted) {
+  static const char* const kChannel[3] = {"red", "green", "blue"};
+  std::map<std::string, double> known;
+  for (const SolvedNumber& s : fitted.solved) known[s.name] = s.sigma.value_or(0.0);
+  const bool per_band = fitted.best.fit.band_brightness, per_channel = !fitted.best.fit.white_balance_known;
+  std::vector<std::vector<double>> sigmas;
+  for (std::size_t b = 0; b < fitted.gain.size(); ++b) {
+    sigmas.emplace_back();
+    for (int c = 0; c < 3; ++c) {
+      const int channel = is_grey(fitted.best) ? kGreyChannel : c;
+      const auto found = known.find(std::string("gain") + (per_band ? ".band_" + std::to_string(b) : "") +
+                                    (per_channel ? std::string(".") + kChannel[channel] : ""));
+      sigmas.back().push_back(found == known.end() ? 0.0 : found->second);
+    }
+  }
+  return sigmas;
+}
+
+bool is_constrained(double gain, double sigma) { return gain > 0.0 && sigma < gain; }
+
+std::vector<std::vector<bool>> constrained_gains(const FittedPhoto& fitted) {
+  const std::vector<std::vector<double>> sigmas = gain_sigmas(fitted);
+  std::vector<std::vector<bool>> constrained;
+  for (std::size_t b = 0; b < sigmas.size(); ++b) {
+    constrained.emplace_back();
+    for (std::size_t c = 0; c < sigmas[b].size(); ++c)
+      constrained.back().push_back(is_constrained(fitted.gain[b][c], sigmas[b][c]));
+  }
+  return constrained;
+}
+
+namespace {
+
+constexpr double kFreeStepKm = 1.0;
+
+}  // namespace
+
+std::vector<FreeProfile> free_profiles(const sim::Scene& best, const SplinePrior& prior,
+                                       const ValueUncertainty& known) {
+  std::vector<FreeProfile> profiles;
+  for (const SplineLine& line : prior.lines) {
+    const sim::Sheet& sheet = best.sheets.at(line.sheet);
+    const sim::AltitudeSpline spline = sim::altitude_spline(sheet);
+    FreeProfile profile;
+    profile.sheet = sheet.name;
+    profile.wavelength_nm = best.emission.lines.at(line.line);
+    const int steps = static_cast<int>((sheet.spline_top_km - sheet.spline_bottom_km) / kFreeStepKm);
+    for (int i = 1; i < steps; ++i) {
+      const double altitude = sheet.spline_bottom_km + i * kFreeStepKm;
+      double rate = 0.0, variance = 0.0;
+      for (int k = 0; k < spline.count(); ++k)
+        rate += sheet.spline_rate[sim::spline_rate_index(sheet, line.line, k)] * spline.basis(k, altitude);
+      for (std::size_t a = 0; a < line.numbers.size(); ++a) {
+        const double weight = spline.basis(line.knots[a], altitude);
+        if (weight == 0.0) continue;
+        for (std::size_t b = 0; b < line.numbers.size(); ++b)
+          variance += weight * spline.basis(line.knots[b], altitude) *
+                      known.covariance[line.numbers[a]][line.numbers[b]];
+      }
+      if (!(rate > 0.0)) continue;
+      const double factor = std::exp(std::sqrt(std::max(0.0, variance)) / rate);
+      profile.altitude_km.push_back(altitude);
+      profile.rate.push_back(rate);
+      profile.lower.push_back(rate / factor);
+      profile.upper.push_back(rate * factor);
+    }
+    profiles.push_back(std::move(profile));
+  }
+  return profiles;
 }
 
 }  // namespace vegard::fit

@@ -6,6 +6,7 @@
 #include "fit/answer/derived.h"
 #include "fit/answer/fit_result.h"
 #include "fit/compare/profile_cost.h"
+#include "fit/parameters/spline_prior.h"
 #include "fit/uncertainty/uncertainty.h"
 
 namespace vegard::fit {
@@ -36,5 +37,26 @@ sim::PhotoEntry entry_of_best(const sim::PhotoEntry& entry, const FittedPhoto& f
 /// interest and differ from band to band: then the divisor is the peak of the model's light without the sky,
 /// in bands whose gain is constrained, and the result is infinity if there is none.
 double rms_over_peak(const FittedPhoto& fitted);
+
+// The gains that the data constrain. The gain of a band with almost no light is unconstrained.
+
+/// Standard deviations [band][channel] of FittedPhoto::gain, taken from the solved numbers; 0 for a gain that
+/// is held at 0 or has no error.
+std::vector<std::vector<double>> gain_sigmas(const FittedPhoto& fitted);
+
+/// A gain is constrained if it is larger than its standard deviation.
+bool is_constrained(double gain, double sigma);
+
+/// [band][channel]
+std::vector<std::vector<bool>> constrained_gains(const FittedPhoto& fitted);
+
+// The free-form height profiles of a fit: curves with error bands, in place of their coefficients.
+
+/// Returns the profiles at every kilometre between the ends of the spline. The band is rate * exp(-+ sigma),
+/// where sigma is the relative standard deviation of the rate by the coefficients' covariance. It is a 68 %
+/// interval for each altitude by itself, for the shape at the scale that the fit holds fixed (SplinePrior),
+/// and for fixed values of everything that was not free.
+std::vector<FreeProfile> free_profiles(const sim::Scene& best, const SplinePrior& prior,
+                                       const ValueUncertainty& known);
 
 }  // namespace vegard::fit

@@ -7,6 +7,7 @@
 #include "fit/answer/fit_result.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/uncertainty/delta_method.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 
@@ -47,5 +48,15 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
 /// Returns the error band of each sheet's line of feet.
 std::vector<sim::FootBand> foot_bands(const sim::Scene& best, const std::vector<FreeNumber>& free,
                                       const std::vector<double>& values, const ValueUncertainty& known);
+
+// Names of a scene's light sources for the messages of a fit.
+
+/// "aurora", "nebula" or "solar light". Grids in a scene with neither nebula nor Sun are taken as aurora; so
+/// is a scene of which only a part is aurora.
+std::string light_noun(const sim::Scene& scene);
+
+/// The kinds of light sources, for "no light of the scene's ...": "sheets", "volumes", "Sun", "sheets and
+/// volumes".
+std::string sources_of(const sim::Scene& scene);
 
 }  // namespace vegard::fit

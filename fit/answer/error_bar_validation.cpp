@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/uncertainty/fit_bootstrap.h"
-#include "fit/uncertainty/fit_chain.h"
-#include "fit/uncertainty/fit_intervals.h"
+#include "fit/uncertainty/converged_fit.h"
 #include "fit/uncertainty/validated_values.h"
 
 namespace vegard::fit {
@@ -21,16 +19,16 @@ struct Shares {
   double fit = 1.0, intervals = 1.0, bootstrap = 1.0;
   Shares(const FitOptions& options, std::size_t numbers) {
     const auto n = static_cast<double>(numbers);
-    const double of_intervals = options.intervals ? kCostOfInterval * n : 0.0;
-    const double of_bootstrap = options.bootstrap > 0 ? kCostOfBootstrap : 0.0;
+    const double intervals_cost = options.intervals ? kCostOfInterval * n : 0.0;
+    const double bootstrap_cost = options.bootstrap > 0 ? kCostOfBootstrap : 0.0;
     const double of_chain =
         options.mcmc > 0
             ? kWalkersOfChain * (options.mcmc + burn_in_of_chain(options.mcmc)) + kCostOfExpansion * n
             : 0.0;
-    const double all = kCostOfFit + of_intervals + of_bootstrap + of_chain;
+    const double all = kCostOfFit + intervals_cost + bootstrap_cost + of_chain;
     fit = kCostOfFit / all;
-    intervals = fit + of_intervals / all;
-    bootstrap = intervals + of_bootstrap / all;
+    intervals = fit + intervals_cost / all;
+    bootstrap = intervals + bootstrap_cost / all;
   }
 };
 

@@ -220,7 +220,7 @@ struct FitResult {
   int dof = 0;
   ComparedValues compared;
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end
-  /// (fit/search/gradient_cosine.h); NaN if it is not known.
+  /// (fit/search/descent.h); NaN if it is not known.
   double gradient_cosine = std::numeric_limits<double>::quiet_NaN();
   double rms_over_peak = 0.0;    ///< that of the photograph with the largest one
   double error_inflation = 1.0;  ///< factor on the error bars for the residuals' size and correlation

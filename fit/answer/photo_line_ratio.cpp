@@ -101,10 +101,10 @@ void add_ratio(const FitResult& result, const FittedPhoto& photo, double nm,
   seen.why_none = why_none_of(photo);
   try {
     if (seen.why_none.empty()) {
-      Profile of_model = photo.data;
-      of_model.mean = photo.model;
+      Profile model_profile = photo.data;
+      model_profile.mean = photo.model;
       const LineBrightness data = line_brightness(photo.best, photo.data),
-                           model = line_brightness(photo.best, of_model);
+                           model = line_brightness(photo.best, model_profile);
       const std::vector<bool> lit = lit_bins(photo, data, model, green);
       const Sums in_data = sums_of(data, lit, line, green), in_model = sums_of(model, lit, line, green);
       if (in_data.green > 0.0 && in_model.green > 0.0) {

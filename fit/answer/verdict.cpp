@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "fit/answer/derived.h"
-#include "fit/answer/light_source_names.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"
 #include "sim/scene/table/parameter_id.h"

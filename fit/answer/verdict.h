@@ -27,7 +27,7 @@ struct Evidence {
 ///
 /// A fit failed if it did not converge, or if no light of the model falls into the region. It is doubtful for
 /// any of these reasons: chi2 is not below that of the start; the gradient does not vanish at the end
-/// (fit/search/gradient_cosine.h); chi2 per degree of freedom is above 3; the residuals are correlated so
+/// (fit/search/descent.h); chi2 per degree of freedom is above 3; the residuals are correlated so
 /// strongly that the effective sample size is below ten per parameter; a parameter is at a limit, has no
 /// error bar, or has one and yet did not move from its start (unless no parameter moved and the gradient
 /// vanishes: then the start was the answer); chi2 is hardly below that of a sky without aurora; the rms

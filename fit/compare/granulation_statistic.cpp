@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/measure/cell_noise.h"
-#include "fit/measure/measured_profile.h"
+#include "fit/measure/noise_model.h"
+#include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
@@ -25,8 +25,11 @@ constexpr double kHalfPi = 1.5707963267948966;
 
 [[noreturn]] void refuse_granulation(const sim::Scene& scene, const std::string& problem,
                                      const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene, {problem, scene.file, 0, "fit.granulation_weight", expected,
-                                           "or fit.granulation_weight = 0"});
+  throw sim::Error(sim::ErrorKind::scene, problem)
+      .file(scene.file)
+      .key("fit.granulation_weight")
+      .expected(expected)
+      .hint("or fit.granulation_weight = 0");
 }
 
 /// The ray through a place of the picture, in the Sun's frame; false if it does not go its way.
@@ -137,11 +140,11 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   for (std::size_t k = 0; k < kForScatter; ++k) {
     ModelProfile model;
     model_->evaluate(realisation(scene, k), model);
-    const std::vector<double> of_cells = cells_of(model);
-    if (!std::any_of(of_cells.begin(), of_cells.end(), [](double x) { return x > 0.0; }))
+    const std::vector<double> model_cells = cells_of(model);
+    if (!std::any_of(model_cells.begin(), model_cells.end(), [](double x) { return x > 0.0; }))
       refuse_granulation(scene, "no light of the scene falls into the region",
                          "the Sun's disc in the region (fit.roi_px)");
-    const std::vector<double> power = spectrum_->of(of_cells).power;
+    const std::vector<double> power = spectrum_->of(model_cells).power;
     for (std::size_t b = 0; b < power.size(); ++b) ln_power[b].push_back(std::log(power[b] + noise));
   }
   double ratio = 0.0;
@@ -162,9 +165,11 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   }
   if (bands_.empty())
     throw sim::Error(sim::ErrorKind::unreadable_input,
-                     {"noise makes up more than half of the power of the light in all rings of wavenumber",
-                      photo.file_name, 0, "fit.granulation_weight", "granules that stand out of the noise",
-                      "a region (fit.roi_px) where they do, or fit.granulation_weight = 0"});
+                     "noise makes up more than half of the power of the light in all rings of wavenumber")
+        .file(photo.file_name)
+        .key("fit.granulation_weight")
+        .expected("granules that stand out of the noise")
+        .hint("a region (fit.roi_px) where they do, or fit.granulation_weight = 0");
 }
 
 sim::Scene GranulationStatistic::realisation(const sim::Scene& scene, std::size_t which) const {

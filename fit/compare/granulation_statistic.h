@@ -30,9 +30,9 @@ namespace vegard::fit {
 /// Noise: sigma² = s (1 + 1/8) V + (2 model_error)², where V is the relative variance for Gaussian light
 /// under the window, and s is the factor (at least 1) by which the variance of ln P among sixteen
 /// chromospheres of the start exceeds it: granules with edges are not Gaussian. The photograph's own noise
-/// (fit/measure/cell_noise.h) is added to the model's power; bands in which it is more than half of the power
-/// are left out. Bands are taken as independent, but granules with edges correlate them: error bars come out
-/// too small by about 1.4 (docs/corona/fits.md).
+/// (fit/measure/noise_model.h) is added to the model's power; bands in which it is more than half of the
+/// power are left out. Bands are taken as independent, but granules with edges correlate them: error bars
+/// come out too small by about 1.4 (docs/corona/fits.md).
 class GranulationStatistic : public Statistic {
  public:
   /// `weight` multiplies chi2. Throws sim::Error(scene) with key "fit.granulation_weight" if the scene has no

@@ -54,9 +54,9 @@ double correlated_residuals(const Profile& data, const std::vector<std::size_t>&
 
 double residual_scale(double chi2, int dof, double residuals, double correlated) {
   constexpr double kMinScale = 0.01;
-  const double of_data =
+  const double data_scale =
       chi2 / std::max(1, dof) * (1.0 + std::sqrt(2.0 * correlated / std::max(1.0, residuals)));
-  return std::max(kMinScale, of_data);
+  return std::max(kMinScale, data_scale);
 }
 
 double Inflation::factor() const { return std::sqrt(scale * correlated); }

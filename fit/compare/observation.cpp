@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "fit/measure/measured_profile.h"
 #include "fit/measure/noise_model.h"
+#include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
-#include "fit/measure/realisation.h"
-#include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/lens.h"
@@ -25,14 +23,16 @@ constexpr double kSearchFineness = 1.0;
 constexpr double kSmoothingPerBin = 2.0;  // standard deviations of the smoothing, in bins
 
 void check_sizes(const sim::Scene& scene, const Photo& photo) {
-  const sim::PictureSize of_file = size_of_file(photo);
-  if (of_file.width == scene.camera.width && of_file.height == scene.camera.height) return;
+  const sim::PictureSize file_size = size_of_file(photo);
+  if (file_size.width == scene.camera.width && file_size.height == scene.camera.height) return;
   const auto size = [](int w, int h) { return std::to_string(w) + " x " + std::to_string(h); };
-  throw sim::Error(
-      sim::ErrorKind::scene,
-      {"the camera has " + size(scene.camera.width, scene.camera.height) + " pixels, " + photo.file_name +
-           " has " + size(of_file.width, of_file.height),
-       scene.file, 0, "camera.width", "the photograph's size", "set camera.width and camera.height"});
+  throw sim::Error(sim::ErrorKind::scene, "the camera has " + size(scene.camera.width, scene.camera.height) +
+                                              " pixels, " + photo.file_name + " has " +
+                                              size(file_size.width, file_size.height))
+      .file(scene.file)
+      .key("camera.width")
+      .expected("the photograph's size")
+      .hint("set camera.width and camera.height");
 }
 
 /// A film that counts points, or puts each into one cell, has no derivative by the points' places; and a fit
@@ -40,8 +40,11 @@ void check_sizes(const sim::Scene& scene, const Photo& photo) {
 void check_film(const sim::Scene& scene) {
   const auto refuse = [&](const std::string& key, auto value, auto needed, const char* hint) {
     if (value == needed) return;
-    throw sim::Error(sim::ErrorKind::scene, {"\"" + sim::word_of(value) + "\" cannot be fitted", scene.file,
-                                             0, key, "\"" + sim::word_of(needed) + "\"", hint});
+    throw sim::Error(sim::ErrorKind::scene, "\"" + sim::word_of(value) + "\" cannot be fitted")
+        .file(scene.file)
+        .key(key)
+        .expected("\"" + sim::word_of(needed) + "\"")
+        .hint(hint);
   };
   const char* literal = "the literal forward map is for rendering only";
   refuse("film.weight", scene.film.weight, sim::PointWeight::rayleigh, literal);
@@ -72,9 +75,10 @@ std::vector<double> whole_sigma(const sim::Scene& scene, const Photo& photo, con
                                 double model_error) {
   std::vector<double> sigma = profile_sigma(data, model_error);
   if (scene.fit.profile_along != sim::ProfileAlong::columns) return sigma;
-  const std::vector<double> of_rays = realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
+  const std::vector<double> ray_sigma =
+      realisation_sigma(photo, data.region, data.bands, kProfileSmoothing_px);
   for (std::size_t i = 0; i < sigma.size(); ++i)
-    if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], of_rays[i]);
+    if (sigma[i] > 0.0) sigma[i] = std::hypot(sigma[i], ray_sigma[i]);
   return sigma;
 }
 
@@ -104,9 +108,9 @@ void compare_at_full_resolution(const Profile& data, int threads, Observation& o
 
 sim::Scene scene_of_pixels(const sim::Scene& scene, const Photo& photo) {
   check_sizes(scene, photo);
-  const sim::PictureSize of_file = size_of_file(photo);
-  checked_region(scene.fit.roi_px, of_file.width, of_file.height);
-  return averaged_scene(scene, {of_file, {photo.linear.width, photo.linear.height}});
+  const sim::PictureSize file_size = size_of_file(photo);
+  checked_region(scene.fit.roi_px, file_size.width, file_size.height);
+  return averaged_scene(scene, {file_size, {photo.linear.width, photo.linear.height}});
 }
 
 Observation observed(const sim::Scene& given, const Photo& photo, int threads, const PhotoFrame& frame) {

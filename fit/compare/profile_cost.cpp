@@ -72,17 +72,17 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
   for (const CostTerm& term : terms_) {
     sim::Scene scene = term.scene;
     const bool within_limits = term.map.put(all, scene);
-    point.of_photo.push_back(with_derivatives
+    point.by_photo.push_back(with_derivatives
                                  ? term.comparison->at(scene, term.map.motion(all, which_, scene))
                                  : term.comparison->at(scene));
-    if (!loss_.any()) point.chi2 += point.of_photo.back().chi2;
+    if (!loss_.any()) point.chi2 += point.by_photo.back().chi2;
     if (!within_limits) point.chi2 = std::numeric_limits<double>::infinity();
   }
   if (loss_.any())
     for (const double residual : data_residual(point)) point.chi2 += residual * residual;
-  std::vector<double> of_priors;
-  priors_.evaluate(values, of_priors, nullptr);
-  for (const double residual : of_priors) point.chi2 += residual * residual;
+  std::vector<double> prior_residuals;
+  priors_.evaluate(values, prior_residuals, nullptr);
+  for (const double residual : prior_residuals) point.chi2 += residual * residual;
   ++log_.residuals;
   log_.jacobians += with_derivatives;
   return point;
@@ -93,7 +93,7 @@ void ProfileCost::data_jacobian(const Point& point, std::vector<double>& out) co
   out.reserve(static_cast<std::size_t>(data_residuals_) * moved_.size());
   std::vector<double> part;
   for (std::size_t t = 0; t < terms_.size(); ++t) {
-    terms_[t].comparison->jacobian(point.of_photo[t], part);
+    terms_[t].comparison->jacobian(point.by_photo[t], part);
     if (terms_.size() == 1)
       out.swap(part);
     else
@@ -102,8 +102,8 @@ void ProfileCost::data_jacobian(const Point& point, std::vector<double>& out) co
   if (!loss_.any()) return;
   const std::size_t p = moved_.size();
   std::size_t row = 0;
-  for (const Comparison::Point& of_photo : point.of_photo)
-    for (const double residual : of_photo.residual()) {
+  for (const Comparison::Point& photo : point.by_photo)
+    for (const double residual : photo.residual()) {
       const double slope = loss_.slope(residual);
       for (std::size_t j = 0; j < p; ++j) out[row * p + j] *= slope;
       ++row;
@@ -112,8 +112,8 @@ void ProfileCost::data_jacobian(const Point& point, std::vector<double>& out) co
 
 std::vector<double> ProfileCost::data_residual(const Point& point) const {
   std::vector<double> all;
-  for (const Comparison::Point& of_photo : point.of_photo)
-    for (const double residual : of_photo.residual()) all.push_back(loss_.residual(residual));
+  for (const Comparison::Point& photo : point.by_photo)
+    for (const double residual : photo.residual()) all.push_back(loss_.residual(residual));
   return all;
 }
 
@@ -138,9 +138,9 @@ bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, d
   const Point point = at(here, with_derivatives);
   if (!std::isfinite(point.chi2)) return false;
 
-  std::vector<double> all = data_residual(point), of_priors, by_value, priors_by_value;
-  priors_.evaluate(here, of_priors, with_derivatives ? &priors_by_value : nullptr);
-  all.insert(all.end(), of_priors.begin(), of_priors.end());
+  std::vector<double> all = data_residual(point), prior_residuals, by_value, priors_by_value;
+  priors_.evaluate(here, prior_residuals, with_derivatives ? &priors_by_value : nullptr);
+  all.insert(all.end(), prior_residuals.begin(), prior_residuals.end());
   std::copy(all.begin(), all.end(), residuals);
   if (!with_derivatives) return true;
 
@@ -157,11 +157,31 @@ Inflation joint_inflation(const ProfileCost& cost, const ProfileCost::Point& poi
     const Comparison& of = *cost.terms()[t].comparison;
     const double share = static_cast<double>(of.residuals()) / cost.data_residuals();
     const int dof = of.residuals() - static_cast<int>(std::lround(share * unknowns));
-    const Inflation own = of.error_inflation(point.of_photo[t], dof);
+    const Inflation own = of.error_inflation(point.by_photo[t], dof);
     squares += share * own.scale * own.correlated;
     correlated += share * own.correlated;
   }
   return {squares / correlated, correlated};
+}
+
+RobustLoss::RobustLoss(const sim::Fit& fit) : kind_(fit.loss), d_(fit.loss_sigma) {}
+
+double RobustLoss::residual(double r) const {
+  const double size = std::abs(r);
+  if (kind_ == sim::ResidualLoss::huber && size > d_)
+    return std::copysign(std::sqrt(2.0 * d_ * size - d_ * d_), r);
+  if (kind_ == sim::ResidualLoss::cauchy)
+    return std::copysign(d_ * std::sqrt(std::log1p(r * r / (d_ * d_))), r);
+  return r;
+}
+
+double RobustLoss::slope(double r) const {
+  const double size = std::abs(r);
+  if (kind_ == sim::ResidualLoss::huber && size > d_) return d_ / std::sqrt(2.0 * d_ * size - d_ * d_);
+  // Near 0 the root of the logarithm is the residual itself.
+  if (kind_ == sim::ResidualLoss::cauchy && size > 1e-6 * d_)
+    return size / (1.0 + r * r / (d_ * d_)) / std::abs(residual(r));
+  return 1.0;
 }
 
 }  // namespace vegard::fit

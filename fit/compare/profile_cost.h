@@ -10,14 +10,32 @@
 #include <vector>
 
 #include "fit/compare/comparison.h"
-#include "fit/compare/robust_loss.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/parameter_map.h"
 #include "fit/parameters/phase_anchor.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/parameters/spline_prior.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
+
+// Robust losses reduce the weight of outliers among the residuals.
+
+/// Residuals r become sign(r) sqrt(rho(r^2)), whose squares add up to the robust chi2. Huber (1964,
+/// doi:10.1214/aoms/1177703732): rho = r^2 up to d, then 2 d |r| - d^2; Cauchy: rho = d^2 ln(1 + r^2 / d^2);
+/// d is fit.loss_sigma. Gains and sky are solved for without it.
+class RobustLoss {
+ public:
+  explicit RobustLoss(const sim::Fit& fit);
+
+  bool any() const { return kind_ != sim::ResidualLoss::none; }
+  double residual(double r) const;
+  double slope(double r) const;  ///< d residual(r) / d r, above 0
+
+ private:
+  sim::ResidualLoss kind_;
+  double d_;
+};
 
 /// Number of evaluations and the best point so far, over all descents of a fit.
 struct EvaluationLog {
@@ -79,7 +97,7 @@ class ProfileCost : public ceres::CostFunction {
   /// The intermediate results of an evaluation, for callers that need more than residuals.
   struct Point {
     std::vector<double> values;  ///< of the varying numbers
-    std::vector<Comparison::Point> of_photo;
+    std::vector<Comparison::Point> by_photo;
     double chi2 = 0.0;  ///< priors included; infinite where a tied number is beyond its limits
   };
   Point at(const std::vector<double>& values, bool with_derivatives) const;

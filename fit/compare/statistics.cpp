@@ -10,10 +10,9 @@
 #include "fit/compare/colour_statistic.h"
 #include "fit/compare/granulation_statistic.h"
 #include "fit/compare/texture_statistic.h"
-#include "fit/measure/measured_profile.h"
 #include "fit/measure/noise_model.h"
+#include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
-#include "fit/measure/smoothing.h"
 #include "sim/base/error.h"
 #include "sim/scene/structs/sensor.h"
 

@@ -174,14 +174,15 @@ TextureStatistic::Stretch TextureStatistic::stretch_of(const Row& row, const std
   for (const int lag : lags) {
     const Eigen::MatrixXd form = form_of_lag(row, lag);
     stretch.seen.push_back(value.dot(form * value));
-    double of_noise = 0.0;
-    std::vector<double> of_distance(row.width, 0.0);
+    double noise_response = 0.0;
+    std::vector<double> distance_response(row.width, 0.0);
     for (int i = 0; i < row.width; ++i) {
-      of_noise += form(i, i) * row.noise;
-      for (int j = 0; j < row.width; ++j) of_distance[std::abs(i - j)] += form(i, j);
+      noise_response += form(i, i) * row.noise;
+      for (int j = 0; j < row.width; ++j) distance_response[std::abs(i - j)] += form(i, j);
     }
-    stretch.of_noise.push_back(of_noise);
-    stretch.of_distance.insert(stretch.of_distance.end(), of_distance.begin(), of_distance.end());
+    stretch.noise_response.push_back(noise_response);
+    stretch.distance_response.insert(stretch.distance_response.end(), distance_response.begin(),
+                                     distance_response.end());
     times_covariance.push_back(form * covariance);
   }
   Eigen::MatrixXd of_lags(n, n);
@@ -276,9 +277,9 @@ std::vector<double> TextureStatistic::residual_of(const Views& views, double ln_
             sim::ray_log_covariance(rays, views[s]->smear_km2, static_cast<double>(d) * views[s]->km_per_px);
     std::vector<double> left(stretch.lags);
     for (std::size_t k = 0; k < stretch.lags; ++k) {
-      double model = stretch.of_noise[k];
+      double model = stretch.noise_response[k];
       for (std::size_t d = 0; d < stretch.pixels; ++d)
-        model += stretch.of_distance[k * stretch.pixels + d] * covariance[d];
+        model += stretch.distance_response[k * stretch.pixels + d] * covariance[d];
       left[k] = stretch.seen[k] - model;
     }
     for (std::size_t r = 0; r < stretch.residuals; ++r) {

@@ -48,11 +48,12 @@ class TextureStatistic : public Statistic {
 
  private:
   struct Stretch {
-    double x_px = 0.0, y_px = 0.0;    ///< its middle
-    std::vector<double> seen;         ///< autocovariance at each lag
-    std::vector<double> of_noise;     ///< contribution of noise to it
-    std::vector<double> of_distance;  ///< its response to a covariance of 1 at a distance, [lag][pixels]
-    std::vector<double> whitening;    ///< [residual][lag]
+    double x_px = 0.0, y_px = 0.0;       ///< its middle
+    std::vector<double> seen;            ///< autocovariance at each lag
+    std::vector<double> noise_response;  ///< contribution of noise to it
+    std::vector<double>
+        distance_response;          ///< its response to a covariance of 1 at a distance, [lag][pixels]
+    std::vector<double> whitening;  ///< [residual][lag]
     std::size_t pixels = 0, lags = 0, residuals = 0;
   };
   using Views = std::vector<std::optional<SheetInView>>;  // of each stretch

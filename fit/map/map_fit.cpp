@@ -55,7 +55,7 @@ std::vector<double> energy_nodes() {
 
 [[noreturn]] void refuse(sim::ErrorKind kind, const sim::Scene& scene, const std::string& problem,
                          const std::string& key, const std::string& expected, const std::string& hint) {
-  throw sim::Error(kind, {problem, scene.file, 0, key, expected, hint});
+  throw sim::Error(kind, problem).file(scene.file).key(key).expected(expected).hint(hint);
 }
 
 std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Photo>& photos) {

@@ -37,15 +37,17 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
   for (const FreeNumber& free : free_numbers(scene)) {
     if (!free.has_path() || !concerns_map(free.path)) continue;
     if (!free.prior || free.prior->law != sim::PriorLaw::normal || !free.also.empty())
-      throw sim::Error(
-          sim::ErrorKind::scene,
-          {"a map takes " + free.label() + " as known, with an error that it has no prior for", scene.file, 0,
-           "fit.free", "prior = { mean = ..., sigma = ... }, of this number alone",
-           "vegard calibrate gives the errors of a camera's numbers; or leave it out of fit.free"});
-    if (free.path.compare(0, 6, "field.") == 0 && !free.photo.empty())
       throw sim::Error(sim::ErrorKind::scene,
-                       {free.label() + " is of one photograph, and a map has one field", scene.file, 0,
-                        "fit.free", "field." + free.path.substr(6) + " of all photographs", ""});
+                       "a map takes " + free.label() + " as known, with an error that it has no prior for")
+          .file(scene.file)
+          .key("fit.free")
+          .expected("prior = { mean = ..., sigma = ... }, of this number alone")
+          .hint("vegard calibrate gives the errors of a camera's numbers; or leave it out of fit.free");
+    if (free.path.compare(0, 6, "field.") == 0 && !free.photo.empty())
+      throw sim::Error(sim::ErrorKind::scene, free.label() + " is of one photograph, and a map has one field")
+          .file(scene.file)
+          .key("fit.free")
+          .expected("field." + free.path.substr(6) + " of all photographs");
     MapNumber n;
     n.label = free.label();
     n.unit = free.unit();
@@ -54,11 +56,13 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
     n.value = value_in(scene, free);
     n.error = free.prior->sigma;
     if (std::abs(free.prior->mean - n.value) > kSameValue * std::max(1.0, std::abs(n.value)))
-      throw sim::Error(
-          sim::ErrorKind::scene,
-          {"the prior of " + free.label() + " is about " + sim::short_number(free.prior->mean, 8) +
-               ", and the map is made with " + sim::short_number(n.value, 8),
-           scene.file, 0, "fit.free", "one value in both places", ""});
+      throw sim::Error(sim::ErrorKind::scene, "the prior of " + free.label() + " is about " +
+                                                  sim::short_number(free.prior->mean, 8) +
+                                                  ", and the map is made with " +
+                                                  sim::short_number(n.value, 8))
+          .file(scene.file)
+          .key("fit.free")
+          .expected("one value in both places");
     n.min = free.min;
     n.max = free.max;
     numbers.push_back(n);

@@ -113,8 +113,8 @@ MapImage map_image(const MapResult& result) {
     relative.push_back(q > 0.0 ? q * errors[c].relative_flux : 0.0);
     of_energy.push_back(q > 0.0 ? q * errors[c].ln_energy : 0.0);
   }
-  const std::vector<double> of_flux = rasterised(result, raster, relative);
-  const std::vector<double> of_ln = rasterised(result, raster, of_energy);
+  const std::vector<double> flux_error = rasterised(result, raster, relative);
+  const std::vector<double> energy_error = rasterised(result, raster, of_energy);
   const std::vector<double> seen = rasterised(result, raster, sensitivity);
   double most = 0.0;
   for (const double q : flux.flux) most = std::max(most, q);
@@ -131,8 +131,8 @@ MapImage map_image(const MapResult& result) {
       image.at(column, y, 0) = is_in_view ? static_cast<float>(q) : kNone;
       image.at(column, y, 1) =
           is_in_view && lit ? static_cast<float>(std::exp(flux.flux_ln_energy[i] / q)) : kNone;
-      image.at(column, y, 2) = is_in_view && lit ? static_cast<float>(of_flux[i] / q) : kNone;
-      image.at(column, y, 3) = is_in_view && lit ? static_cast<float>(of_ln[i] / q) : kNone;
+      image.at(column, y, 2) = is_in_view && lit ? static_cast<float>(flux_error[i] / q) : kNone;
+      image.at(column, y, 3) = is_in_view && lit ? static_cast<float>(energy_error[i] / q) : kNone;
       image.at(column, y, 4) = static_cast<float>(seen[i]);
     }
   return {raster, std::move(image)};

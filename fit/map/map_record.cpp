@@ -26,12 +26,10 @@ constexpr double kFarthestPoint_km = 3000.0;  // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
 [[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.expected = "a directory that vegard map wrote";
-  details.hint = hint;
-  throw sim::Error(sim::ErrorKind::unreadable_input, details);
+  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
+      .file(file)
+      .expected("a directory that vegard map wrote")
+      .hint(hint);
 }
 
 std::string bytes_of_map(const std::string& file) {
@@ -132,8 +130,11 @@ bool is_photograph(const InputFile& input) { return input.role.compare(0, 5, "ph
 
 [[noreturn]] void refuse_subject(const MapRecord& record, const sim::Scene& scene, const std::string& problem,
                                  const std::string& key, const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene, {"the map '" + record.directory + "' " + problem, scene.file, 0,
-                                           key, expected, "map this photograph first: vegard map"});
+  throw sim::Error(sim::ErrorKind::scene, "the map '" + record.directory + "' " + problem)
+      .file(scene.file)
+      .key(key)
+      .expected(expected)
+      .hint("map this photograph first: vegard map");
 }
 
 }  // namespace

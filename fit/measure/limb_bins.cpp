@@ -1,4 +1,4 @@
-#include "fit/measure/limb_bins.h"
+#include "fit/measure/profile_bins.h"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "fit/measure/loop_bins.h"
+#include "fit/measure/profile_bins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,11 @@
 #include <string>
 
 #include "fit/measure/profile_bins.h"
+#include "fit/photo/grey_light.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/view/film/blur.h"
+#include "sim/view/sensor/sensor.h"
 
 namespace vegard::fit {
 namespace {
@@ -147,6 +150,78 @@ Chromaticity chromaticity(const Profile& profile, int band, int row) {
     return std::sqrt(variance);
   };
   return {mean[0] / sum, mean[1] / sum, sigma_of_share(0), sigma_of_share(1)};
+}
+
+Profile smoothed(const Profile& profile, double sigma_rows) {
+  const sim::BlurKernel kernel = sim::gaussian_kernel(sigma_rows);
+  Profile result = profile;
+  for (int b = 0; b < profile.bands; ++b)
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < profile.rows; ++r) {
+        double sum = 0.0, variance = 0.0, weight = 0.0;
+        int count = 0;
+        for (int k = -kernel.radius(); k <= kernel.radius(); ++k) {
+          if (r + k < 0 || r + k >= profile.rows) continue;
+          const std::size_t i = profile.index(b, r + k, c);
+          if (profile.count[i] == 0) continue;
+          const double w = kernel.weights[std::abs(k)];
+          sum += w * profile.mean[i];
+          if (std::isfinite(profile.standard_error[i]))
+            variance += std::pow(w * profile.standard_error[i], 2);
+          weight += w;
+          count += profile.count[i];
+        }
+        const std::size_t i = profile.index(b, r, c);
+        result.count[i] = count;
+        result.mean[i] = weight > 0.0 ? sum / weight : std::numeric_limits<double>::quiet_NaN();
+        result.standard_error[i] = weight > 0.0 ? std::sqrt(variance) / weight : result.mean[i];
+      }
+  return result;
+}
+
+Profile smoothed_by_px(const Profile& profile, double sigma_px) {
+  const double position_px = profile.grid == nullptr ? 1.0 : profile.grid->position_px;
+  return sigma_px > 0.0 && position_px > 0.0 ? smoothed(profile, sigma_px / position_px) : profile;
+}
+
+namespace {
+
+/// A grey sensor says the same in all channels: what is said once is to count once.
+void keep_one_channel(Profile& profile) {
+  for (std::size_t i = 0; i < profile.mean.size(); ++i) {
+    if (i % 3 == kGreyChannel) continue;
+    profile.count[i] = 0;
+    profile.mean[i] = profile.standard_error[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+}  // namespace
+
+Profile measured_profile(const sim::Scene& scene, const Photo& photo,
+                         const std::shared_ptr<const BinGrid>& grid) {
+  Profile profile = extract_profile(photo, grid);
+  if (is_grey(scene)) keep_one_channel(profile);
+  if (scene.fit.photo_noise != sim::PhotoNoise::sensor) return profile;
+  const sim::Image variance = sim::light_variance(scene, photo.linear, file_step(photo));
+  const sim::PictureSize file_size = size_of_file(photo);
+  const double averaged = static_cast<double>(file_size.width) * file_size.height /
+                          (static_cast<double>(photo.linear.width) * photo.linear.height);
+  for (std::size_t bin = 0; bin < grid->bins(); ++bin)
+    for (int c = 0; c < 3; ++c) {
+      if (profile.count[bin * 3 + c] == 0) continue;
+      double sum = 0.0;
+      int count = 0;
+      for (std::size_t r = grid->first_run[bin]; r < grid->first_run[bin + 1]; ++r) {
+        const BinGrid::Run& run = grid->runs[r];
+        for (int x = run.begin; x < run.end; ++x) {
+          if (!photo.usable[photo.linear.index(x, run.y, c)]) continue;
+          sum += variance.at(x, run.y, c);
+          ++count;
+        }
+      }
+      if (count > 0) profile.standard_error[bin * 3 + c] = std::sqrt(sum / averaged) / count;
+    }
+  return profile;
 }
 
 }  // namespace vegard::fit

@@ -8,6 +8,7 @@
 #include "fit/measure/bin_grid.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/region.h"
+#include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 
@@ -50,5 +51,24 @@ struct Chromaticity {
   double sigma_r = 0, sigma_g = 0;
 };
 Chromaticity chromaticity(const Profile& profile, int band, int row);
+
+// Smooths profiles along their rows; the first stages of the search compare smoothed profiles.
+
+/// Applies a Gaussian filter to every band and channel along its rows, sigma in rows. Rows without pixels are
+/// skipped and the weights of the others normalised to a sum of 1 (a smoothed value exists if any row within
+/// the filter's width has a value).
+Profile smoothed(const Profile& profile, double sigma_rows);
+
+/// Applies the filter along the positions of profiles in any bins, sigma in pixels.
+Profile smoothed_by_px(const Profile& profile, double sigma_px);
+
+// A photograph's profile with standard errors by the scene's setting fit.photo_noise.
+
+/// Returns extract_profile(). With fit.photo_noise = "sensor" the standard errors are not those of the
+/// differences of neighbours, but those of photon noise, dark current, readout and rounding by [sensor]
+/// (sim::light_variance()), pixels assumed independent. For a grey sensor (sensor.response = "grey") only the
+/// green channel is measured and the others have no pixels: three equal channels would count three times.
+Profile measured_profile(const sim::Scene& scene, const Photo& photo,
+                         const std::shared_ptr<const BinGrid>& grid);
 
 }  // namespace vegard::fit

@@ -6,8 +6,6 @@
 #include <limits>
 #include <string>
 
-#include "fit/measure/limb_bins.h"
-#include "fit/measure/loop_bins.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
@@ -18,13 +16,10 @@ namespace {
 constexpr int kRowsEachSide = 7;  ///< 15 rows of 30 pixels give the noise to 4 %
 
 BinGrid vertical(const Region& region, int bands, int rows = 1) {
-  if (bands < 1 || bands > region.width) {
-    sim::ErrorDetails details;
-    details.key = "fit.bands";
-    details.problem = std::to_string(bands) + " bands do not fit into the region";
-    details.expected = "1 to " + std::to_string(region.width) + ", its width in pixels";
-    throw sim::Error(sim::ErrorKind::scene, details);
-  }
+  if (bands < 1 || bands > region.width)
+    throw sim::Error(sim::ErrorKind::scene, std::to_string(bands) + " bands do not fit into the region")
+        .key("fit.bands")
+        .expected("1 to " + std::to_string(region.width) + ", its width in pixels");
   BinGrid grid;
   grid.region = region;
   grid.groups = bands;
@@ -151,13 +146,10 @@ BinGrid profile_bins(const sim::Scene& scene, const Region& region) {
     case sim::ProfileAlong::field:
       break;
   }
-  if (scene.field.model != sim::FieldModel::uniform) {
-    sim::ErrorDetails details;
-    details.key = "fit.profile_along";
-    details.problem = "profiles along the field line need a uniform field";
-    details.expected = "field.model = \"uniform\", or \"columns\" or \"elevation\" here";
-    throw sim::Error(sim::ErrorKind::scene, details);
-  }
+  if (scene.field.model != sim::FieldModel::uniform)
+    throw sim::Error(sim::ErrorKind::scene, "profiles along the field line need a uniform field")
+        .key("fit.profile_along")
+        .expected("field.model = \"uniform\", or \"columns\" or \"elevation\" here");
   return field_bins(region, fit.bands, scene.camera, scene.field);
 }
 

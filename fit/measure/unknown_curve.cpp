@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "fit/measure/smoothing.h"
+#include "fit/measure/profile.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {

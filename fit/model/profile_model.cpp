@@ -7,7 +7,6 @@
 #include <type_traits>
 
 #include "fit/measure/profile_bins.h"
-#include "fit/model/bin_weights.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/render/beams/sheet_nodes.h"
@@ -82,8 +81,8 @@ void smooth_part(ModelProfile& model, std::size_t first, int bands, int rows, do
                  int threads) {
   const sim::BlurKernel kernel = sim::gaussian_kernel(sigma_rows);
   const int radius = kernel.radius();
-  double of_all = kernel.weights[0];
-  for (int k = 1; k <= radius; ++k) of_all += 2.0 * kernel.weights[k];
+  double total_weight = kernel.weights[0];
+  for (int k = 1; k <= radius; ++k) total_weight += 2.0 * kernel.weights[k];
   // One band's rows at a time: value and derivatives lie side by side, three channels to a row.
   const auto smooth_rows = [&](std::vector<double>& data, std::size_t per_value) {
     const std::size_t per_row = 3 * per_value;
@@ -99,7 +98,7 @@ void smooth_part(ModelProfile& model, std::size_t first, int bands, int rows, do
                       static_cast<std::ptrdiff_t>(per_row), band + radius * per_row);
       for (int r = 0; r < rows; ++r) {
         double* to = band + r * per_row;
-        double weight = of_all;
+        double weight = total_weight;
         if (r < radius || r >= rows - radius) {
           std::fill_n(to, per_row, 0.0);
           weight = 0.0;
@@ -220,6 +219,49 @@ void smooth(ModelProfile& model, const std::vector<std::shared_ptr<const BinGrid
       smooth_part(model, first, grid->groups, grid->positions, sigma_px / grid->position_px, threads);
     first += grid->bins() * 3;
   }
+}
+
+sim::CellWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
+                             const sim::FilmGeometry& film) {
+  sim::CellWeights weights;
+  for (const std::shared_ptr<const BinGrid>& grid : grids) {
+    const Region& region = grid->region;
+    const auto cell_of = [&](int x) { return static_cast<int>((x + 0.5) / film.cell_width_px); };
+    const int top = static_cast<int>(std::lround((region.y - film.y0_px) / film.cell_height_px));
+    const auto row_of = [&](int y) { return static_cast<int>((y - region.y + 0.5) / film.cell_height_px); };
+    const int left = static_cast<int>(std::lround((region.x - film.x0_px) / film.cell_width_px));
+    for (std::size_t bin = 0; bin < grid->bins(); ++bin) {
+      weights.first_run.push_back(weights.runs.size());
+      int count[3] = {0, 0, 0};
+      for (std::size_t r = grid->first_run[bin]; r < grid->first_run[bin + 1]; ++r) {
+        const BinGrid::Run& pixel_run = grid->runs[r];
+        const int begin = pixel_run.begin - region.x, end = pixel_run.end - region.x;
+        sim::CellWeights::Run run;
+        run.row = top + row_of(pixel_run.y);
+        run.first_column = left + cell_of(begin);
+        run.columns = cell_of(end - 1) - cell_of(begin) + 1;
+        const bool goes_on = weights.runs.size() > weights.first_run.back() &&
+                             weights.runs.back().row == run.row &&
+                             weights.runs.back().first_column == run.first_column &&
+                             weights.runs.back().columns == run.columns;
+        run.first_pixels = goes_on ? weights.runs.back().first_pixels : weights.pixels.size();
+        if (!goes_on)
+          weights.pixels.resize(run.first_pixels + static_cast<std::size_t>(run.columns) * 3, 0.0f);
+        float* pixels = weights.pixels.data() + run.first_pixels;
+        for (int c = 0; c < 3; ++c)
+          for (int x = begin; x < end; ++x) {
+            if (!photo.usable[photo.linear.index(region.x + x, pixel_run.y, c)]) continue;
+            pixels[(cell_of(x) - cell_of(begin)) * 3 + c] += 1.0f;
+            ++count[c];
+          }
+        if (!goes_on) weights.runs.push_back(run);
+      }
+      for (const int pixels : count)
+        weights.inverse.push_back(pixels > 0 ? 1.0f / static_cast<float>(pixels) : 0.0f);
+    }
+  }
+  weights.first_run.push_back(weights.runs.size());
+  return weights;
 }
 
 }  // namespace vegard::fit

@@ -7,18 +7,21 @@
 #include <memory>
 #include <vector>
 
+#include "fit/measure/bin_grid.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo.h"
+#include "sim/render/cell_weights.h"
 #include "sim/render/picture_model.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 
 /// Values indexed as in Profile.
 using ModelProfile = sim::PictureMeans;
 
-/// Smooths a model and its derivatives by a Gaussian, as smoothed() in fit/measure/smoothing.h does for a
+/// Smooths a model and its derivatives by a Gaussian, as smoothed() in fit/measure/profile.h does for a
 /// profile: every band and channel along its rows, sigma in rows. A model has values in all rows.
 void smooth(ModelProfile& model, int bands, int rows, double sigma_rows);
 
@@ -70,5 +73,13 @@ class ProfileModel {
   struct Workspace;
   std::unique_ptr<Workspace> work_;
 };
+
+// Bin weights: the weight of each cell of a film in each bin of a profile.
+
+/// Returns weights for means over the usable pixels of the bins of several grids, each grid's bins after
+/// those of the one before. The film's cells are whole numbers of pixels high, with a cell border at the
+/// upper left corner of the grids' region. A pixel has the light of the cell in which its centre lies.
+sim::CellWeights bin_weights(const Photo& photo, const std::vector<std::shared_ptr<const BinGrid>>& grids,
+                             const sim::FilmGeometry& film);
 
 }  // namespace vegard::fit

@@ -158,18 +158,18 @@ void add_ratio_priors(const sim::Scene& scene, std::vector<FreeNumber>& numbers)
     const auto find = [&](const sim::ParameterId& id) {
       return std::find_if(numbers.begin(), numbers.end(), [&](const FreeNumber& n) { return n.id == id; });
     };
-    const auto of_wavelength = find(wavelength), of_amplitude = find(amplitude);
+    const auto wavelength_number = find(wavelength), amplitude_number = find(amplitude);
     RatioPrior prior;
     prior.spread = scene.fit.ratio_spread;
-    if (of_wavelength != numbers.end()) {
-      const bool both = of_amplitude != numbers.end();
+    if (wavelength_number != numbers.end()) {
+      const bool both = amplitude_number != numbers.end();
       prior.rest = -std::log(2.0) - (both ? 0.0 : std::log(sheet.thickness_km));
       if (both) prior.other = amplitude;
-      of_wavelength->ratio_prior = prior;
-    } else if (of_amplitude != numbers.end()) {
+      wavelength_number->ratio_prior = prior;
+    } else if (amplitude_number != numbers.end()) {
       prior.sign = -1.0;
       prior.rest = std::log(0.5 * sheet.wavelength_km);
-      of_amplitude->ratio_prior = prior;
+      amplitude_number->ratio_prior = prior;
     }
   }
 }
@@ -200,9 +200,11 @@ std::vector<FreeNumber> free_numbers(const sim::Scene& scene) {
     }
   }
   if (numbers.empty())
-    throw sim::Error(sim::ErrorKind::scene, {"nothing is free", scene.file, 0, "fit.free",
-                                             "at least one path, such as \"sheet.main.energy_kev\"",
-                                             "'vegard params' lists what can be free"});
+    throw sim::Error(sim::ErrorKind::scene, "nothing is free")
+        .file(scene.file)
+        .key("fit.free")
+        .expected("at least one path, such as \"sheet.main.energy_kev\"")
+        .hint("'vegard params' lists what can be free");
   mark_those_in_expressions(scene, numbers);
   add_ratio_priors(scene, numbers);
   return numbers;

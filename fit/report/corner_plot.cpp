@@ -8,7 +8,7 @@
 #include "fit/report/plot/plot.h"
 #include "fit/report/plot/plot_axis.h"
 #include "fit/report/plot/plot_canvas.h"
-#include "fit/uncertainty/sample_summary.h"
+#include "fit/uncertainty/band_bootstrap.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"
 #include "sim/scene/table/parameter_id.h"

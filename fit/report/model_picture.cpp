@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "fit/answer/constrained_gains.h"
+#include "fit/answer/answer.h"
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/emit/aurora/sheet.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/answer/light_source_names.h"
+#include "fit/answer/derived.h"
 #include "fit/photo/grey_light.h"
 #include "fit/report/corner_plot.h"
 #include "fit/report/foot_map.h"

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/answer/light_source_names.h"
+#include "fit/answer/derived.h"
 #include "fit/answer/result_numbers.h"
 #include "fit/version.h"
 #include "sim/base/file/number_text.h"

@@ -113,10 +113,10 @@ std::vector<std::vector<LateralOffset>> lateral_offsets(Comparison& comparison, 
       const double along = meets_at_km(lines[s], azimuth);
       if (along < 0.0 || covariance(i, i) > 0.5 * kBelieved_km * kBelieved_km) continue;
       // The belief takes a share of the step, and is no part of the data.
-      const double of_data = 1.0 / (1.0 / covariance(i, i) - 1.0 / (kBelieved_km * kBelieved_km));
+      const double data_variance = 1.0 / (1.0 / covariance(i, i) - 1.0 / (kBelieved_km * kBelieved_km));
       result[s].push_back({along,
-                           own_aside_km(scene.sheets[s], along) + moved(i) * of_data / covariance(i, i),
-                           std::sqrt(of_data)});
+                           own_aside_km(scene.sheets[s], along) + moved(i) * data_variance / covariance(i, i),
+                           std::sqrt(data_variance)});
     }
   }
   return result;

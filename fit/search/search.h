@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fit/search/coarse_search.h"
-#include "fit/search/search_outcome.h"
+#include "fit/search/journal.h"
 
 namespace vegard::fit {
 

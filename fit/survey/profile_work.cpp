@@ -6,7 +6,6 @@
 
 #include "fit/compare/observation.h"
 #include "fit/measure/profile.h"
-#include "fit/measure/smoothing.h"
 #include "fit/photo/photo.h"
 #include "sim/view/camera/camera.h"
 

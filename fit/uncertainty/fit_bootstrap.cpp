@@ -1,10 +1,9 @@
-#include "fit/uncertainty/fit_bootstrap.h"
+#include "fit/uncertainty/converged_fit.h"
 
 #include <Eigen/Dense>
 #include <cmath>
 
 #include "fit/parameters/prior_rows.h"
-#include "fit/uncertainty/sampled_jacobians.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 
 namespace vegard::fit {
@@ -20,7 +19,7 @@ std::vector<int> bands_of(const std::vector<Observation>& observations, const Pr
   int before = 0;
   for (std::size_t o = 0; o < observations.size(); ++o) {
     const Comparison& full = *observations[o].full;
-    const std::vector<std::size_t> used = full.profile_part(point.of_photo[o]).used;
+    const std::vector<std::size_t> used = full.profile_part(point.by_photo[o]).used;
     const std::size_t first = bands.size();
     bands.resize(first + static_cast<std::size_t>(full.residuals()), -1);
     for (std::size_t k = 0; k < used.size(); ++k)

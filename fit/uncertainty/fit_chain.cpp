@@ -1,4 +1,4 @@
-#include "fit/uncertainty/fit_chain.h"
+#include "fit/uncertainty/converged_fit.h"
 
 #include <algorithm>
 #include <cmath>

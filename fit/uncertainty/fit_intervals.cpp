@@ -1,4 +1,4 @@
-#include "fit/uncertainty/fit_intervals.h"
+#include "fit/uncertainty/converged_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,12 +69,12 @@ class Minimiser {
       others.push_back(fit_.free[k]);
       start.push_back(held.back());
     }
-    const double of_own_prior = prior_chi2(fit_.free[j], held[j]);
+    const double own_prior_chi2 = prior_chi2(fit_.free[j], held[j]);
     const double unit = fit_.inflation * fit_.inflation;
     if (moved.empty()) {
       const ProfileCost cost(fit_.free, terms_, log_);
       const ProfileCost::Point here = cost.at(held, false);
-      return (here.chi2 - of_own_prior) / unit + of_own_prior;
+      return (here.chi2 - own_prior_chi2) / unit + own_prior_chi2;
     }
     sim::Scene there = fit_.scene;
     ParameterMap(fit_.scene, fit_.free).put(held, there);
@@ -85,7 +85,7 @@ class Minimiser {
     const Descent least = descend(cost, start, kIntervalIterations, {}, log_, unused);
     if (!(least.chi2 >= 0.0)) return std::numeric_limits<double>::infinity();  // nothing could be evaluated
     for (std::size_t k = 0; k < moved.size(); ++k) point[moved[k]] = others[k].coordinate(least.values[k]);
-    return least.chi2 / unit + of_own_prior;
+    return least.chi2 / unit + own_prior_chi2;
   }
 
  private:

@@ -1,4 +1,4 @@
-// The error bars of an answer, from its Jacobians (see uncertainty.h and sampled_jacobians.h).
+// The error bars of an answer, from its Jacobians (see uncertainty.h).
 #pragma once
 
 #include <vector>
@@ -33,5 +33,15 @@ void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<
 /// Convert an uncertainty to a step's output, and back.
 StepOutput output_of(const Uncertainty& uncertainty);
 Uncertainty uncertainty_of(const StepOutput& output, std::size_t free);
+
+// Jacobians of the photographs' residuals at an answer, for its error bars.
+
+/// Returns Jacobians, row-major [residual][coordinate], by the solver's coordinates with these anchors. If
+/// beams are random there is one for each of twelve seeds, since in a single one the Monte-Carlo noise of a
+/// finite number of beams would look like information; otherwise there is one, by a finer quadrature.
+std::vector<std::vector<double>> sampled_jacobians(const std::vector<Observation>& observations,
+                                                   const std::vector<FreeNumber>& free,
+                                                   const std::vector<double>& values,
+                                                   const std::vector<PhaseAnchor>& anchors, int threads);
 
 }  // namespace vegard::fit

@@ -41,15 +41,17 @@ SurrogateCost::SurrogateCost(const Residuals& residuals, const std::vector<doubl
     columns.push_back(column);
   };
   for (int k = 0; k < n; ++k) add({k, -1, -1}, here->col(k));
-  // of_pair[k].col(l): d²r / dy_k dy_l as the Jacobians along k have it; the mean with that along l is taken.
-  std::vector<Eigen::MatrixXd> of_pair(static_cast<std::size_t>(n), Eigen::MatrixXd::Zero(here->rows(), n));
+  // pair_slopes[k].col(l): d²r / dy_k dy_l as the Jacobians along k have it; the mean with that along l is
+  // taken.
+  std::vector<Eigen::MatrixXd> pair_slopes(static_cast<std::size_t>(n),
+                                           Eigen::MatrixXd::Zero(here->rows(), n));
   const bool with_pairs = n <= kMaxForPairs;
   for (int k = 0; k < n && !stopped(); ++k) {
     double step = kStep;
     for (int halving = 0; halving < kHalvings; ++halving, step *= 0.5) {
       const std::optional<Eigen::MatrixXd> before = slopes(k, -step), after = slopes(k, step);
       if (!before || !after) continue;
-      of_pair[k] = (*after - *before) / (2.0 * step);
+      pair_slopes[k] = (*after - *before) / (2.0 * step);
       const Eigen::MatrixXd third = (*after - 2.0 * *here + *before) / (step * step);
       for (int l = 0; l < n; ++l)
         if (l == k)
@@ -60,8 +62,9 @@ SurrogateCost::SurrogateCost(const Residuals& residuals, const std::vector<doubl
     }
   }
   for (int k = 0; k < n; ++k) {
-    add({k, k, -1}, 0.5 * of_pair[k].col(k));
-    for (int l = 0; with_pairs && l < k; ++l) add({k, l, -1}, 0.5 * (of_pair[k].col(l) + of_pair[l].col(k)));
+    add({k, k, -1}, 0.5 * pair_slopes[k].col(k));
+    for (int l = 0; with_pairs && l < k; ++l)
+      add({k, l, -1}, 0.5 * (pair_slopes[k].col(l) + pair_slopes[l].col(k)));
   }
 
   // |r|² - |r0|², of which r0's own square would only take digits away.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fit/uncertainty/sample_summary.h"
+#include "fit/uncertainty/band_bootstrap.h"
 
 namespace vegard::fit {
 namespace {

@@ -58,7 +58,7 @@ void take_lines(const Scene& scene, const FilmGeometry& film, const float* plane
 void form_lines(const Scene& scene, Exposure& exposure, const Window& window, int threads, Image& rayleigh);
 
 /// Does the same for an exposure with derivatives with respect to `free`. The derivatives are dimmed but not
-/// blurred: no caller needs a blurred derivative of each cell (sim/render/spread_runs.h).
+/// blurred: no caller needs a blurred derivative of each cell (sim/render/cell_weights.h).
 void form_lines(const Scene& scene, const std::vector<ParameterId>& free, Exposure& exposure,
                 const Window& window, int threads, Image& rayleigh);
 

@@ -9,7 +9,6 @@
 #include "sim/render/film.h"
 #include "sim/render/picture.h"
 #include "sim/render/profile_light.h"
-#include "sim/render/spread_runs.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/film/blur.h"

@@ -12,7 +12,7 @@
 #include "fit/compare/observation.h"
 #include "fit/compare/profile_cost.h"
 #include "fit/measure/noise_model.h"
-#include "fit/measure/smoothing.h"
+#include "fit/measure/profile.h"
 #include "interleaved.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"

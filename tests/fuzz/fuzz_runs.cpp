@@ -8,7 +8,6 @@
 
 #include "fit/report/table/run_summary.h"
 #include "fit/search/file_journal.h"
-#include "fit/search/step_record.h"
 #include "fit/survey/survey_results.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/promise.h"

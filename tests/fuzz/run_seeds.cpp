@@ -2,7 +2,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "fit/search/step_record.h"
+#include "fit/search/file_journal.h"
 #include "fit/survey/survey_results.h"
 #include "sim/base/file/sha256.h"
 #include "tests/fit/survey/made_answers.h"

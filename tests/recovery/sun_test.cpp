@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "fit/measure/measured_profile.h"
+#include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/picture/fits_io.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/answer/constrained_gains.h"
+#include "fit/answer/answer.h"
 #include "fit/photo/grey_light.h"
 #include "sim/base/file/number_text.h"
 

@@ -1,4 +1,4 @@
-#include "fit/compare/robust_loss.h"
+#include "fit/compare/profile_cost.h"
 
 #include <gtest/gtest.h>
 

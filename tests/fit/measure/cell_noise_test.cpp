@@ -1,5 +1,5 @@
 // The noise of cells: of one pixel, where their neighbours tell it, and of more, where their own pixels do.
-#include "fit/measure/cell_noise.h"
+#include "fit/measure/noise_model.h"
 #include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // Bins by the distance from the Sun's middle and by position angle.
-#include "fit/measure/limb_bins.h"
 #include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // Bins along a loop drawn by hand, and across it.
-#include "fit/measure/loop_bins.h"
 #include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "fit/measure/measured_profile.h"
+#include "fit/measure/profile.h"
 #include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "fit/measure/realisation.h"
+#include "fit/measure/noise_model.h"
 
 #include <gtest/gtest.h>
 

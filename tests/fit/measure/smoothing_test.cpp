@@ -1,4 +1,4 @@
-#include "fit/measure/smoothing.h"
+#include "fit/measure/profile.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fit/measure/noise_model.h"
-#include "fit/measure/smoothing.h"
+#include "fit/measure/profile.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit::unknown_curve_test {

@@ -1,5 +1,5 @@
 // The weights of a profile's bins against the profile that a photograph has itself.
-#include "fit/model/bin_weights.h"
+#include "fit/model/profile_model.h"
 
 #include <gtest/gtest.h>
 

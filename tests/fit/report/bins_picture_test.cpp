@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "fit/answer/answer.h"
-#include "fit/answer/constrained_gains.h"
 #include "fit/compare/observation.h"
-#include "fit/measure/smoothing.h"
+#include "fit/measure/profile.h"
 #include "fit/report/model_picture.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/rendered_photo.h"

@@ -1,5 +1,5 @@
 // The measure of levelness on costs whose answer can be written down.
-#include "fit/search/gradient_cosine.h"
+#include "fit/search/descent.h"
 
 #include <gtest/gtest.h>
 

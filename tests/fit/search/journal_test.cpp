@@ -11,10 +11,7 @@
 #include <memory>
 
 #include "fit/search/file_journal.h"
-#include "fit/search/search_outcome.h"
-#include "fit/search/step_record.h"
-#include "fit/uncertainty/fit_bootstrap.h"
-#include "fit/uncertainty/fit_intervals.h"
+#include "fit/uncertainty/converged_fit.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "fit/uncertainty/flat_directions.h"
+#include "fit/uncertainty/uncertainty.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fit/uncertainty/sample_summary.h"
+#include "fit/uncertainty/band_bootstrap.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,6 @@
 #include "fit/search/descent.h"
 #include "fit/search/journal.h"
 #include "fit/uncertainty/converged_fit.h"
-#include "fit/uncertainty/fit_chain.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
