@@ -23,8 +23,8 @@ BinGrid elevation_bins(const Region& region, int bands, const sim::Camera& camer
 /// bin.
 BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, const sim::Field& field);
 
-/// Returns the bins that fit.profile_along names, including those of the Sun (fit/measure/profile_bins.h and
-/// limb_bins.h). Throws sim::Error(scene) with key "fit.profile_along" if it is "field" and the field is not
+/// Returns the bins that fit.profile_along names, including those of the Sun.
+/// Throws sim::Error(scene) with key "fit.profile_along" if it is "field" and the field is not
 /// uniform.
 BinGrid profile_bins(const sim::Scene& scene, const Region& region);
 
