@@ -45,7 +45,9 @@ expect_edits() {
 # compile LIBRARY FILE...: files of the copy, with the flags of the library.
 compile() {
   local flags file
-  flags=$(grep -m1 -E "$1\.dir/[^ ]*\.o -c " "$work/commands") || fail "there is no command for $1"
+  # Of a unit, where there are units: other files may have flags of their own.
+  flags=$(grep -m1 -E "$1\.dir/Unity/[^ ]*\.o -c " "$work/commands" || grep -m1 -E "$1\.dir/[^ ]*\.o -c " "$work/commands") ||
+    fail "there is no command for $1"
   flags=$(sed -E "s/ -M[DTF]( [^ ]*\.o(\.d)?)?//g; s/ -o [^ ]* -c .*//; s|-I$root([ /])|-I$copy\1|g" <<<"$flags")
   for file in "${@:2}"; do
     (cd "$build" && bash -c "$flags -o $work/objects/${file//\//_}.o -c $copy/$file") || fail "$kind: $file does not compile"
