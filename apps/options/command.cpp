@@ -24,14 +24,7 @@ std::string quoted_for_shell(std::string_view word) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=+:,@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
-  std::string text = "'";
-  for (const char c : word) {
-    if (c == '\'')
-      text += "'\\''";
-    else
-      text += c;
-  }
-  return text + "'";
+  return in_shell_quotes(word);
 }
 
 int tell_bad_usage(const std::string& program, const std::string& message, const std::string& meant = {}) {
@@ -380,6 +373,12 @@ void Command::runs(std::function<int()> call) const {
       throw out_of_memory(name);
     }
   });
+}
+
+std::string in_shell_quotes(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
 }
 
 Option add_threads_option(const Command& command, int& threads) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own name
@@ -108,6 +109,9 @@ class Command {
   CLI::App* app_;
   int* exit_code_;
 };
+
+/// The word as a shell has it in single quotes.
+std::string in_shell_quotes(std::string_view word);
 
 /// Adds --threads: an option of whatever is computed by several threads, with the same result.
 Option add_threads_option(const Command& command, int& threads);

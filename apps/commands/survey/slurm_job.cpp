@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands/survey/local_processes.h"
+#include "apps/options/command.h"
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
@@ -19,12 +20,6 @@ namespace {
 constexpr const char* kScriptName = "/survey.sbatch";
 constexpr const char* kJobName = "/survey.job";
 constexpr const char* kMark = "# Written by vegard survey submit";
-
-std::string in_quotes(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
 
 /// By which Slurm's queue tells the job of a folder, an absolute name, from all others.
 std::string comment_of(const std::string& folder) {
@@ -118,8 +113,8 @@ std::string slurm_script(const SlurmScript& s) {
       throw usage_error("--sbatch", "'" + option + "' is no option of sbatch", "--sbatch=--partition=long");
     text += "#SBATCH " + option + "\n";
   }
-  text += "exec " + in_quotes(s.program) + " survey run " + in_quotes(s.plan) + " --out " +
-          in_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(s.shards) +
+  text += "exec " + in_shell_quotes(s.program) + " survey run " + in_shell_quotes(s.plan) + " --out " +
+          in_shell_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(s.shards) +
           "\" --threads " + std::to_string(s.threads) + "\n";
   return text;
 }
