@@ -79,7 +79,7 @@ bool read_row(const Photo& photo, int begin, int end, int top, int bottom, doubl
   }
   if (columns < kTextureNarrowest) return false;
   row.noise /= columns;
-  row.rest = -trend * sim::solve_symmetric(trend.transpose() * trend, Eigen::MatrixXd(trend.transpose()));
+  row.rest = -trend * (trend.transpose() * trend).ldlt().solve(trend.transpose());
   for (int i = 0; i < row.width; ++i)
     if (row.usable[i]) row.rest(i, i) += 1.0;
   const Eigen::VectorXd rest = row.rest * logarithm;
