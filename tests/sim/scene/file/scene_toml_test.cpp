@@ -568,7 +568,7 @@ TEST(WriteScene, KeepsEveryBitOfANumber) {
   Scene scene;
   scene.sheets.resize(1);
   int count = 0;
-  while (count < 4000) {
+  while (count < 500) {
     state = state * 6364136223846793005ull + 1442695040888963407ull;
     const std::uint64_t bits = state ^ (state >> 29);
     double value;

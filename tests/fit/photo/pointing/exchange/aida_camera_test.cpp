@@ -114,6 +114,8 @@ TEST(AidaCamera, TakesOverACameraOfOurs) {
   for (const auto lens : {sim::LensModel::pinhole, sim::LensModel::equidistant, sim::LensModel::equisolid,
                           sim::LensModel::stereographic})
     for (const bool mirrored : {false, true}) {
+      if (mirrored && lens != sim::LensModel::equidistant)
+        continue;  // a mirror is of the axes, whatever the lens
       sim::Camera camera;
       camera.model = lens;
       camera.mirrored = mirrored;
