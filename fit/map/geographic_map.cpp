@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_line.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/site_axes.h"
 
 namespace vegard::fit {

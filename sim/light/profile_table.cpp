@@ -5,6 +5,7 @@
 
 #include "sim/light/sheet_profile.h"
 #include "sim/light/tables/emission_tables.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::sim {

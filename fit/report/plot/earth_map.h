@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fit/report/plot/plot_canvas.h"
+#include "sim/base/number/vec3.h"
 
 namespace vegard::fit {
 

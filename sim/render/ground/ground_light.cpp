@@ -9,6 +9,7 @@
 #include "sim/light/height_profile.h"
 #include "sim/light/own_light.h"
 #include "sim/light/tables/emission_tables.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"
 

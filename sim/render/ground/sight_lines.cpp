@@ -11,6 +11,7 @@
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/foot.h"
 #include "sim/light/height_profile.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/site_axes.h"
 #include "sim/view/camera/camera.h"
 

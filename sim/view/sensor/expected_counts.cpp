@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"

@@ -7,6 +7,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/vec3.h"
 #include "sim/base/parallel.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"
 #include "sim/view/sky/planets.h"

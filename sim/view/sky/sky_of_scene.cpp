@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/planets.h"
 #include "sim/view/sky/star_place.h"

@@ -8,6 +8,7 @@
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "sim/base/parallel.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"

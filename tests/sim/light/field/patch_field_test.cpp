@@ -8,6 +8,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_field.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/site_axes.h"
 
 namespace vegard::sim::patch_field_test {

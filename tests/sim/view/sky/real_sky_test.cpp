@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/bright_stars.h"
