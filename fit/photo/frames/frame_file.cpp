@@ -7,6 +7,7 @@
 #include "fit/photo/frames/open_frame_store.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
