@@ -23,10 +23,11 @@ constexpr int kBentBlocks = 16;    ///< over which feet along a field run straig
 constexpr int kStretchBlocks = 8;  ///< that are passed over together, if all are dark
 
 /// A span's way through the faces, to the blocks with light.
-template <FootProjection kProjection, class Queue>
+template <FootProjection kProjection>
 class SpanMarch {
  public:
-  HWY_INLINE SpanMarch(const FootprintKernel& kernel, const MarchSpan& span, std::size_t number, Queue& queue)
+  HWY_INLINE SpanMarch(const FootprintKernel& kernel, const MarchSpan& span, std::size_t number,
+                       LightQueue& queue)
       : kernel_(kernel),
         span_(span),
         number_(number),
@@ -149,51 +150,54 @@ class SpanMarch {
   const FootprintKernel& kernel_;
   const MarchSpan& span_;
   const std::size_t number_;
-  Queue& queue_;
+  LightQueue& queue_;
   const SpanLanes lanes_;
   const WidthOfBlock width_of_block_;
 };
 
-template <FootProjection kProjection, int kQuartets, bool kEnergies>
-std::size_t march_all(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
-                      SpanLight* out) {
-  using Queue = LightQueue<kQuartets, kEnergies>;
-  std::fill(out, out + count, SpanLight{{}, 0.0, std::numeric_limits<double>::infinity()});
-  Queue queue(*kernel.profile, spans, out);
-  for (std::size_t i = 0; i < count; ++i) SpanMarch<kProjection, Queue>(kernel, spans[i], i, queue).run();
-  return queue.finish();
+template <FootProjection kProjection>
+void march_projection(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
+                      LightQueue& queue) {
+  for (std::size_t i = 0; i < count; ++i) SpanMarch<kProjection>(kernel, spans[i], i, queue).run();
 }
 
-template <FootProjection kProjection>
-std::size_t march_projection(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
-                             SpanLight* out) {
-  const bool wide = kernel.profile->stride() > 4, energies = kernel.profile->energies() > 1;
-  if (energies)
-    return wide ? march_all<kProjection, 2, true>(kernel, spans, count, out)
-                : march_all<kProjection, 1, true>(kernel, spans, count, out);
-  return wide ? march_all<kProjection, 2, false>(kernel, spans, count, out)
-              : march_all<kProjection, 1, false>(kernel, spans, count, out);
+void march_all(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count, LightQueue& queue) {
+  switch (kernel.projection) {
+    case FootProjection::vertical:
+      return march_projection<FootProjection::vertical>(kernel, spans, count, queue);
+    case FootProjection::field:
+      return march_projection<FootProjection::field>(kernel, spans, count, queue);
+    case FootProjection::dipole:
+      return march_projection<FootProjection::dipole>(kernel, spans, count, queue);
+    case FootProjection::reference:
+      return march_projection<FootProjection::reference>(kernel, spans, count, queue);
+    case FootProjection::shell_dipole:
+      return march_projection<FootProjection::shell_dipole>(kernel, spans, count, queue);
+    case FootProjection::shell_reference:
+      return march_projection<FootProjection::shell_reference>(kernel, spans, count, queue);
+    case FootProjection::shell:
+      break;
+  }
+  march_projection<FootProjection::shell>(kernel, spans, count, queue);
+}
+
+template <int kQuartets, bool kEnergies>
+std::size_t march_lines(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
+                        SpanLight* out) {
+  std::fill(out, out + count, SpanLight{{}, 0.0, std::numeric_limits<double>::infinity()});
+  LightQueueOf<kQuartets, kEnergies> queue(*kernel.profile, spans, out);
+  march_all(kernel, spans, count, queue);
+  return queue.finish();
 }
 
 std::size_t MarchSpans(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
                        SpanLight* out) {
-  switch (kernel.projection) {
-    case FootProjection::vertical:
-      return march_projection<FootProjection::vertical>(kernel, spans, count, out);
-    case FootProjection::field:
-      return march_projection<FootProjection::field>(kernel, spans, count, out);
-    case FootProjection::dipole:
-      return march_projection<FootProjection::dipole>(kernel, spans, count, out);
-    case FootProjection::reference:
-      return march_projection<FootProjection::reference>(kernel, spans, count, out);
-    case FootProjection::shell_dipole:
-      return march_projection<FootProjection::shell_dipole>(kernel, spans, count, out);
-    case FootProjection::shell_reference:
-      return march_projection<FootProjection::shell_reference>(kernel, spans, count, out);
-    case FootProjection::shell:
-      break;
-  }
-  return march_projection<FootProjection::shell>(kernel, spans, count, out);
+  const bool wide = kernel.profile->stride() > 4;
+  if (kernel.profile->energies() > 1)
+    return wide ? march_lines<2, true>(kernel, spans, count, out)
+                : march_lines<1, true>(kernel, spans, count, out);
+  return wide ? march_lines<2, false>(kernel, spans, count, out)
+              : march_lines<1, false>(kernel, spans, count, out);
 }
 
 }  // namespace HWY_NAMESPACE

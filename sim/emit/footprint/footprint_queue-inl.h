@@ -72,12 +72,9 @@ class SpanSum {
 };
 
 /// Takes blocks span by span, and within each span in their order.
-template <int kQuartets, bool kEnergies>
 class LightQueue {
  public:
-  /// `out` has an entry for each span, initially dark.
-  HWY_INLINE LightQueue(const StepProfile& profile, const MarchSpan* spans, SpanLight* out)
-      : profile_(profile), spans_(spans), out_(out) {}
+  HWY_INLINE explicit LightQueue(const StepProfile& profile) : profile_(profile) {}
 
   /// `places_of(number of a step)` gives the places of as many steps as there are lanes.
   template <class PlacesOf>
@@ -90,6 +87,31 @@ class LightQueue {
     ++blocks_;
   }
 
+ protected:
+  struct Slot {
+    const TexelWindow* window;
+    std::size_t span;
+    int block, width;
+  };
+  ~LightQueue() = default;
+  /// Adds up the light of the slots and empties them.
+  virtual void light_all() = 0;
+
+  const StepProfile& profile_;
+  Steps steps_;
+  Slot slot_[16];
+  int slots_ = 0;
+  std::size_t blocks_ = 0;
+};
+
+/// A LightQueue for so many quartets of lines, of one energy or of several.
+template <int kQuartets, bool kEnergies>
+class LightQueueOf final : public LightQueue {
+ public:
+  /// `out` has an entry for each span, initially dark.
+  HWY_INLINE LightQueueOf(const StepProfile& profile, const MarchSpan* spans, SpanLight* out)
+      : LightQueue(profile), spans_(spans), out_(out) {}
+
   /// Returns the number of steps that were pushed.
   HWY_INLINE std::size_t finish() {
     light_all();
@@ -98,13 +120,7 @@ class LightQueue {
   }
 
  private:
-  struct Slot {
-    const TexelWindow* window;
-    std::size_t span;
-    int block, width;
-  };
-
-  HWY_NOINLINE void light_all() {
+  HWY_NOINLINE void light_all() override {
     RowWeights<kEnergies> weights;
     for (int i = 0; i < slots_; ++i) find_weights<kEnergies>(*slot_[i].window, profile_, i, steps_, weights);
     const WeightLanes<kQuartets> lanes;
@@ -124,13 +140,9 @@ class LightQueue {
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-  const StepProfile& profile_;
   const MarchSpan* spans_;
   SpanLight* out_;
-  Steps steps_;
-  Slot slot_[16];
-  int slots_ = 0;
-  std::size_t blocks_ = 0, open_ = kNone;
+  std::size_t open_ = kNone;
   SpanSum<kQuartets> sum_;  ///< light of the span `open_`
 };
 
