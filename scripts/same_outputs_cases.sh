@@ -228,6 +228,73 @@ awk 'BEGIN {
 }' >inputs/stars.csv
 run calibrate calibrate inputs/stars.csv -o out/camera.toml --size 64,48 --site 65,20,100 --time 2020-01-01T20:00:00Z \
   --residuals out/residuals.csv --json out/calibrate.json --plot out/residuals.svg
+# Stars without a rough camera: a field whose time is known, not known or wrong, over a ground too; and with one.
+SOURCE=$source_folder
+# shellcheck source=tests/cli/star_field.sh
+source "$source_folder/tests/cli/star_field.sh"
+sky_to 0 >inputs/stars/field.pgm
+sky_to 0 25 >inputs/stars/skyline.pgm
+field=(--decoding linear --site 0,0 --time 2020-12-22T00:00:00Z)
+run calibrate_blind calibrate --image inputs/stars/field.pgm "${field[@]}" -o out/camera_field.toml --stars-out out/stars_field.csv \
+  --overlay out/stars_field.png --residuals out/stars_field_residuals.csv --plot out/stars_field.svg --json out/stars_field.json \
+  --axy-out out/stars_field.axy --corr-out out/stars_field.corr
+run calibrate_unplaced calibrate --image inputs/stars/field.pgm --decoding linear --stars-out out/stars_unplaced.csv
+run calibrate_night calibrate --image inputs/stars/field.pgm --decoding linear --site 0,0 --date 2020-12-21 --level
+call 5 calibrate_elsewhere calibrate --image inputs/stars/field.pgm --decoding linear --site 0,0 --time 2020-12-22T12:00:00Z \
+  -o out/no.toml
+call 5 calibrate_nothing calibrate --image inputs/stars/empty.pgm "${field[@]}" -o out/no.toml
+run calibrate_rough calibrate --image inputs/stars/stars.pgm --camera inputs/stars/camera.toml --time 2000-01-01T12:00:00Z \
+  -o out/camera_rough.toml --overlay out/stars_rough.png --free rotation,focal --json
+run calibrate_list calibrate out/stars_field.axy --camera out/camera_field.toml "${field[@]}" -o out/camera_list.toml
+run calibrate_pairs calibrate out/stars_field.corr --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z -o out/camera_pairs.toml \
+  --lens equidistant --terms none --hold-centre
+run directions_wcs directions out/camera_field.toml -o out/directions.wcs
+run calibrate_wcs calibrate --wcs out/directions.wcs "${field[@]:2}" -o out/camera_wcs.toml
+run_refused calibrate_no_stars calibrate -o out/no.toml
+run_refused calibrate_no_time calibrate --image inputs/stars/stars.pgm --camera out/camera.toml -o out/no.toml
+run_refused calibrate_no_output calibrate inputs/stars.csv --size 64,48
+run_refused calibrate_same calibrate inputs/stars.csv --size 64,48 -o inputs/stars.csv
+run mask_skyline mask inputs/stars/skyline.pgm -o out/mask_skyline.png --horizon auto --horizon-csv out/mask_skyline.csv \
+  --decoding linear --json
+awk 'BEGIN { print "P2 200 160 255"
+  for (y = 0; y < 160; ++y) for (x = 0; x < 200; ++x) print (x - 103.3) ^ 2 + (y - 79.2) ^ 2 < 70.5 ^ 2 ? 120 + int(x / 20) : 2 }' >inputs/circle.pgm
+run mask_circle mask inputs/circle.pgm -o out/mask_circle.png --circle auto --circle-margin 4
+run_refused mask_nothing mask $photo -o out/no.png
+run_refused mask_no_circle mask $photo -o out/no.png --circle auto
+run_refused mask_polygon mask $photo -o out/no.png --polygon 1,2 3,x
+run horizon_orbit horizon --size 600,400 --points 100,200 300,190 500,200 550,204 --hfov 53.13 --altitude-m 400000 --json
+run horizon_lens horizon inputs/stars/skyline.pgm --points 20,200 240,200 450,200 --lens out/camera_field.toml --azimuth 20 \
+  -o out/horizon_lens.toml
+run_refused horizon_lens_of_other horizon $photo --points 100,300 600,310 --lens out/camera_field.toml
+
+# From a photograph to an answer: with a camera, by stars, by a skyline, by nothing; and its stages alone.
+run band render inputs/scenes/map_light.toml --set camera.width=216 --set camera.height=144 -o out/band.png
+awk '/^\[/ { is_camera = /^\[(camera|site)\]/ } is_camera' inputs/scenes/map.toml |
+  sed 's/^width.*/width = 216/; s/^height.*/height = 144/; s/^latitude_deg.*/&\nlongitude_deg = 20.0/' >inputs/band_camera.toml
+run border border inputs/band_camera.toml --photo out/band.png --out out/border
+run_fit border_dark border inputs/band_camera.toml --photo out/band.png --out out/border_dark --channel red --set camera.elevation_deg=80
+all_of && run_fit map map inputs/scenes/map.toml --photo out/band.png --set camera.width=216 --set camera.height=144 --out out/map --replicates 2 \
+  --sparsity 16 --farthest-km 400
+run measure measure out/band.png --camera inputs/band_camera.toml --no-map --out out/measure
+all_of && run_fit measure_mapped measure out/band.png --camera inputs/band_camera.toml --site "67N,20°0'E" --replicates 2 --line 557.7 \
+  --time 2020-01-01T21:00:00+01:00 --out out/measure_mapped
+call 5 measure_unknown measure out/band.png --out out/measure_unknown
+call 5 measure_circle measure inputs/circle.pgm --no-map --json --out out/measure_circle
+call 5 measure_photo measure $photo --no-map --out out/measure_photo
+run_fit measure_example measure $photo --camera inputs/examples/h000/scene.toml --site 64.8,-147 --no-map --out out/measure_example
+run_fit measure_masked measure $photo --camera inputs/examples/h000/scene.toml --site 64.8,-147 --mask out/mask.png --no-map \
+  --out out/measure_masked
+run measure_stars measure inputs/stars/field.pgm "${field[@]}" --no-map --out out/measure_stars
+run measure_zenith measure inputs/stars/stars.pgm --time 2000-01-01T12:00:00Z --site 65,150 --no-map --out out/measure_zenith
+call 5 measure_skyline measure inputs/stars/skyline.pgm --decoding linear --out out/measure_skyline
+call 5 measure_skyline_stars measure inputs/stars/skyline.pgm "${field[@]}" --no-map --out out/measure_skyline_stars
+call 5 measure_elsewhere measure inputs/stars/skyline.pgm --decoding linear --site 0,0 --time 2020-12-22T12:00:00Z --no-map \
+  --out out/measure_elsewhere
+run measure_unmasked measure inputs/stars/field.pgm "${field[@]}" --mask out/band.png --no-map --out out/measure_unmasked
+run_refused measure_again measure out/band.png --out out/measure
+run_refused measure_no_place measure out/band.png --site 67N,20N --out out/no
+run_refused measure_no_time measure out/band.png --time yesterday --out out/no
+run_refused measure_no_photo measure none.png --out out/no
 run directions_aida directions $small -o out/directions.acc
 run calibrate_aida calibrate --acc out/directions.acc --size 160,120 -o out/camera_aida.toml
 run calibrate_maps calibrate --azimuth-map out/directions_az.fits --elevation-map out/directions_el.fits -o out/camera_maps.toml \
