@@ -11,7 +11,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
-#include "fit/border/border.h"
+#include "fit/measurement/sky_light.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_run.h"
 #include "sim/base/file/input_file.h"
@@ -42,21 +42,14 @@ int run_border(const BorderRequest& options, const std::string& command) {
   const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
   fit::BorderSettings settings;
   settings.channel = options.channel == "red" ? 0 : options.channel == "green" ? 1 : 2;
-  const fit::Border border =
-      placing_errors(scene, [&] { return fit::trace_border(photos.front(), scene, settings); });
   fit::BorderRunFacts facts;
   facts.command = command;
   facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.decoding = photos.front().decoding;
-  fit::write_border_run(options.out, options.overwrite, border, photos.front(), scene, facts);
+  const fit::Border border =
+      fit::traced_border(scene, photos.front(), settings, options.out, options.overwrite, facts, said());
   answer_with(sim::input_bytes(options.out + "/border.json", "a border"));
   json_answer()["report"] = options.out + "/report.html";
-  for (std::size_t t = 0; t < border.traces.size(); ++t)
-    if (border.traces[t].measured > 0) say("%s\n", fit::border_sentence(border, t, scene).c_str());
-  for (const std::string& note : border.notes) say("%s\n", note.c_str());
-  if (border.measured == 0)
-    say_verdict(Tone::doubtful, "no lower border was measured; the reason is given above");
-  say("%s\n", (options.out + "/report.html").c_str());
   return border.measured > 0 ? good : doubted;
 }
 

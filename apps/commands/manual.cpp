@@ -18,6 +18,7 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/text.h"
 #include "sim/base/version.h"
@@ -136,8 +137,8 @@ std::string man_page(const CommandText& program, const CommandText& command) {
 std::string bash_completion(const CommandText& program) {
   std::string cases;
   const auto add = [&](const CommandText& command, const std::string& path) {
-    cases += fmt::format("    {}) words={} ;;\n", in_shell_quotes(path),
-                         in_shell_quotes(sim::joined(names_of_subcommands(command), " ") + " " +
+    cases += fmt::format("    {}) words={} ;;\n", sim::in_shell_quotes(path),
+                         sim::in_shell_quotes(sim::joined(names_of_subcommands(command), " ") + " " +
                                          sim::joined(option_names(command), " ")));
   };
   add(program, "");
@@ -147,11 +148,11 @@ std::string bash_completion(const CommandText& program) {
     for (const OptionText& option : command.options)
       if (!option.choices.empty())
         for (const std::string& name : option.names)
-          values += fmt::format("    {}) words={} ;;\n", in_shell_quotes(command.name + " " + name),
-                                in_shell_quotes(sim::joined(option.choices, " ")));
+          values += fmt::format("    {}) words={} ;;\n", sim::in_shell_quotes(command.name + " " + name),
+                                sim::in_shell_quotes(sim::joined(option.choices, " ")));
   });
   std::string all;
-  each_command(program, [&](const CommandText& command) { all += " " + in_shell_quotes(command.name); });
+  each_command(program, [&](const CommandText& command) { all += " " + sim::in_shell_quotes(command.name); });
   return fmt::format(R"(# Completion of {0} in bash, made by `{0} manual`.
 _{0}() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD - 1]}} command= next words= known i
@@ -191,7 +192,7 @@ std::string fish_completion(const CommandText& program) {
   std::string text = fmt::format("# Completion of {0} in fish, made by `{0} manual`.\n", program.name);
   for (const CommandText& sub : program.subcommands)
     text += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d {}\n", program.name,
-                        in_shell_quotes(sub.name), in_shell_quotes(short_words(sub.words)));
+                        sim::in_shell_quotes(sub.name), sim::in_shell_quotes(short_words(sub.words)));
   each_command(program, [&](const CommandText& command) {
     // Of "survey run" both words have to have been given.
     std::string when;
@@ -203,16 +204,16 @@ std::string fish_completion(const CommandText& program) {
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     for (const std::string& name : names_of_subcommands(command))
-      text += fmt::format("complete -c {} -n {} -a {}\n", program.name, in_shell_quotes(when),
-                          in_shell_quotes(name));
+      text += fmt::format("complete -c {} -n {} -a {}\n", program.name, sim::in_shell_quotes(when),
+                          sim::in_shell_quotes(name));
     for (const OptionText& option : command.options) {
       if (option.by_place) continue;
-      text += fmt::format("complete -c {} -n {}", program.name, in_shell_quotes(when));
+      text += fmt::format("complete -c {} -n {}", program.name, sim::in_shell_quotes(when));
       for (const std::string& name : option.names)
         text += name.rfind("--", 0) == 0 ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!option.value.empty()) text += " -r";
-      if (!option.choices.empty()) text += " -f -a " + in_shell_quotes(sim::joined(option.choices, " "));
-      text += " -d " + in_shell_quotes(short_words(option.words)) + "\n";
+      if (!option.choices.empty()) text += " -f -a " + sim::in_shell_quotes(sim::joined(option.choices, " "));
+      text += " -d " + sim::in_shell_quotes(short_words(option.words)) + "\n";
     }
   });
   return text;

@@ -1,11 +1,12 @@
 #include "apps/commands/commands.h"
 
+#include <charconv>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "apps/commands/mask_parts.h"
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
@@ -13,6 +14,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
+#include "fit/measurement/mask.h"
 #include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
@@ -22,8 +24,10 @@ namespace vegard::apps {
 namespace {
 
 struct MaskOptions {
-  std::string image, at, output, show, horizon_csv, decoding;
-  MaskRequest request;
+  std::string image, at, output, show, horizon_csv, decoding, circle;
+  std::vector<std::vector<std::string>> polygons;
+  std::vector<std::string> horizon;
+  fit::MaskRequest request;
   bool overwrite = false;
 };
 
@@ -48,7 +52,7 @@ void check_png(const std::string& key, const std::string& file) {
   throw usage_error(key, "'" + file + "' is no PNG by its name", "a name that ends in .png");
 }
 
-void check_numbers(const MaskRequest& request) {
+void check_numbers(const fit::MaskRequest& request) {
   const auto positive = [](const char* key, double value) {
     if (!(value > 0.0)) throw usage_error(key, "it is not positive", "a number above 0");
   };
@@ -59,90 +63,104 @@ void check_numbers(const MaskRequest& request) {
     throw usage_error("--border", "it is out of range", "from 0 to 200 pixels");
 }
 
-void print_share(const char* name, std::size_t pixels, std::size_t all, const std::string& more) {
-  say("%-12s %10zu px %7.3f %%%s\n", name, pixels, 100.0 * static_cast<double>(pixels) / all, more.c_str());
+/// The numbers of "360,237,226", `count` of them. Throws Error(usage) about the option `key`.
+std::vector<double> pixel_numbers(const std::string& word, std::size_t count, const std::string& key) {
+  std::vector<double> numbers;
+  const char* at = word.data();
+  const char* const end = word.data() + word.size();
+  bool readable = true, more = true;
+  while (readable && more) {
+    double number = 0.0;
+    const auto [stop, error] = std::from_chars(at, end, number);
+    readable = error == std::errc{} && std::isfinite(number);
+    more = readable && stop != end && *stop == ',';
+    at = more ? stop + 1 : stop;
+    numbers.push_back(number);
+  }
+  if (!readable || at != end || numbers.size() != count)
+    throw usage_error(key, "'" + word + "' cannot be read",
+                      std::to_string(count) + " numbers in pixels with commas between them");
+  return numbers;
 }
 
-void run_mask(const MaskOptions& options) {
+/// Words "x,y". Throws as above.
+std::vector<fit::PicturePoint> picture_points(const std::vector<std::string>& words, const std::string& key) {
+  std::vector<fit::PicturePoint> points;
+  for (const std::string& word : words) {
+    const std::vector<double> numbers = pixel_numbers(word, 2, key);
+    points.push_back({numbers[0], numbers[1]});
+  }
+  return points;
+}
+
+/// Completes the request by the options that are words.
+void read_places(MaskOptions& options) {
+  fit::MaskRequest& request = options.request;
+  for (const std::vector<std::string>& corners : options.polygons) {
+    if (corners.size() < 3)
+      throw usage_error("--polygon", "it has " + std::to_string(corners.size()) + " corners",
+                        "at least three, x,y each");
+    request.polygons.push_back(picture_points(corners, "--polygon"));
+  }
+  request.finds_circle = options.circle == "auto";
+  if (!request.finds_circle && !options.circle.empty()) {
+    const std::vector<double> numbers = pixel_numbers(options.circle, 3, "--circle");
+    request.circle = fit::Circle{numbers[0], numbers[1], numbers[2]};
+    if (!(numbers[2] > 0.0)) throw usage_error("--circle", "a circle without a radius", "above 0");
+  }
+  request.finds_skyline = options.horizon.size() == 1 && options.horizon[0] == "auto";
+  if (!request.finds_skyline) request.horizon = picture_points(options.horizon, "--horizon");
+}
+
+void run_mask(MaskOptions options) {
   end_at_once_when_interrupted();
+  read_places(options);
   if (options.request.empty())
     throw usage_error("mask", "nothing is asked for",
                       "at least one of --draw, --saturated, --hot, --stars, --text, --circle, --horizon, "
                       "--polygon");
-  if (!options.horizon_csv.empty() && options.request.horizon.empty())
+  if (!options.horizon_csv.empty() && options.horizon.empty())
     throw usage_error("--horizon-csv", "no horizon is asked for", "--horizon with it");
   check_png("--output", options.output);
   check_png("--show", options.show);
   check_outputs(options);
   check_numbers(options.request);
-  const fit::Decoding decoding = decoding_of(options.decoding, "auto");
-  const fit::Photo photo = fit::read_photo(options.image, decoding);
-  const int width = photo.linear.width, height = photo.linear.height;
-  const MaskParts found = mask_parts(photo, options.request);
-
-  const fit::PixelSet out = fit::left_out(found.parts, width, height);
-  const std::size_t all = out.in.size(), left = all - out.count();
-  if (left == 0) {
-    std::string whose;
-    for (const fit::MaskPart& part : found.parts)
-      if (part.out.count() == all) whose = part.name;
-    throw usage_error("mask", "it leaves no pixel of " + photo.file_name, "some of the photograph to be used",
-                      whose.empty() ? "leave out one of the finders" : "look at '" + whose + "'");
-  }
-  const std::string mask = fit::mask_png(out);
-  const std::string shown = options.show.empty() ? "" : fit::shown_mask_png(photo, found.parts);
+  const fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
+  const fit::Mask mask = fit::make_mask(photo, options.request);
+  const std::string picture = fit::mask_png(mask.left_out);
+  const std::string shown = options.show.empty() ? "" : fit::shown_mask_png(photo, mask.parts);
   // All places are claimed before any is filled.
   sim::WholeFile mask_file(options.output, options.overwrite);
   std::optional<sim::WholeFile> shown_file, horizon_file;
   if (!options.show.empty()) shown_file.emplace(options.show, options.overwrite);
   if (!options.horizon_csv.empty()) horizon_file.emplace(options.horizon_csv, options.overwrite);
-  mask_file.write(mask);
+  mask_file.write(picture);
   if (shown_file) shown_file->write(shown);
-  if (horizon_file) horizon_file->write(fit::horizon_csv(*found.horizon, photo.file_name));
+  if (horizon_file) horizon_file->write(fit::horizon_csv(*mask.horizon, photo.file_name));
   mask_file.commit();
   if (shown_file) shown_file->commit();
   if (horizon_file) horizon_file->commit();
 
-  say("%s: %d x %d pixels, decoding: %s\n", photo.file_name.c_str(), width, height, photo.decoding.c_str());
-  for (const std::string& note : found.notes) say("%s\n", note.c_str());
-  json_answer() = {{"outputs", json_names({options.output, options.show, options.horizon_csv})},
-                   {"photo", photo.file_name},
-                   {"width_px", width},
-                   {"height_px", height},
-                   {"decoding", photo.decoding},
-                   {"parts", Json::array()},
-                   {"left_out_px", all - left},
-                   {"used_px", left},
-                   {"notes", found.notes}};
-  fit::PixelSet before(width, height);
-  for (const fit::MaskPart& part : found.parts) {
-    const std::size_t earlier = before.count();
-    fit::add(before, part.out);
-    std::string more = "; " + std::to_string(before.count() - earlier) + " px by it first";
-    if (!options.show.empty()) more += ", " + part.colour_name;
-    print_share(part.name.c_str(), part.out.count(), all, more);
-    json_answer()["parts"].push_back({{"name", part.name},
-                                      {"left_out_px", part.out.count()},
-                                      {"first_by_it_px", before.count() - earlier}});
-  }
-  print_share("left out", all - left, all, "");
-  print_share("used", left, all, "");
+  fit::tell_mask(mask, !options.show.empty(), said());
+  json_answer() = {{"outputs", json_names({options.output, options.show, options.horizon_csv})}};
+  json_answer().update(fit::mask_json(mask));
 }
 
-void add_finders(const Command& command, MaskRequest& request) {
+void add_finders(const Command& command, MaskOptions& options) {
+  fit::MaskRequest& request = options.request;
   command.option("--draw", request.drawn, "Combine with a mask drawn by hand, white = use (repeatable)")
       .one_an_occurrence()
       .type_name("IMAGE");
-  command.option("--polygon", request.polygons, "Leave out the inside of a polygon (repeatable)")
+  command.option("--polygon", options.polygons, "Leave out the inside of a polygon (repeatable)")
       .type_name("X,Y ...");
-  command.option("--circle", request.circle, "Leave out what is outside a fisheye's circle, which auto finds")
+  command.option("--circle", options.circle, "Leave out what is outside a fisheye's circle, which auto finds")
       .type_name("auto|X,Y,RADIUS");
   command
       .option("--circle-margin", request.circle_margin_px,
               "Pixels by which the mask ends inside that circle (default: 2)")
       .type_name("PX");
   command
-      .option("--horizon", request.horizon,
+      .option("--horizon", options.horizon,
               "Leave out what is below a line through points, or below the skyline")
       .expected(1, 1 << 20)
       .type_name("auto|X,Y ...");
@@ -180,7 +198,7 @@ void add_mask_command(Program& program) {
   command.option("-o,--output", options->output, "The mask to write").required().type_name("MASK.png");
   command.option("--show", options->show, "Write the photograph with what is left out in colours")
       .type_name("PICTURE.png");
-  add_finders(command, options->request);
+  add_finders(command, *options);
   command.option("--horizon-csv", options->horizon_csv, "Write the horizon, a row per column of pixels")
       .type_name("OUT.csv");
   add_decoding_option(command, options->decoding, SceneOfDecoding::none);

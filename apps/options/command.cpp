@@ -20,13 +20,6 @@
 namespace vegard::apps {
 namespace {
 
-std::string quoted_for_shell(std::string_view word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=+:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
-  return in_shell_quotes(word);
-}
-
 int tell_bad_usage(const std::string& program, const std::string& message, const std::string& meant = {}) {
   complain(program, sim::shortened_quotes(message) +
                         (meant.empty() ? "" : "; did you mean '" + meant + "'?") + " (see " + program +
@@ -358,27 +351,15 @@ void Command::runs(std::function<int()> call) const {
     app_->add_flag_function(
         "--json", [](std::int64_t) { voice().is_json = true; }, "Print one JSON object in place of text");
   app_->callback([call = std::move(call), code = exit_code_, name = full_name(*app_)] {
-    // A command may run others (vegard measure), and what they would answer is not asked for.
-    static int depth = 0;
-    struct Level {
-      Level() { ++depth; }
-      ~Level() { --depth; }
-    } const level;
     try {
       *code = call();
-      if (depth == 1 && voice().is_json) say_json(json_answer_text());
+      if (voice().is_json) say_json(json_answer_text());
     } catch (const std::bad_alloc&) {
       throw out_of_memory(name);
     } catch (const std::length_error&) {  // more than any memory could hold
       throw out_of_memory(name);
     }
   });
-}
-
-std::string in_shell_quotes(std::string_view word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
 }
 
 Option add_threads_option(const Command& command, int& threads) {
@@ -410,7 +391,7 @@ std::string Program::command_line() const {
   for (int i = 0; i < argc_; ++i) {
     std::string_view word = argv_[i];
     if (i == 0) word = word.substr(word.rfind('/') + 1);
-    text += (i > 0 ? " " : "") + quoted_for_shell(word);
+    text += (i > 0 ? " " : "") + sim::quoted_for_shell(word);
   }
   return text;
 }

@@ -110,9 +110,6 @@ class Command {
   int* exit_code_;
 };
 
-/// The word as a shell has it in single quotes.
-std::string in_shell_quotes(std::string_view word);
-
 /// Adds --threads: an option of whatever is computed by several threads, with the same result.
 Option add_threads_option(const Command& command, int& threads);
 

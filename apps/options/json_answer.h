@@ -14,8 +14,7 @@ namespace vegard::apps {
 
 using Json = nlohmann::ordered_json;
 
-/// The object to be filled. There is one per program: a command that runs others (vegard measure) replaces
-/// what they have filled in.
+/// The object to be filled. There is one per program.
 Json& json_answer();
 
 /// Sets the object from JSON text, such as that of a run's own file. The text is not parsed without --json.

@@ -6,6 +6,8 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "fit/measurement/sky_light.h"
+#include "fit/photo/photo.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 
@@ -67,13 +69,7 @@ std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Sc
 
 std::vector<fit::PhotoFact> take_from_photograph(sim::Scene& scene, const std::string& photo,
                                                  const std::vector<std::string>& changes) {
-  fit::PhotoDefaults defaults = fit::taken_from_photograph(scene, photo, paths_of(changes));
-  for (const fit::PhotoFact& fact : defaults.taken)
-    say("from the photograph: %s\n", fit::fact_text(fact).c_str());
-  for (const std::string& note : defaults.notes) say("note: %s\n", note.c_str());
-  show_output();  // before a long fit
-  scene = std::move(defaults.scene);
-  return defaults.taken;
+  return fit::take_from_photograph(scene, photo, paths_of(changes), said());
 }
 
 }  // namespace vegard::apps

@@ -15,12 +15,7 @@
 #include "sim/base/shown_text.h"
 
 namespace vegard::apps {
-
-void capture_output(const std::string& text);
-
 namespace {
-
-CapturedOutput* captured = nullptr;
 
 int first_failure = 0;  ///< errno of the first write that failed
 
@@ -37,7 +32,6 @@ void put(const std::string& text, std::FILE* to) {
 
 /// What a person reads on the standard output.
 void put_words(const std::string& text, bool is_summary) {
-  capture_output(text);
   if (!voice().is_json && !(is_summary && voice().is_quiet)) put(text, stdout);
 }
 
@@ -56,14 +50,6 @@ std::string formatted(const char* format, std::va_list arguments) {
 }
 
 }  // namespace
-
-CapturedOutput::CapturedOutput() { captured = this; }
-
-CapturedOutput::~CapturedOutput() { captured = nullptr; }
-
-void capture_output(const std::string& text) {
-  if (captured != nullptr) captured->text_ += text;
-}
 
 void replace_closed_streams() {
   // The wrong way round, so that reading from the input and writing to the outputs fail as on closed streams.
@@ -97,9 +83,15 @@ void say_verdict(Tone tone, const std::string& line, bool is_summary) {
     put_words(text + '\n', is_summary);
     return;
   }
-  capture_output(text + '\n');
   const bool is_silent = voice().is_json || (is_summary && voice().is_quiet);
   if (!is_silent) put((tone == Tone::bad ? kRed : kYellow) + text + kPlain + '\n', stdout);
+}
+
+fit::Tell said() {
+  return fit::Tell([](const std::string& line, fit::Tell::Tone tone) {
+    say_verdict(tone == fit::Tell::Tone::plain ? Tone::good : Tone::doubtful, line);
+    show_output();
+  });
 }
 
 void say_json(const std::string& text) { put(text, stdout); }

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "fit/measurement/words.h"
+
 namespace vegard::apps {
 
 /// Opens replacements for standard streams that were closed when the program began, such that using them
@@ -32,21 +34,8 @@ void say_verdict(Tone tone, const std::string& line, bool is_summary = true);
 /// Prints the JSON text for --json, always.
 void say_json(const std::string& text);
 
-/// Keeps a copy of what is printed while it exists, for a report that quotes it. Only one may exist at a
-/// time.
-class CapturedOutput {
- public:
-  CapturedOutput();
-  ~CapturedOutput();
-  CapturedOutput(const CapturedOutput&) = delete;
-  CapturedOutput& operator=(const CapturedOutput&) = delete;
-
-  const std::string& text() const { return text_; }
-
- private:
-  friend void capture_output(const std::string& text);
-  std::string text_;
-};
+/// Prints what a stage of a measurement tells, each line as soon as it is told.
+fit::Tell said();
 
 /// Prints a warning, or how to continue an interrupted command, on standard error. Failures are ignored.
 [[gnu::format(printf, 1, 2)]] void tell(const char* format, ...);

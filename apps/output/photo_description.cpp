@@ -140,21 +140,15 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 
 }  // namespace
 
-std::string comment_words(std::string words) {
-  for (char& c : words)
-    if (c < 0x20 || c > 0x7e) c = '?';
-  return words;
-}
-
 std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts) {
   sim::Scene scene;
   scene.sheets.emplace_back();
   std::string text =
-      "# A scene to begin with, for the picture " + comment_words(photo_name) +
+      "# A scene to begin with, for the picture " + sim::comment_words(photo_name) +
       ". Behind each value stands where it comes\n# from; \"assumed\" is what the picture does not "
       "say. vegard " +
       sim::version() + "\n";
-  for (const std::string& note : facts.notes) text += "# " + comment_words(note) + "\n";
+  for (const std::string& note : facts.notes) text += "# " + sim::comment_words(note) + "\n";
   for (const Table& table : tables()) {
     text += "\n" + std::string(table.head) + "\n";
     for (const Line& line : table.lines) {
@@ -168,7 +162,7 @@ std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& fa
           from += "; the picture says " + fact->value + " (" + fact->source + "): " + error.details().problem;
         }
       }
-      text += std::string(line.key) + " = " + value_of(scene, path) + "  # " + comment_words(from) + "\n";
+      text += std::string(line.key) + " = " + value_of(scene, path) + "  # " + sim::comment_words(from) + "\n";
     }
   }
   return text;

@@ -14,9 +14,6 @@ namespace vegard::apps {
 /// an assumption. Values of the picture outside a key's limits stand in a comment.
 std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts);
 
-/// Returns `words` in a form allowed in a comment: printable ASCII, '?' for other characters.
-std::string comment_words(std::string words);
-
 /// Returns the known metadata, line by line, and the resulting values of a scene's keys.
 std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata);
 

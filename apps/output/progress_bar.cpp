@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "apps/options/standard_streams.h"
+#include "sim/base/file/number_text.h"
 
 namespace vegard::apps {
 namespace {
@@ -28,7 +31,30 @@ double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }
 
+/// What the map reports while it works: a bar on a terminal, elsewhere one line a stage.
+class MapAccount {
+ public:
+  void tell(const std::string& stage, double chi2_per_value, double share) {
+    const std::string text = stage + ": chi2 / values " + sim::short_number(chi2_per_value, 3);
+    bar_.update(share, text);
+    if (isatty(STDERR_FILENO) == 1 || !stages_.insert(stage).second) return;
+    const std::optional<double> to_go = bar_.seconds_to_go();
+    tell_progress("%s (%s%s)\n", stage.c_str(), duration_text(bar_.elapsed_seconds()).c_str(),
+                  to_go ? (", about " + duration_text(*to_go) + " to go").c_str() : "");
+  }
+
+ private:
+  ProgressBar bar_{"mapping"};
+  std::set<std::string> stages_;
+};
+
 }  // namespace
+
+std::function<void(const std::string& stage, double chi2_per_value, double share)> map_progress() {
+  return [account = std::make_shared<MapAccount>()](const std::string& stage, double chi2, double share) {
+    account->tell(stage, chi2, share);
+  };
+}
 
 std::string duration_text(double seconds) {
   const long whole = std::lround(std::clamp(seconds, 0.0, 1e8));

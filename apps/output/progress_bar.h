@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -55,6 +56,10 @@ class ProgressBar {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
+
+/// Returns what a map tells its progress to (fit/map/map_fit.h): a bar on a terminal, elsewhere one line a
+/// stage. The bar goes with the last copy.
+std::function<void(const std::string& stage, double chi2_per_value, double share)> map_progress();
 
 /// "4 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);

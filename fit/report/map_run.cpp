@@ -63,6 +63,53 @@ sim::KnownFolder look_at_map(const std::string& directory) {
 
 sim::DirectoryKind map_kind() { return {"a map", look_at_map, {kMapJson}}; }
 
+std::string precipitation_fits(const MapResult& result) {
+  const MapImage map = map_image(result);
+  const MapRaster& raster = map.raster;
+  std::vector<sim::FitsKeyword> keywords = {
+      {"CTYPE1", "EAST", "feet in the site's tangent plane"},
+      {"CUNIT1", "km", ""},
+      {"CRPIX1", 1.0, ""},
+      {"CRVAL1", raster.west_km, ""},
+      {"CDELT1", raster.step_km, ""},
+      {"CTYPE2", "NORTH", ""},
+      {"CUNIT2", "km", ""},
+      {"CRPIX2", 1.0, ""},
+      {"CRVAL2", raster.south_km, ""},
+      {"CDELT2", raster.step_km, ""},
+      {"HEIGHTKM", sim::kFootAltitudeKm, "altitude of the feet"},
+      {"SITELAT", result.scene.site.latitude_deg, "degrees north"},
+      {"SITELONG", result.scene.site.longitude_deg, "degrees east"},
+      {"PLANE1", std::string("energy flux, mW m-2") + (is_absolute(result) ? "" : ", relative"), ""},
+      {"PLANE2", "characteristic energy E0, keV", "of Maxwellian electrons"},
+      {"PLANE3", "relative standard error of plane 1", ""},
+      {"PLANE4", "standard error of ln(plane 2)", ""},
+      {"PLANE5", "sensitivity: signal to noise of 1 mW m-2", "in a cell by itself"},
+      {"FLUXCAL", is_absolute(result) ? "absolute" : "relative",
+       is_absolute(result) ? "the sensor is calibrated" : "the sensor's scale is not known"},
+      {"ORIGIN", "vegard " + sim::version(), ""}};
+  if (!result.scene.site.time_utc.empty())
+    keywords.push_back({"DATE-OBS", sim::in_utc(result.scene.site.time_utc), ""});
+  return sim::encode_fits(map.planes, keywords, "precipitation.fits");
+}
+
+void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
+  const sim::FilmGeometry& film = photo.film;
+  sim::Image model(film.columns, film.rows, {"R", "G", "B"}), residual = model;
+  for (std::size_t i = 0; i < model.data.size(); ++i) {
+    model.data[i] = photo.model[i] + photo.sky[i];
+    residual.data[i] = photo.sigma[i] > 0.0f ? photo.data[i] - model.data[i] : 0.0f;
+  }
+  const sim::ImageAttributes where = {
+      {"version", sim::version()},
+      {"film", fmt::format("cells of {} x {} pixels; the first begins at pixel ({}, {})", film.cell_width_px,
+                           film.cell_height_px, film.x0_px, film.y0_px)}};
+  sim::write_exr(run.file(file_of("model", photo.name)), model, where);
+  sim::write_exr(run.file(file_of("residual", photo.name)), residual, where);
+}
+
+}  // namespace
+
 std::string map_json(const MapResult& result, const std::vector<Curtain>& curtains,
                      const std::vector<QuantityVerdict>& verdicts, const MapRunFacts& facts) {
   nlohmann::ordered_json json;
@@ -127,53 +174,6 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
     json["decodings"].push_back({{"photo", name}, {"decoding", how}});
   return json.dump(2) + "\n";
 }
-
-std::string precipitation_fits(const MapResult& result) {
-  const MapImage map = map_image(result);
-  const MapRaster& raster = map.raster;
-  std::vector<sim::FitsKeyword> keywords = {
-      {"CTYPE1", "EAST", "feet in the site's tangent plane"},
-      {"CUNIT1", "km", ""},
-      {"CRPIX1", 1.0, ""},
-      {"CRVAL1", raster.west_km, ""},
-      {"CDELT1", raster.step_km, ""},
-      {"CTYPE2", "NORTH", ""},
-      {"CUNIT2", "km", ""},
-      {"CRPIX2", 1.0, ""},
-      {"CRVAL2", raster.south_km, ""},
-      {"CDELT2", raster.step_km, ""},
-      {"HEIGHTKM", sim::kFootAltitudeKm, "altitude of the feet"},
-      {"SITELAT", result.scene.site.latitude_deg, "degrees north"},
-      {"SITELONG", result.scene.site.longitude_deg, "degrees east"},
-      {"PLANE1", std::string("energy flux, mW m-2") + (is_absolute(result) ? "" : ", relative"), ""},
-      {"PLANE2", "characteristic energy E0, keV", "of Maxwellian electrons"},
-      {"PLANE3", "relative standard error of plane 1", ""},
-      {"PLANE4", "standard error of ln(plane 2)", ""},
-      {"PLANE5", "sensitivity: signal to noise of 1 mW m-2", "in a cell by itself"},
-      {"FLUXCAL", is_absolute(result) ? "absolute" : "relative",
-       is_absolute(result) ? "the sensor is calibrated" : "the sensor's scale is not known"},
-      {"ORIGIN", "vegard " + sim::version(), ""}};
-  if (!result.scene.site.time_utc.empty())
-    keywords.push_back({"DATE-OBS", sim::in_utc(result.scene.site.time_utc), ""});
-  return sim::encode_fits(map.planes, keywords, "precipitation.fits");
-}
-
-void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
-  const sim::FilmGeometry& film = photo.film;
-  sim::Image model(film.columns, film.rows, {"R", "G", "B"}), residual = model;
-  for (std::size_t i = 0; i < model.data.size(); ++i) {
-    model.data[i] = photo.model[i] + photo.sky[i];
-    residual.data[i] = photo.sigma[i] > 0.0f ? photo.data[i] - model.data[i] : 0.0f;
-  }
-  const sim::ImageAttributes where = {
-      {"version", sim::version()},
-      {"film", fmt::format("cells of {} x {} pixels; the first begins at pixel ({}, {})", film.cell_width_px,
-                           film.cell_height_px, film.x0_px, film.y0_px)}};
-  sim::write_exr(run.file(file_of("model", photo.name)), model, where);
-  sim::write_exr(run.file(file_of("residual", photo.name)), residual, where);
-}
-
-}  // namespace
 
 void check_map_directory(const std::string& directory, bool overwrite) {
   sim::WholeDirectory(directory, overwrite, map_kind());

@@ -28,6 +28,10 @@ bool is_interrupted_map(const std::string& directory);
 void write_map_run(const std::string& directory, bool overwrite, const MapResult& result,
                    const std::vector<Curtain>& curtains, const MapRunFacts& facts);
 
+/// The text of map.json.
+std::string map_json(const MapResult& result, const std::vector<Curtain>& curtains,
+                     const std::vector<QuantityVerdict>& verdicts, const MapRunFacts& facts);
+
 /// The text of curtains.csv, and of faint_curtains.csv.
 std::string curtains_csv(const std::vector<Curtain>& curtains);
 

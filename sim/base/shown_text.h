@@ -35,4 +35,13 @@ std::string html_text(std::string_view text);
 /// Returns bytes as base64, for pictures inside of a page: RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
+/// Returns the text for a comment in a TOML file: printable ASCII, '?' for other characters.
+std::string comment_words(std::string text);
+
+/// Returns the word as a shell has it in single quotes.
+std::string in_shell_quotes(std::string_view word);
+
+/// Returns a word of a command line, in quotes where a shell would need them.
+std::string quoted_for_shell(std::string_view word);
+
 }  // namespace vegard::sim

@@ -21,6 +21,37 @@ expect_exit 5 map mapped/scene.toml --camera camera.toml --photo photo.png --mas
   --set site.latitude_deg=67 --set site.longitude_deg=20
 expect_same again/precipitation.fits mapped/map/precipitation.fits
 
+# The command that a stage shows writes the same, byte for byte.
+same_by_hand() { # FOLDER
+  local line
+  cp -r "$1" by_hand
+  python3 -c 'import json, sys
+for stage in json.load(open(sys.argv[1]))["stages"]:
+    if stage["command"]: print(stage["exit_code"], stage["command"])' "$1/measure.json" >commands.txt
+  [[ $(wc -l <commands.txt) -ge 2 ]] || fail "no commands are shown"
+  while IFS= read -r line; do
+    status=0
+    bash -c "\"$VEGARD\" ${line#* vegard }" >"$stdout" 2>"$stderr" </dev/null || status=$?
+    [[ $status == "${line%% *}" ]] || fail "exit code $status of $line"
+  done <commands.txt
+  diff -r by_hand "$1" || fail "another result by hand"
+  rm -r by_hand
+}
+same_by_hand run
+same_by_hand mapped
+
+# What a stage found as numbers, as its command has them.
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --json --out numbers
+python3 - "$stdout" run/border/border.json <<'PYTHON' || fail "other numbers"
+import json, sys
+answer, border = (json.load(open(file)) for file in sys.argv[1:])
+stages = {stage["title"]: stage["numbers"] for stage in answer["stages"]}
+assert stages["The lower border of the light"]["traces"] == border["traces"]
+sky = stages["Which part of it is sky"]
+assert sky["used_px"] + sky["left_out_px"] == 216 * 144
+assert stages["What the picture says of itself"]["site"]["latitude_deg"] == 67
+PYTHON
+
 # Nothing known and no stars: a report of what is lacking, not an error.
 expect_exit 5 measure photo.png --out bare
 expect_file bare/report.html
@@ -56,6 +87,8 @@ expect_stdout "Its lens"
 expect_stdout "--lens field/lens.toml"
 awk '/^elevation_deg/ && ($3 < 24.5 || $3 > 25.7) { exit 1 }' field/camera.toml || fail "another elevation by the skyline"
 grep -q '^focal_px = 2[45]' field/camera.toml || fail "another lens than the stars'"
+
+same_by_hand field
 
 # A time at which the stars were below the horizon is told to be wrong, not missing.
 expect_exit 5 measure field.pgm --decoding linear --site 0,0 --time 2020-12-22T12:00:00Z --no-map --out day

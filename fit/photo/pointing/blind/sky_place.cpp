@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "fit/photo/pointing/blind/equatorial_sky.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/number/constants.h"
@@ -87,16 +89,21 @@ SkyPlace sky_place(const GrownCamera& camera, const Frame& frame, const std::opt
   return place;
 }
 
+std::string middle_words(const SkyPlace& place) {
+  return fmt::format("the picture's middle: right ascension {:.3f} deg, declination {:+.3f} deg (J2000)",
+                     place.centre.right_ascension_deg, place.centre.declination_deg);
+}
+
+std::string width_words(const SkyPlace& place, const GrownCamera& camera) {
+  return fmt::format("field of view: {:.2f} x {:.2f} deg; {:.2f} px to a degree on the axis; lens: {}",
+                     place.width_deg, place.height_deg, place.px_per_deg, words_of(camera.form));
+}
+
 std::string words_of(const SkyPlace& place, const GrownCamera& camera) {
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "the picture's middle: right ascension %.3f deg, declination %+.3f deg (J2000)\n"
-                "up in the picture is %.2f deg from north to the east%s\n"
-                "field of view: %.2f x %.2f deg; %.2f px to a degree on the axis; lens: %s\n",
-                place.centre.right_ascension_deg, place.centre.declination_deg, place.up_deg,
-                camera.camera.mirrored ? "; the picture is mirrored" : "", place.width_deg, place.height_deg,
-                place.px_per_deg, words_of(camera.form).c_str());
-  return text;
+  return middle_words(place) +
+         fmt::format("\nup in the picture is {:.2f} deg from north to the east{}\n", place.up_deg,
+                     camera.camera.mirrored ? "; the picture is mirrored" : "") +
+         width_words(place, camera) + "\n";
 }
 
 std::vector<Interval> times_of_night(const GrownCamera& camera, const Frame& frame,

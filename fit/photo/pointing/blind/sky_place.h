@@ -27,6 +27,10 @@ struct SkyPlace {
 /// image.
 SkyPlace sky_place(const GrownCamera& camera, const Frame& frame, const std::optional<Circle>& circle = {});
 
+/// "the picture's middle: right ascension 75.950 deg, declination +78.750 deg (J2000)".
+std::string middle_words(const SkyPlace& place);
+/// "field of view: 92.10 x 68.20 deg; ...", with the lens.
+std::string width_words(const SkyPlace& place, const GrownCamera& camera);
 /// Returns "right ascension 75.95°, declination 78.75° (J2000); ...", with one sentence per line.
 std::string words_of(const SkyPlace& place, const GrownCamera& camera);
 

@@ -1,4 +1,4 @@
-#include "apps/output/measure_page.h"
+#include "fit/measurement/measure.h"
 
 #include <nlohmann/json.hpp>
 
@@ -6,18 +6,18 @@
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
 
-namespace vegard::apps {
+namespace vegard::fit {
 namespace {
 
 using sim::html_text;
 
-const char* band_of(fit::Trust trust) {
+const char* band_of(Trust trust) {
   switch (trust) {
-    case fit::Trust::good:
+    case Trust::good:
       return "good";
-    case fit::Trust::doubtful:
+    case Trust::doubtful:
       return "doubtful";
-    case fit::Trust::unconstrained:
+    case Trust::unconstrained:
       return "failed";
   }
   return "";
@@ -44,7 +44,7 @@ std::string stage_section(const MeasureStage& stage) {
 std::string measure_page(const Measurement& m) {
   const std::string title = "What " + m.photo + " tells";
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     html_text(title) + "</title>\n<style>" + fit::kReportStyle +
+                     html_text(title) + "</title>\n<style>" + kReportStyle +
                      "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " +
                      html_text(sim::version()) + "</p>\n<h1>" + html_text(title) + "</h1></div></header>\n";
   html += std::string("<div class=\"verdict ") + band_of(m.trust) + "\"><div><div class=\"word\">" +
@@ -76,8 +76,11 @@ std::string measure_json(const Measurement& m) {
                               {"lacking", s.lacking},
                               {"command", s.command},
                               {"exit_code", s.exit_code},
-                              {"files", s.files}});
-  return json.dump(2) + "\n";
+                              {"files", s.files},
+                              {"numbers", s.numbers.empty() ? nlohmann::ordered_json(nullptr)
+                                                            : nlohmann::ordered_json::parse(s.numbers)}});
+  // A file's name may hold bytes that are no UTF-8.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace vegard::apps
+}  // namespace vegard::fit

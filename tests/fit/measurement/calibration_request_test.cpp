@@ -1,5 +1,5 @@
 // What a calibration takes from the picture, and what was told otherwise.
-#include "apps/commands/calibrate_options.h"
+#include "fit/measurement/calibration_request.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/sky/star_place.h"
 
-namespace vegard::apps::calibrate_options_test {
+namespace vegard::fit::calibration_request_test {
 namespace {
 
 sim::PictureMetadata phone() {
@@ -23,7 +23,7 @@ sim::PictureMetadata phone() {
 
 std::string paths_taken(const PictureSays& says) {
   std::string all;
-  for (const fit::PhotoFact& fact : says.taken) all += (all.empty() ? "" : " ") + fact.path;
+  for (const PhotoFact& fact : says.taken) all += (all.empty() ? "" : " ") + fact.path;
   return all;
 }
 
@@ -40,17 +40,17 @@ TEST(CalibrateMetadata, TimeAndPlaceAreTakenWhereNothingIsGiven) {
 }
 
 TEST(CalibrateMetadata, WhatIsGivenWins) {
-  CalibrateOptions options;
-  options.site = {"65.0", "20.0"};
-  options.time = "2020-01-01T20:00:00Z";
-  const PictureSays says = with_metadata(options, {}, phone());
+  CalibrationRequest request;
+  request.site = sim::Observer{65.0, 20.0};
+  request.time = "2020-01-01T20:00:00Z";
+  const PictureSays says = with_metadata(request, {}, phone());
   EXPECT_EQ(paths_taken(says), "");
   EXPECT_EQ(says.sky.observer->latitude_deg, 65.0);
   EXPECT_EQ(says.sky.observer->height_m, 0.0);  // not that of another place
-  EXPECT_EQ(*says.sky.julian_date, *sim::julian_date(options.time));
-  options = {};
-  options.no_metadata = true;
-  const PictureSays none = with_metadata(options, {}, phone());
+  EXPECT_EQ(*says.sky.julian_date, *sim::julian_date(request.time));
+  request = {};
+  request.no_metadata = true;
+  const PictureSays none = with_metadata(request, {}, phone());
   EXPECT_FALSE(none.sky.observer || none.sky.julian_date);
 }
 
@@ -83,4 +83,4 @@ TEST(CalibrateMetadata, ARoughPointingTakesTheFocalLength) {
 }
 
 }  // namespace
-}  // namespace vegard::apps::calibrate_options_test
+}  // namespace vegard::fit::calibration_request_test

@@ -1,0 +1,494 @@
+#include "fit/measurement/camera_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "fit/photo/light_photo.h"
+#include "fit/photo/mask/circle.h"
+#include "fit/photo/photo_metadata.h"
+#include "fit/photo/pointing/blind/star_doubts.h"
+#include "fit/photo/pointing/calibration_tables.h"
+#include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/exchange/aida_camera.h"
+#include "fit/photo/pointing/exchange/sip_wcs.h"
+#include "fit/photo/pointing/exchange/star_files.h"
+#include "fit/photo/pointing/map_calibration.h"
+#include "fit/photo/pointing/star_check.h"
+#include "sim/base/file/input_file.h"
+#include "sim/base/file/number_text.h"
+#include "sim/base/picture/pixel_limit.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/table/parameter_table.h"
+#include "sim/view/sky/instant.h"
+#include "sim/view/sky/planets.h"
+
+namespace vegard::fit {
+namespace {
+
+constexpr int kLensesShown = 8;
+
+std::string name_without_folder(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+bool is_given_size(const CalibrationRequest& request, int width, int height) {
+  return request.size_px.empty() || (request.size_px[0] == width && request.size_px[1] == height);
+}
+
+/// Of the picture or of the option; else large enough for the stars.
+Frame frame_of_stars(const CalibrationRequest& request, const std::optional<Photo>& photo,
+                     const std::vector<StarSighting>& stars) {
+  if (photo) {
+    const Frame frame{photo->linear.width, photo->linear.height, true};
+    if (!is_given_size(request, frame.width_px, frame.height_px))
+      throw usage_error("--size", "the picture has another size", "no --size with --image");
+    return frame;
+  }
+  if (!request.size_px.empty()) {
+    if (request.size_px[0] < 1 || request.size_px[1] < 1 ||
+        std::max(request.size_px[0], request.size_px[1]) > 65535)
+      throw usage_error("--size", "no such size", "two numbers from 1 to 65535");
+    return {request.size_px[0], request.size_px[1], true};
+  }
+  double right = 1.0, bottom = 1.0;
+  for (const StarSighting& star : stars) {
+    right = std::max(right, std::min(star.x_px, 65000.0));
+    bottom = std::max(bottom, std::min(star.y_px, 65000.0));
+  }
+  return {static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom)), false};
+}
+
+Frame frame_of_maps(const CalibrationRequest& request, const std::optional<Photo>& photo,
+                    const sim::DirectionMap& map) {
+  if (photo && (photo->linear.width != map.width || photo->linear.height != map.height))
+    throw usage_error("--image", "the picture has another size than the maps", "the maps' own picture");
+  if (!is_given_size(request, map.width, map.height))
+    throw usage_error("--size", "the maps have another size", "no --size with maps");
+  return {map.width, map.height, true};
+}
+
+/// The points of light of solve-field's list, if the table of stars is one.
+std::optional<StarPoints> listed_points(const CalibrationRequest& request) {
+  if (request.stars.empty()) return std::nullopt;
+  const std::string bytes = sim::input_bytes(request.stars, "a table of stars");
+  if (!is_star_list(bytes, request.stars)) return std::nullopt;
+  if (request.camera.empty())
+    throw usage_error("--camera", "points of light alone are stars of a rough camera",
+                      "--camera CAMERA.toml with the list, or --image alone");
+  return read_star_list(bytes, request.stars);
+}
+
+/// The stars of the table, in the pixels of the picture.
+std::vector<StarSighting> table_of(const CalibrationRequest& request, const SkyOfPicture& sky) {
+  std::vector<StarSighting> stars = read_star_table(request.stars, sky, request.first_pixel);
+  if (request.offset_px.empty()) return stars;
+  for (StarSighting& star : stars) {
+    star.x_px += request.offset_px[0];
+    star.y_px += request.offset_px[1];
+  }
+  return stars;
+}
+
+sim::DirectionMap map_of_wcs(const CalibrationRequest& request, int width, int height,
+                             const SkyOfPicture& sky) {
+  SipWcs wcs = read_sip_wcs(sim::input_bytes(request.wcs, "the .wcs file of solve-field"), request.wcs);
+  require_sky(sky, request.wcs);
+  if (wcs.width_px == 0 || wcs.height_px == 0) {
+    wcs.width_px = width;
+    wcs.height_px = height;
+  }
+  if (wcs.width_px == 0)
+    throw usage_error("--size", "the solution does not say how large its picture is", "--size or --image");
+  sim::check_pixel_limit(wcs.width_px, wcs.height_px, request.wcs);
+  return directions_of_wcs(wcs, *sky.observer, *sky.julian_date);
+}
+
+sim::DirectionMap map_of_aida(const CalibrationRequest& request, int width, int height) {
+  const std::vector<AidaCamera> cameras =
+      read_aida_cameras(sim::input_bytes(request.acc, "a camera of AIDA_tools"), request.acc);
+  const auto chosen = std::find_if(cameras.begin(), cameras.end(), [&](const AidaCamera& one) {
+    return !request.acc_line || one.line == *request.acc_line;
+  });
+  if (cameras.size() > 1 && !request.acc_line)
+    throw usage_error("--acc-line", "the file has " + std::to_string(cameras.size()) + " cameras",
+                      "the line of one of them");
+  if (chosen == cameras.end())
+    throw usage_error("--acc-line", "there is no camera in line " + std::to_string(*request.acc_line),
+                      "a line of the file");
+  if (width == 0) throw usage_error("--size", "a camera of AIDA's has no size", "--size W,H or --image");
+  return directions_of_aida(*chosen, width, height);
+}
+
+/// Where the pixels look by another program's solution. Throws Error(usage, unreadable_input).
+KnownMaps told_directions(const CalibrationRequest& request, const std::optional<Photo>& photo,
+                          const SkyOfPicture& sky) {
+  int width = 0, height = 0;
+  if (photo) {
+    width = photo->linear.width;
+    height = photo->linear.height;
+  } else if (!request.size_px.empty()) {
+    width = request.size_px[0];
+    height = request.size_px[1];
+    sim::check_pixel_limit(width, height, "--size");
+  }
+  KnownMaps known;
+  known.file = request.source();
+  known.names = name_without_folder(known.file);
+  known.map =
+      request.wcs.empty() ? map_of_aida(request, width, height) : map_of_wcs(request, width, height, sky);
+  flip_map(request.flip, known.map);
+  return known;
+}
+
+/// The decisions of one calibration, in their order.
+class CameraCalibrator {
+ public:
+  CameraCalibrator(const CalibrationRequest& request, const Tell& tell) : request_(request), tell_(tell) {}
+
+  CameraCalibration run() {
+    check_together(request_);
+    read_inputs();
+    read_stars();
+    if (start_ && !request_.centre_px.empty()) {
+      start_->numbers[centre_x_number] = request_.centre_px[0];
+      start_->numbers[centre_y_number] = request_.centre_px[1];
+    }
+    settings_ = lens_settings(request_, start_);
+    if (request_.blind()) {
+      recognise_blindly();
+      if (!is_placed()) return std::move(found_);
+    } else if (!maps_ && !by_table_) {
+      recognise_by_camera();
+    }
+    fit_camera();
+    return std::move(found_);
+  }
+
+ private:
+  void read_inputs();
+  void read_stars();
+  void recognise_by_camera();
+  void recognise_blindly();
+  bool is_placed();
+  bool is_shown(const SeenPlanet& planet, const std::optional<Circle>& circle);
+  void tell_times() const;
+  void tell_planets(const std::optional<Circle>& circle);
+  void fit_camera();
+  StarEvidence evidence();
+
+  StarFinderSettings finder() const {
+    StarFinderSettings settings;
+    settings.min_signal = request_.min_signal;
+    return settings;
+  }
+  /// Per pixel of the picture, whether the mask leaves it; empty without one.
+  const std::vector<char>& usable() {
+    if (usable_.empty() && !request_.mask.empty()) usable_ = pixels_left_by(request_.mask, *found_.photo);
+    return usable_;
+  }
+  std::vector<FoundStar> points_of_picture() { return find_stars(found_.photo->linear, finder(), usable()); }
+
+  const CalibrationRequest& request_;
+  const Tell& tell_;
+  CameraCalibration found_;
+  std::optional<sim::Scene> camera_file_;  ///< as it was read
+  PictureSays says_;
+  std::optional<KnownMaps> maps_;
+  std::optional<StarPoints> listed_;
+  bool by_table_ = false;
+  std::vector<StarSighting> stars_;
+  std::vector<char> usable_;
+  std::optional<SkyCamera> start_;
+  LensSettings settings_;
+};
+
+void CameraCalibrator::read_inputs() {
+  if (!request_.camera.empty()) camera_file_ = sim::read_scene(request_.camera);
+  sim::PictureMetadata metadata;
+  if (!request_.image.empty()) {
+    found_.photo =
+        read_photo(request_.image, decoding_of_word(request_.decoding.empty() ? "auto" : request_.decoding));
+    metadata = photo_metadata(request_.image);
+    metadata.width_px = found_.photo->linear.width;
+    metadata.height_px = found_.photo->linear.height;
+  }
+  says_ = with_metadata(request_, camera_file_, metadata);
+  found_.sky = says_.sky;
+  maps_ = request_.maps;
+  if (!found_.sky.observer && maps_ && maps_->place)
+    found_.sky.observer = {maps_->place->latitude_deg, maps_->place->longitude_deg, maps_->place->altitude_m};
+  if (request_.by_directions() && !maps_) maps_ = told_directions(request_, found_.photo, found_.sky);
+  for (const PhotoFact& fact : says_.taken) tell_("from the photograph: " + fact_text(fact));
+  for (const std::string& note : says_.notes) tell_("note: " + note);
+}
+
+void CameraCalibrator::read_stars() {
+  listed_ = listed_points(request_);
+  by_table_ = !request_.stars.empty() && !listed_;
+  if (by_table_) stars_ = table_of(request_, found_.sky);
+  const bool has_list_size = listed_ && listed_->frame.known && !found_.photo && request_.size_px.empty();
+  found_.frame = maps_           ? frame_of_maps(request_, found_.photo, maps_->map)
+                 : has_list_size ? listed_->frame
+                                 : frame_of_stars(request_, found_.photo, stars_);
+  if (listed_ && !found_.frame.known)
+    throw usage_error("--size", "the list does not say how large its picture is", "--size or --image");
+  if (request_.finds_points) found_.points = points_of_picture();
+  if (!request_.corr_out.empty()) require_sky(found_.sky, request_.corr_out);
+  if (by_table_ && found_.frame.known) check_star_places(stars_, found_.frame, request_.stars);
+  if (says_.camera) start_ = sky_camera_of(says_.camera->camera, found_.frame);
+}
+
+/// Stars found among points of light and named by the catalogue.
+void CameraCalibrator::recognise_by_camera() {
+  const std::vector<FoundStar> points = listed_ ? listed_->points : points_of_picture();
+  const SkyOfPicture& sky = found_.sky;
+  if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
+  if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
+  const std::vector<StarSighting> catalogue =
+      catalogue_sky(*sky.observer, *sky.julian_date, request_.faintest, request_.min_elevation_deg);
+  IdentificationSettings settings;
+  settings.faintest = request_.faintest;
+  settings.first_magnitude = std::min(settings.first_magnitude, request_.faintest);
+  settings.twist_deg = request_.twist_deg;
+  settings.shift_px = request_.shift_px;
+  settings.scale_share = 0.01 * request_.scale_percent;
+  settings.first_radius_px = request_.radius_px;
+  settings.free = settings_.only.empty()
+                      ? free_numbers({start_->model, 0, false, false}, settings_.centre_free)
+                      : settings_.only;
+  const Identification found = identify(*start_, found_.frame, catalogue, points, settings);
+  tell_(fmt::format(
+      "{} points of light; {} of the {} stars to magnitude {:.1f} that should be seen have one within {:.1f} "
+      "px ({:.1f} would by chance)",
+      points.size(), found.stars.size(), found.in_frame, request_.faintest, found.last_radius_px,
+      found.by_chance));
+  if (!is_trustworthy(found))
+    tell_(
+        "note: so few may be an accident of the search: look at --overlay, try a brighter "
+        "--catalogue-magnitude, another --lens, --scale or mirrored in --camera");
+  settings_.start = found.camera;
+  stars_ = found.stars;
+}
+
+void CameraCalibrator::recognise_blindly() {
+  BlindStars& blind = found_.blind.emplace();
+  blind.picture = recognise_picture(found_.photo->linear, finder(), usable());
+  tell_(words_of(blind.picture.recognition));
+  if (!blind.picture.recognition.found) return;
+  std::optional<Circle> circle;
+  if (const std::optional<CircleFound> found = find_circle(*found_.photo)) circle = found->circle;
+  const GrownCamera& best = blind.picture.recognition.best;
+  blind.place = sky_place(best, found_.frame, circle);
+  tell_.lines(words_of(*blind.place, best));
+  const SkyOfPicture& sky = found_.sky;
+  if (!sky.julian_date || !sky.observer) tell_times();
+  if (sky.julian_date) tell_planets(circle);
+  if (!sky.julian_date || !sky.observer) return;
+  blind.local = local_stars(blind.picture, found_.frame, *sky.observer, *sky.julian_date, request_.faintest,
+                            request_.min_elevation_deg);
+}
+
+/// Whether stars that were recognised blindly are known in azimuth and elevation, and a camera is asked for.
+bool CameraCalibrator::is_placed() {
+  const BlindStars& blind = *found_.blind;
+  found_.has_answer = false;
+  if (!blind.place) return false;
+  if (!blind.local) {
+    found_.has_answer = request_.output.empty();
+    if (!request_.output.empty())
+      tell_("no " + request_.output +
+            ": azimuth and elevation need --time and --site. --stars-out STARS.csv keeps the stars, which "
+            "'vegard calibrate STARS.csv' takes with them later");
+    return false;
+  }
+  if (blind.local->elsewhere) {
+    tell_(elsewhere_line(*blind.local));
+    return false;
+  }
+  found_.has_answer = true;
+  if (request_.output.empty()) return false;
+  stars_ = blind.local->stars;
+  if (!settings_.model || *settings_.model == blind.local->camera.model)
+    settings_.start = blind.local->camera;
+  const Identification& again = blind.local->again;
+  tell_(fmt::format(
+      "with time and site: {} of the {} stars to magnitude {:.1f} that should be seen have a point within "
+      "{:.1f} px ({:.1f} would by chance)",
+      stars_.size(), again.in_frame, request_.faintest, again.last_radius_px, again.by_chance));
+  return true;
+}
+
+/// When the site had that part of the sky above it.
+void CameraCalibrator::tell_times() const {
+  const SkyOfPicture& sky = found_.sky;
+  if (!sky.observer) {
+    tell_("when that was overhead depends on the place: --site LAT,LON");
+    return;
+  }
+  if (request_.date.empty()) {
+    tell_("at what times of a night the site had that above its horizon: --date YYYY-MM-DD");
+    return;
+  }
+  const auto noon = sim::julian_date(request_.date + "T12:00:00Z");
+  if (!noon) throw usage_error("--date", "'" + request_.date + "' is no day", "YYYY-MM-DD, of the evening");
+  // The noon of the place, not of Greenwich, begins its night.
+  const double local_noon = *noon - sky.observer->longitude_deg / 360.0;
+  tell_(std::string("that stood above the horizon of the site in a dark sky") +
+        (request_.level ? ", with the camera level," : "") + ": " +
+        words_of(times_of_night(found_.blind->picture.recognition.best, found_.frame, *sky.observer,
+                                local_noon, request_.level)));
+}
+
+/// Whether the picture shows sky there.
+bool CameraCalibrator::is_shown(const SeenPlanet& planet, const std::optional<Circle>& circle) {
+  if (circle && std::hypot(planet.x_px - circle->x_px, planet.y_px - circle->y_px) > circle->radius_px)
+    return false;
+  const Frame& frame = found_.frame;
+  const auto column = std::clamp(static_cast<int>(planet.x_px), 0, frame.width_px - 1);
+  const auto row = std::clamp(static_cast<int>(planet.y_px), 0, frame.height_px - 1);
+  return usable().empty() || usable()[static_cast<std::size_t>(row) * frame.width_px + column] != 0;
+}
+
+/// Those where the picture shows sky, and that the site had above its horizon, if the site is known.
+void CameraCalibrator::tell_planets(const std::optional<Circle>& circle) {
+  constexpr double kMinUp = 0.0;
+  const double julian_date = *found_.sky.julian_date;
+  const std::optional<sim::Observer>& observer = found_.sky.observer;
+  for (const SeenPlanet& planet : planets_in(found_.blind->picture, found_.frame, julian_date)) {
+    if (!is_shown(planet, circle)) continue;
+    bool up = true;
+    for (const sim::Planet one : sim::kPlanets) {
+      if (planet.name != sim::name_of(one) || !observer) continue;
+      sim::CataloguePlace place;
+      place.j2000 = sim::place_of_planet(one, julian_date);
+      up = sim::direction_of_star(place, *observer, julian_date)[2] > kMinUp;
+    }
+    if (!up) continue;
+    const std::string at = fmt::format("({:.1f}, {:.1f})", planet.x_px, planet.y_px);
+    if (planet.has_point)
+      tell_(fmt::format("{}: the bright point at {}, {:.2f} deg from its computed place", planet.name, at,
+                        planet.off_deg));
+    else
+      tell_(planet.name + " should be at " + at + ", where no bright point is");
+  }
+}
+
+/// What the calibration is checked against.
+StarEvidence CameraCalibrator::evidence() {
+  constexpr double kZenithCamera_deg = 80.0;
+  StarEvidence evidence;
+  evidence.sky = found_.sky;
+  evidence.photo = found_.photo ? &*found_.photo : nullptr;
+  if (found_.photo) evidence.usable = usable();
+  evidence.is_table = !request_.stars.empty();
+  if (camera_file_ && camera_file_->lines.count("camera.elevation_deg") > 0 &&
+      camera_file_->camera.elevation_deg >= kZenithCamera_deg)
+    evidence.why_level = "--camera looks to the zenith";
+  evidence.faintest = request_.faintest;
+  evidence.min_elevation_deg = request_.min_elevation_deg;
+  evidence.min_signal = request_.min_signal;
+  return evidence;
+}
+
+void CameraCalibrator::fit_camera() {
+  const std::string& from = request_.source();
+  found_.calibration =
+      maps_ ? calibrate_maps(settings_, maps_->map, from) : calibrate(settings_, stars_, found_.frame, from);
+  if (!maps_) add_star_doubts(*found_.calibration, evidence());
+  sim::Scene scene;
+  scene.camera = scene_camera_of(*found_.calibration);
+  sim::validate(scene);
+
+  CalibrationOrigin& origin = found_.origin;
+  origin.stars = maps_ ? maps_->names : name_without_folder(from);
+  if ((maps_ || !request_.stars.empty()) && found_.photo) origin.image = found_.photo->file_name;
+  for (const PhotoFact& fact : says_.taken) origin.from_photograph.push_back(fact_text(fact));
+  origin.site_known = found_.sky.observer.has_value();
+  if (found_.sky.observer) {
+    origin.site.latitude_deg = found_.sky.observer->latitude_deg;
+    origin.site.longitude_deg = found_.sky.observer->longitude_deg;
+    origin.site.altitude_m = found_.sky.observer->height_m;
+  }
+  if (found_.sky.julian_date) origin.site.time_utc = sim::text_of_julian_date(*found_.sky.julian_date);
+}
+
+}  // namespace
+
+CameraCalibration calibrate_camera(const CalibrationRequest& request, const Tell& tell) {
+  return CameraCalibrator(request, tell).run();
+}
+
+std::string recognised_table(const CameraCalibration& found) {
+  return found.blind && found.blind->place ? stars_csv(found.blind->picture.recognition) : "";
+}
+
+std::string lens_line(const Calibration& calibration) {
+  return "lens: " + words_of(calibration.form) + (calibration.camera.mirrored ? ", mirrored" : "");
+}
+
+std::string rms_line(const Calibration& calibration) {
+  if (calibration.maps)
+    return fmt::format("rms: {} px over {} of {} points of the maps",
+                       sim::short_number(calibration.rms_px, 3), calibration.used(),
+                       calibration.stars.size());
+  return fmt::format("rms: {:.3f} px over {} of {} stars; each star by a fit without it: {:.3f} px",
+                     calibration.rms_px, calibration.used(), calibration.stars.size(),
+                     calibration.without_rms_px);
+}
+
+std::string axis_line(const Calibration& calibration) {
+  return fmt::format("the axis is known to {} deg, the turn about it to {} deg",
+                     sim::short_number(calibration.line_of_sight_sigma_deg, 2),
+                     sim::short_number(calibration.twist_sigma_deg, 2));
+}
+
+std::string elsewhere_line(const LocalStars& local) {
+  return fmt::format(
+      "the time or the site is not this picture's: {} of its {} recognised stars were below the horizon "
+      "there then. Nothing was written but what the stars say alone",
+      local.below_horizon, local.recognised);
+}
+
+void tell_calibration(const CameraCalibration& found, const Tell& tell) {
+  const Calibration& calibration = *found.calibration;
+  if (calibration.candidates.size() > 1) tell.lines(candidates_text(calibration, kLensesShown));
+  tell(lens_line(calibration));
+  tell(rms_line(calibration));
+  if (calibration.maps) tell(words_of(*calibration.maps));
+  for (const CameraEstimate& estimate : calibration.estimates)
+    if (estimate.free)
+      tell("camera." + estimate.key() + ": " + sim::number_with_error(estimate.value, estimate.sigma) + " " +
+           estimate.unit());
+  tell(axis_line(calibration));
+  if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
+    tell(fmt::format("left out: {} points, farther off than the others' scatter explains",
+                     static_cast<int>(calibration.stars.size()) - calibration.used()));
+  for (std::size_t i = 0; !calibration.maps && i < calibration.stars.size(); ++i) {
+    const StarResidual& one = calibration.residuals[i];
+    if (one.used) continue;
+    const StarSighting& star = calibration.stars[i];
+    tell(fmt::format("left out: {}{} at ({:.1f}, {:.1f}), {:.2f} px off",
+                     star.name.empty() ? "the star" : star.name,
+                     star.line > 0 ? " of line " + std::to_string(star.line) : "", star.x_px, star.y_px,
+                     std::hypot(one.dx_px, one.dy_px)));
+  }
+  for (const std::string& warning : calibration.warnings) tell("note: " + warning);
+  if (!found.frame.known) tell("note: the picture's size was guessed from its stars: set --size or --image");
+}
+
+nlohmann::ordered_json answer_json(const CameraCalibration& found) {
+  if (found.calibration)
+    return nlohmann::ordered_json::parse(calibration_json(*found.calibration, found.origin));
+  const StarRecognition& recognition = found.blind->picture.recognition;
+  nlohmann::ordered_json json = {{"found", recognition.found}, {"words", words_of(recognition)}};
+  if (found.blind->place) json["place"] = words_of(*found.blind->place, recognition.best);
+  return json;
+}
+
+}  // namespace vegard::fit
