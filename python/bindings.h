@@ -61,5 +61,6 @@ void bind_photographs(py::module_& m, py::class_<SceneHandle>& scene);
 void bind_fits(py::module_& m, py::class_<SceneHandle>& scene);
 void bind_maps(py::module_& m, py::class_<SceneHandle>& scene);
 void bind_stars(py::module_& m);
+void bind_measurements(py::module_& m);
 
 }  // namespace vegard::python

@@ -17,4 +17,5 @@ PYBIND11_MODULE(_vegard, m) {
   bind_fits(m, scene);
   bind_maps(m, scene);
   bind_stars(m);
+  bind_measurements(m);
 }

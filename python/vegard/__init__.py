@@ -17,6 +17,8 @@ from ._vegard import (
     FitPhoto,
     FittedParameter,
     Map,
+    Measurement,
+    MeasureStage,
     Parameter,
     Photo,
     Picture,
@@ -27,6 +29,7 @@ from ._vegard import (
     calibrate,
     find_stars,
     load,
+    measure,
     parse,
     photo_of_light,
 )
@@ -41,6 +44,8 @@ __all__ = [
     "FitPhoto",
     "FittedParameter",
     "Map",
+    "Measurement",
+    "MeasureStage",
     "Parameter",
     "Photo",
     "Picture",
@@ -51,6 +56,7 @@ __all__ = [
     "calibrate",
     "find_stars",
     "load",
+    "measure",
     "parse",
     "photo_of_light",
 ]
