@@ -18,8 +18,8 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
-#include "sim/base/shown_text.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/text.h"
 #include "sim/base/version.h"
 

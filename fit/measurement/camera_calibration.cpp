@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/photo/light_photo.h"
+#include "fit/photo/photo.h"
 #include "fit/photo/mask/circle.h"
 #include "fit/photo/photo_metadata.h"
 #include "fit/photo/pointing/blind/star_doubts.h"
@@ -25,7 +25,7 @@
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 #include "sim/view/sky/planets.h"
 
 namespace vegard::fit {

@@ -33,7 +33,7 @@
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
-#include "sim/view/sky/instant.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
 namespace {

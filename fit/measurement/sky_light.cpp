@@ -11,7 +11,7 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/version.h"
 #include "sim/scene/file/scene_toml.h"
-#include "sim/scene/structs/error_place.h"
+#include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/table_files.h"
 
 namespace vegard::fit {
