@@ -11,6 +11,7 @@
 #include "fit/survey/track_smoother.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/text.h"
 
 namespace vegard::fit {
 namespace {
@@ -189,7 +190,7 @@ SurveyMotion smooth_survey(const std::string& database, const std::string& outpu
 std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity& quantity) {
   if (quantity.item > 1) return std::nullopt;
   for (const FollowedWords& words : kFollowed)
-    if (words.work == work && quantity.name.rfind(words.beginning, 0) == 0) return words.kind;
+    if (words.work == work && sim::starts_with(quantity.name, words.beginning)) return words.kind;
   return std::nullopt;
 }
 
