@@ -10,6 +10,7 @@
 #include "apps/options/command.h"
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
+#include "sim/base/shown_text.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/file/whole_file.h"
@@ -113,8 +114,8 @@ std::string slurm_script(const SlurmScript& s) {
       throw usage_error("--sbatch", "'" + option + "' is no option of sbatch", "--sbatch=--partition=long");
     text += "#SBATCH " + option + "\n";
   }
-  text += "exec " + in_shell_quotes(s.program) + " survey run " + in_shell_quotes(s.plan) + " --out " +
-          in_shell_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(s.shards) +
+  text += "exec " + sim::in_shell_quotes(s.program) + " survey run " + sim::in_shell_quotes(s.plan) + " --out " +
+          sim::in_shell_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(s.shards) +
           "\" --threads " + std::to_string(s.threads) + "\n";
   return text;
 }
