@@ -1,4 +1,4 @@
-// The result of exposing a film, how its beams are sampled, and the interface to expose a part of a scene.
+// Exposing a film: the result, how its beams are sampled, and the interface.
 #pragma once
 
 #include <atomic>
@@ -46,22 +46,54 @@ struct BeamSampling {
   std::uint64_t path_draw = 0;
 };
 
-/// Exposes a film to a part of a scene, as Exposer (sim/render/film.h) does but without any blur. SlabExposer
-/// adds up such parts.
-class PartExposer {
+/// Exposes one film again and again, as a fit does: from the scene's emitters to rayleighs per line on the
+/// film, with exact derivatives on request. The beams' places, steps and random numbers are determined by
+/// make_exposer()'s scene and stay frozen: later scenes may differ in every continuous parameter, but not in
+/// their seed, sheets, layers, beams or film. Two threads must not use one Exposer at once.
+class Exposer {
  public:
-  virtual ~PartExposer() = default;
-  virtual void let_shine(std::vector<bool> sheets, bool volumes) = 0;
-  virtual void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
-                      const std::atomic<bool>* stop, int only_sheet) = 0;
+  virtual ~Exposer() = default;
+
+  /// Computes the light on the film. `progress`, if given, is called now and then with the finished share,
+  /// from any thread; `stop`, if given, ends the work early, and the film must then not be used. If
+  /// `only_sheet` is not negative, only that sheet emits: the exposures of all single sheets and the volumes'
+  /// light add up to the whole exposure.
+  virtual void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
+                      const std::atomic<bool>* stop = nullptr, int only_sheet = -1) = 0;
+
+  /// Computes the light and its derivatives with respect to `free`, parameters of the scene. The derivatives
+  /// do not include the effect of a parameter on the height profile, except that of energy_kev: see
+  /// expose_profiles(). march.shrink is taken as 1.
   virtual void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
                                        Exposure& out) = 0;
+
+  /// Computes the light of one sheet alone, once for every height profile in `rates`, which replaces the
+  /// sheet's own profile. A profile is [altitude] as in HeightProfile and may be negative. The result has one
+  /// plane of rayleighs per profile, in their order, with the same beams and random numbers as expose().
+  /// Light is linear in the profile, so d rate / d parameter gives d film / d parameter exactly
+  /// (profile_slope() of sim/light/sheet_profile.h). If a sheet's energy varies along its curve, a profile
+  /// consists of those of all rungs of its energy ladder, one after the other (profile_slopes()). Eight
+  /// profiles cost as much as one expose(). If `line` is not negative, the light is spread as that of the
+  /// atoms of that line of the scene.
   virtual void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
-                               Exposure& out) = 0;
+                               Exposure& out, int line = -1) = 0;
+
+  /// Converts a line's profiles of a sheet for expose_profiles(). If the sheet's light is split by age
+  /// (LightAges in sim/render/beams/light_ages.h), returns the profiles' shares of every interval, one
+  /// interval after the other; otherwise returns `rates` unchanged.
   virtual std::vector<float> split_by_age(int sheet, double wavelength_nm,
                                           const std::vector<float>& rates) const = 0;
+
+  /// True if the light of each line is spread by the motion of its excited atoms.
+  virtual bool spreads() const = 0;
 };
-using MakePartExposer =
-    std::function<std::unique_ptr<PartExposer>(const Scene& scene, const FilmGeometry& film)>;
+
+/// Makes the exposer of a scene: a SlabExposer (sim/render/slab_exposer.h) under blur.model = "physical",
+/// else a BeamExposer (sim/render/beam_exposer.h). `beyond`: dark beams are laid out past the sheets' ends,
+/// for this many sheet lengths on either side, for later scenes in which the ends have moved along the line.
+/// `volumes`: volumes of this scene that the caller has made; null: they are made as they are needed.
+std::unique_ptr<Exposer> make_exposer(const Scene& scene, const FilmGeometry& film, int threads,
+                                      double beyond = 0.0, const BeamSampling& sampling = {},
+                                      std::shared_ptr<const Volumes> volumes = nullptr);
 
 }  // namespace vegard::sim

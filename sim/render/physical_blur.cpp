@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/beams/beams.h"
 #include "sim/render/beams/kernel_levels.h"
 #include "sim/render/beams/kernel_scene.h"
@@ -207,8 +208,7 @@ std::uint64_t add_prompt_lines(const Scene& scene, const std::vector<int>& chann
   const Scene prompt = with_lines(scene, lines_nm);
   const FilmGeometry film = film_for(prompt, 0, 0, rayleigh.width, rayleigh.height, 1.0, 1.0);
   Exposure exposure;
-  Exposer(prompt, film, threads, 0.0, {}, nullptr, false)
-      .expose(prompt, exposure, progress, stop, only_sheet);
+  BeamExposer(prompt, film, threads).expose(prompt, exposure, progress, stop, only_sheet);
   const int left = static_cast<int>(-film.x0_px), top = static_cast<int>(-film.y0_px);
   for (std::size_t l = 0; l < channels.size(); ++l) {
     const float* plane = exposure.rayleigh.data() + l * exposure.cells();

@@ -260,7 +260,7 @@ PictureModel::PictureModel(const Scene& scene, const FilmGeometry& film, CellWei
   w.weights = std::move(weights);
   w.runs_of_row.resize(film.rows);
   for (std::size_t r = 0; r < w.weights.runs.size(); ++r) w.runs_of_row[w.weights.runs[r].row].push_back(r);
-  w.exposer = std::make_unique<Exposer>(scene, film, options.threads, options.beyond, options.sampling);
+  w.exposer = make_exposer(scene, film, options.threads, options.beyond, options.sampling);
   w.profile_light = std::make_unique<ProfileLight>(scene, film, w.threads, *w.exposer);
 }
 

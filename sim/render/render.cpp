@@ -4,7 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <optional>
+#include <memory>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
@@ -188,13 +188,14 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
   Rendering result;
   VolumePictures volumes;
   {
-    std::optional<Exposer> own_exposer;
+    std::unique_ptr<Exposer> own_exposer;
     Exposure exposure;
     Exposer* exposer = nullptr;
     const bool by_beams = scene.blur.model == BlurModel::physical && is_spread_by_beams(first);
     if (!by_beams)
-      exposer = options.memory != nullptr ? &options.memory->exposer(film)
-                                          : &own_exposer.emplace(first, film, options.threads, 0.0, sampling);
+      exposer = options.memory != nullptr
+                    ? &options.memory->exposer(film)
+                    : (own_exposer = make_exposer(first, film, options.threads, 0.0, sampling)).get();
     const bool blurs_colours = scene.blur.order == BlurOrder::rgb;
     // Of one camera, with its linear RGB; its volumes, if there are any, are put into `of_volumes`.
     const auto lines_before = [&](const Scene& view, const std::function<void(double)>& progress,

@@ -72,8 +72,7 @@ Exposer& RenderMemory::exposer(const FilmGeometry& film) {
       scene_->blur.model == BlurModel::physical ? lights_and({"sensor"}) : lights_and({"camera", "sensor"});
   if (!is_good(exposer_, *scene_, others) || !same_film(film, film_of_exposer_) ||
       light != volumes_of_exposer_) {
-    exposer_ = {*scene_, threads_,
-                std::make_unique<Exposer>(*scene_, film, threads_, 0.0, BeamSampling{}, light)};
+    exposer_ = {*scene_, threads_, make_exposer(*scene_, film, threads_, 0.0, BeamSampling{}, light)};
     film_of_exposer_ = film;
     volumes_of_exposer_ = light;
   }

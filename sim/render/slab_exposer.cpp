@@ -191,8 +191,8 @@ double slab_bytes(const SlabPlan& plan, int free, int threads) {
   return kept + most;
 }
 
-SlabExposer::SlabExposer(const Scene& scene, const FilmGeometry& film, int threads,
-                         const MakePartExposer& make)
+SlabExposer::SlabExposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
+                         const BeamSampling& sampling)
     : film_(film),
       threads_(thread_count(threads)),
       lines_(static_cast<int>(scene.emission.lines.size())),
@@ -202,7 +202,8 @@ SlabExposer::SlabExposer(const Scene& scene, const FilmGeometry& film, int threa
   Scene plain = scene;  // beams and footprints, with all of the lines
   remove_emitters(plain);
   plain.footprints = scene.footprints;
-  for (const SlabPlan::PassFilm& of : plan_.films) exposers_.push_back(make(plain, of.film));
+  for (const SlabPlan::PassFilm& of : plan_.films)
+    exposers_.push_back(std::make_unique<BeamExposer>(plain, of.film, threads, beyond, sampling));
   if (has_other_light(scene)) rest_ = std::make_unique<const Volumes>(rest_of(scene), threads_);
 
   const std::size_t sheets = scene.sheets.size();
@@ -315,7 +316,7 @@ void SlabExposer::expose(const Scene& scene, Exposure& out, const std::function<
     for (const Pass& pass : plan_.passes) {
       std::function<void(double)> share;
       if (progress) share = [&](double of_pass) { progress((static_cast<double>(done) + of_pass) / count); };
-      PartExposer& exposer = *exposers_[pass.film];
+      BeamExposer& exposer = *exposers_[pass.film];
       exposer.let_shine(group.sheets, has_footprints);
       exposer.expose(part_of(scene, pass, has_footprints), some, share, stop, only_sheet);
       ++done;
@@ -354,7 +355,7 @@ void SlabExposer::expose_with_derivatives(const Scene& scene, const std::vector<
   std::vector<float> spread, other;
   for (const Group& group : groups_)
     for (const Pass& pass : plan_.passes) {
-      PartExposer& exposer = *exposers_[pass.film];
+      BeamExposer& exposer = *exposers_[pass.film];
       exposer.let_shine(group.sheets, group.has_footprints);
       exposer.expose_with_derivatives(part_of(scene, pass, group.has_footprints), known, some);
       out.deflection_points = std::max(out.deflection_points, some.deflection_points);
@@ -403,7 +404,7 @@ void SlabExposer::expose_with_derivatives(const Scene& scene, const std::vector<
 }
 
 void SlabExposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
-                                  int line, Exposure& out) {
+                                  Exposure& out, int line) {
   begin(out);
   out.volumes = {};
   out.lines = static_cast<int>(rates.size());

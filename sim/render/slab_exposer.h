@@ -1,5 +1,5 @@
-// Exposes a film under blur.model = "physical": like Exposer, but the resulting light is already spread by
-// the motion of the excited atoms, before any effect of air or sensor.
+// Exposes a film under blur.model = "physical": the resulting light is already spread by the motion of the
+// excited atoms, before any effect of air or sensor.
 //
 // Each slow line is exposed in slabs of altitude (sim/render/beams/altitude_slabs.h), up to eight at a time,
 // each on a film that extends beyond the wanted one by the spread of its light. The light on it, with its
@@ -7,17 +7,12 @@
 // and levels of blur are those of the constructor's scene, so that the picture is smooth in every parameter.
 // Light that is not of the air's excited atoms (nebulae, grids, the Sun, footprints in two colours) is not
 // spread.
-//
-// For sim/render/film.cpp only; all other code uses Exposer.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
-#include "sim/render/exposure.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/slab_spread.h"
 
 namespace vegard::sim {
@@ -49,17 +44,21 @@ SlabPlan slab_plan(const Scene& scene, const FilmGeometry& film, int threads);
 /// parameters, without its result.
 double slab_bytes(const SlabPlan& plan, int free, int threads);
 
-class SlabExposer {
+class SlabExposer final : public Exposer {
  public:
-  SlabExposer(const Scene& scene, const FilmGeometry& film, int threads, const MakePartExposer& make);
+  /// The arguments are those of make_exposer().
+  SlabExposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
+              const BeamSampling& sampling);
 
-  // These do what the functions of Exposer with the same names do.
   void expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
-              const std::atomic<bool>* stop, int only_sheet);
-  void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free, Exposure& out);
-  void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates, int line,
-                       Exposure& out);
-  std::vector<float> split_by_age(int sheet, double wavelength_nm, const std::vector<float>& rates) const;
+              const std::atomic<bool>* stop, int only_sheet) override;
+  void expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
+                               Exposure& out) override;
+  void expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                       Exposure& out, int line) override;
+  std::vector<float> split_by_age(int sheet, double wavelength_nm,
+                                  const std::vector<float>& rates) const override;
+  bool spreads() const override { return true; }
 
  private:
   using Pass = SlabPlan::Pass;
@@ -90,7 +89,7 @@ class SlabExposer {
   int threads_ = 1;
   int lines_ = 0;
   SlabPlan plan_;
-  std::vector<std::unique_ptr<PartExposer>> exposers_;  ///< of the plan's films
+  std::vector<std::unique_ptr<BeamExposer>> exposers_;  ///< of the plan's films
   std::vector<Group> groups_;
   std::unique_ptr<const SlabSpread> spread_;
   std::unique_ptr<const Volumes> rest_;  ///< the volumes whose light is not spread; null: none

@@ -14,6 +14,7 @@
 #include "fit/measure/noise_model.h"
 #include "fit/measure/profile.h"
 #include "interleaved.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
 #include "sim/view/film/blur.h"
@@ -120,7 +121,7 @@ struct Problem {
 struct ForwardRender {
   sim::Scene scene;
   sim::FilmGeometry film;
-  sim::Exposer exposer;
+  sim::BeamExposer exposer;
   sim::Exposure exposure;
   std::vector<float> down, both;
 
@@ -146,7 +147,7 @@ struct ForwardRender {
 struct ModelExposure {
   const sim::Scene& scene;
   std::vector<sim::ParameterId> free;
-  sim::Exposer exposer;
+  sim::BeamExposer exposer;
   sim::Exposure exposure;
 
   explicit ModelExposure(const Problem& p)

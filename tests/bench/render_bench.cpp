@@ -14,6 +14,7 @@
 #include "bench_scene.h"
 #include "interleaved.h"
 #include "sim/base/parallel.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/beams/beams.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/film.h"
@@ -55,7 +56,7 @@ struct Workload {
     film = sim::film_for(scene, 0, 0, width, height, 1.0, 1.0);
     floor_film.assign(static_cast<std::size_t>(film.rows) * film.columns * kStride, 0);
     second_floor_film = floor_film;
-    sim::Exposer exposer(scene, film, 1);
+    sim::BeamExposer exposer(scene, film, 1);
     exposer.expose(scene, exposure);
     computed = exposure.deflection_points;
     exposer.record_splats(scene, record);
@@ -88,7 +89,7 @@ struct Workload {
   void run_whole(int threads) {
     sim::Exposure fresh;
     {
-      sim::Exposer exposer(scene, film, threads);
+      sim::BeamExposer exposer(scene, film, threads);
       exposer.expose(scene, fresh);
     }
     benchmark::DoNotOptimize(sim::rayleigh_image(scene, fresh, threads).data.data());
@@ -129,7 +130,7 @@ struct Workload {
     add("/floor_threads_2", record.points(), [this] { run_floor_on_two_threads(); });
     for (int threads : {1, 2}) {
       const auto exposing = [this, threads](const sim::Scene& of) {
-        const auto exposer = std::make_shared<sim::Exposer>(of, film, threads);
+        const auto exposer = std::make_shared<sim::BeamExposer>(of, film, threads);
         return [this, exposer, &of] { exposer->expose(of, exposure); };
       };
       if (whole)

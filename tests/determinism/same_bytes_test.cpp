@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sim/render/beam_exposer.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
@@ -61,8 +62,8 @@ Exposure with_derivatives(int threads) {
   scene.sheets[0].beams = 600;
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
   Exposure exposure;
-  Exposer(scene, film, threads, 0.5)
-      .expose_with_derivatives(scene, tests::ids_of(tests::free_paths(scene)), exposure);
+  make_exposer(scene, film, threads, 0.5)
+      ->expose_with_derivatives(scene, tests::ids_of(tests::free_paths(scene)), exposure);
   return exposure;
 }
 
@@ -71,8 +72,8 @@ Exposure with_beam_derivatives(int threads) {
   const Scene scene = busy_scene();
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 2.0, 1.0);
   Exposure exposure;
-  Exposer(scene, film, threads)
-      .expose_with_derivatives(
+  make_exposer(scene, film, threads)
+      ->expose_with_derivatives(
           scene, {parameter_with(ParameterRole::phase, 0), parameter_with(ParameterRole::energy, 1)},
           exposure);
   return exposure;
@@ -108,13 +109,13 @@ TEST(SameBytes, OfAnExposureOverInstantsForAnyThreads) {
   options.threads = 1;
   const Rendering one = render(scene, options);
   Exposure derived;
-  Exposer(scene, film, 1).expose_with_derivatives(scene, free, derived);
+  make_exposer(scene, film, 1)->expose_with_derivatives(scene, free, derived);
   for (int threads : {2, 3, 0}) {
     options.threads = threads;
     EXPECT_TRUE(tests::same_bytes(one.rayleigh.data, render(scene, options).rayleigh.data))
         << threads << " threads";
     Exposure again;
-    Exposer(scene, film, threads).expose_with_derivatives(scene, free, again);
+    make_exposer(scene, film, threads)->expose_with_derivatives(scene, free, again);
     EXPECT_TRUE(tests::same_bytes(derived.rayleigh, again.rayleigh)) << threads << " threads";
     EXPECT_TRUE(tests::same_bytes(derived.derivative, again.derivative)) << threads << " threads";
   }
@@ -125,7 +126,7 @@ TEST(SameBytes, OfAnExposureThatIsMadeAgain) {
   Scene moved = scene;
   moved.sheets[0].center_km.north += 20.0;
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 1.0, 1.0);
-  Exposer exposer(scene, film, 2);
+  BeamExposer exposer(scene, film, 2);
   Exposure first, other, again;
   exposer.expose(scene, first);
   exposer.expose(moved, other);
@@ -149,7 +150,7 @@ TEST(SameBytes, OfTheFilmWithAndWithoutDerivatives) {
   for (const tests::FreePath& path : tests::free_paths(scene))
     scene.fit.free.push_back(tests::free_entry(path.path.text));
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 1.0, 1.0);
-  Exposer exposer(scene, film, 2);
+  BeamExposer exposer(scene, film, 2);
   Exposure plain, derived, few;
   exposer.expose(scene, plain);
   exposer.expose_with_derivatives(scene, tests::ids_of(tests::free_paths(scene)), derived);

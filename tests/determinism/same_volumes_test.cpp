@@ -75,8 +75,8 @@ Exposure derived(int threads) {
   const Scene scene = volumes();
   const FilmGeometry film = film_for(scene, 0, 0, 96, 64, 4.0, 2.0);
   Exposure exposure;
-  Exposer(scene, film, threads)
-      .expose_with_derivatives(
+  make_exposer(scene, film, threads)
+      ->expose_with_derivatives(
           scene,
           tests::ids_of(scene, {"footprint." + scene.footprints[0].name + ".energy_kev", "nebula.dust_depth",
                                 "node." + scene.nodes[1].name + ".amplitude", "camera.azimuth_deg"}),

@@ -14,7 +14,7 @@ inline sim::FilmGeometry whole_picture(const sim::Scene& scene) {
 
 inline sim::Exposure exposed(const sim::Scene& scene, const sim::FilmGeometry& film) {
   sim::Exposure exposure;
-  sim::Exposer(scene, film, 0).expose(scene, exposure);
+  sim::make_exposer(scene, film, 0)->expose(scene, exposure);
   return exposure;
 }
 

@@ -88,7 +88,7 @@ TEST(CameraJson, PutsABeamWhereTheRendererDoes) {
   film.columns = scene.camera.width;
   film.rows = scene.camera.height;
   sim::Exposure exposure;
-  sim::Exposer(scene, film, 0).expose(scene, exposure);
+  sim::make_exposer(scene, film, 0)->expose(scene, exposure);
   double light = 0.0;
   Pixel on_film{};
   for (int r = 0; r < film.rows; ++r)

@@ -53,7 +53,7 @@ sim::Image aurora_by_the_beams_of_a_fit(const sim::Scene& scene) {
   const sim::FilmGeometry film =
       sim::film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
   sim::Exposure exposure;
-  sim::Exposer(scene, film, 1, 0.5).expose(scene, exposure);
+  sim::make_exposer(scene, film, 1, 0.5)->expose(scene, exposure);
   sim::dim_by_air(scene, exposure, 1);
   return sim::rgb_from_rayleigh(sim::rayleigh_image(scene, exposure, 1), sim::line_colours(scene));
 }

@@ -15,6 +15,7 @@
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
 #include "sim/scene/table/parameter_table.h"
@@ -60,7 +61,7 @@ fit::Photo expected_photo(const sim::Scene& truth, std::uint64_t set, int number
   sampling.mean = true;
   sampling.fineness = kFinePicture;
   const sim::FilmGeometry film = sim::film_for(truth, 0, 0, camera.width, camera.height, 1.0, 1.0);
-  sim::Exposer exposer(truth, film, 1, 0.0, sampling);
+  sim::BeamExposer exposer(truth, film, 1, 0.0, sampling);
   sim::Exposure exposure;
   exposer.expose(truth, exposure);
   fit::Photo photo;

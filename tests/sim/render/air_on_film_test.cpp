@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sim/render/beam_exposer.h"
 #include "sim/render/render.h"
 #include "sim/view/sky/air.h"
 #include "tests/support/free_paths.h"
@@ -26,7 +27,7 @@ FilmGeometry film_of(const Scene& scene) {
 
 TEST(AirOnFilm, MultipliesByTheTransmissionOfEveryCell) {
   const Scene scene = airy_scene();
-  Exposer exposer(scene, film_of(scene), 0);
+  BeamExposer exposer(scene, film_of(scene), 0);
   Exposure bare, dimmed;
   exposer.expose(scene, bare);
   exposer.expose(scene, dimmed);
@@ -59,7 +60,7 @@ TEST(AirOnFilm, DerivativesAgreeWithDifferences) {
     paths.push_back(resolve(scene, path).front());
     free.push_back(paths.back().id);
   }
-  Exposer exposer(scene, film_of(scene), 0);
+  BeamExposer exposer(scene, film_of(scene), 0);
   Exposure exposure;
   exposer.expose_with_derivatives(scene, free, exposure);
   Exposure bare;
@@ -97,7 +98,7 @@ TEST(AirOnFilm, DerivativesAgreeWithDifferences) {
 TEST(AirOnFilm, LeavesAFilmWithoutAirAlone) {
   Scene scene = airy_scene();
   scene.air.model = AirModel::none;
-  Exposer exposer(scene, film_of(scene), 0);
+  BeamExposer exposer(scene, film_of(scene), 0);
   Exposure bare, again;
   exposer.expose(scene, bare);
   again = bare;

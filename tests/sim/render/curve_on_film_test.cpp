@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "tests/support/exposed.h"
 #include "tests/support/small_scene.h"
@@ -39,7 +40,7 @@ Scene curved() {
 }
 
 std::vector<float> film_of(const Scene& scene, int threads = 2) {
-  Exposer exposer(scene, tests::whole_picture(scene), threads);
+  BeamExposer exposer(scene, tests::whole_picture(scene), threads);
   Exposure exposure;
   exposer.expose(scene, exposure);
   return {exposure.rayleigh.begin(), exposure.rayleigh.end()};

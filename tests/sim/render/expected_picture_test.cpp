@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/beams/sheet_nodes.h"
 #include "sim/render/film.h"
 #include "sim/render/picture.h"
@@ -26,7 +27,7 @@ constexpr double kFine = 8.0;  // the quadrature's own error is then far below t
 /// Blurred rayleighs of a film with cells of 2 x 1 pixels, in bins of kBin pixels by kRows rows, all lines.
 std::vector<double> binned(const Scene& scene, const BeamSampling& sampling) {
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 2.0, 1.0);
-  Exposer exposer(scene, film, 1, 0.0, sampling);
+  BeamExposer exposer(scene, film, 1, 0.0, sampling);
   Exposure exposure;
   exposer.expose(scene, exposure);
   Image light;
@@ -160,7 +161,7 @@ std::vector<double> slopes_in_wide_cells(const Scene& scene, double fineness) {
   constexpr double kSmoothing_px = 2.0;
   FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 10.0, 1.0);
   film.ramp_px = 4.0;
-  Exposer exposer(scene, film, 1, 0.0, BeamSampling{0, true, kSmoothing_px, fineness});
+  BeamExposer exposer(scene, film, 1, 0.0, BeamSampling{0, true, kSmoothing_px, fineness});
   Exposure exposure;
   const std::vector<ParameterId> free = {parameter_with(ParameterRole::phase, 0),
                                          parameter_with(ParameterRole::wavelength, 0),
@@ -212,7 +213,7 @@ TEST(ExpectedPicture, OfAThinSheetDoesNotHangOnTheWidthThatItWasLaidOutWith) {
   };
   const Scene wide = with_width(1.5), thin = with_width(0.4);
   const FilmGeometry film = film_for(wide, 0, 0, wide.camera.width, wide.camera.height, 2.0, 1.0);
-  Exposer of_wide(wide, film, 1, 0.0, BeamSampling{0, true, 0.0, 4.0}),
+  BeamExposer of_wide(wide, film, 1, 0.0, BeamSampling{0, true, 0.0, 4.0}),
       of_thin(thin, film, 1, 0.0, BeamSampling{0, true, 0.0, 4.0});
   Exposure there, here, more, less;
   of_wide.expose_with_derivatives(thin, {parameter_at(thin, "sheet.main.width_km").value()}, there);

@@ -25,7 +25,7 @@ Scene moving_scene() {
 Exposure exposed(const Scene& scene) {
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
   Exposure exposure;
-  Exposer(scene, film, 0).expose(scene, exposure);
+  make_exposer(scene, film, 0)->expose(scene, exposure);
   return exposure;
 }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/scene/table/parameter_id.h"
 #include "sim/view/film/blur.h"
@@ -49,7 +50,7 @@ std::vector<double> smoothed(const FilmGeometry& film, int lines, const At& at) 
 /// By every number that may be free, but those of the table `without`, which the scene does not depend on.
 void expect_derivatives(const Scene& scene, double tolerance, const std::string& without = "") {
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  Exposer exposer(scene, film, 0, 0.5);
+  BeamExposer exposer(scene, film, 0, 0.5);
   std::vector<tests::FreePath> paths = tests::free_paths(scene);
   paths.erase(std::remove_if(paths.begin(), paths.end(),
                              [&](const tests::FreePath& p) { return p.path.row->table == without; }),
@@ -202,7 +203,7 @@ TEST(FilmDerivatives, UnderADipoleAgreeWithDifferences) {
                                          parameter_with(ParameterRole::bearing, 0)};
   const FilmGeometry film = tests::whole_picture(scene);
   Exposure alone, among_all;
-  Exposer exposer(scene, film, 1);
+  BeamExposer exposer(scene, film, 1);
   exposer.expose_with_derivatives(scene, free, alone);
   exposer.expose_with_derivatives(scene, {free[0], free[1], parameter_with(ParameterRole::camera_roll)},
                                   among_all);
@@ -299,7 +300,7 @@ TEST(FilmDerivatives, TwoSheetsOtherPitchLawsAndFiveLinesAgreeWithDifferences) {
   second.energy_kev = 8.0;
   scene.sheets.push_back(second);
   const FilmGeometry film = film_for(scene, 0, 0, 100, 75, 1.0, 1.0);
-  Exposer exposer(scene, film, 0, 0.5);
+  BeamExposer exposer(scene, film, 0, 0.5);
   Exposure exposure;
   const std::vector<ParameterId> free = {
       parameter_with(ParameterRole::pitch_step, 0), parameter_with(ParameterRole::loss_cone, 0),

@@ -1,4 +1,5 @@
 #include "sim/render/film.h"
+#include "sim/render/beam_exposer.h"
 
 #include <gtest/gtest.h>
 
@@ -223,7 +224,7 @@ TEST(Film, CountsTheDeflectionPointsOfTheBeamsInSight) {
 TEST(Film, FollowsTheReferenceInDouble) {
   const Scene scene = tests::small_scene();
   const FilmGeometry film = film_for(scene, 0, 0, 160, 120, 1.0, 1.0);
-  Exposer exposer(scene, film, 0);
+  BeamExposer exposer(scene, film, 0);
   Exposure exposure;
   std::vector<double> reference;
   exposer.expose(scene, exposure);

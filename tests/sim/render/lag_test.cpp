@@ -178,7 +178,7 @@ TEST(Lag, IsThatOfTheMeanOverAllDrawsToo) {
   BeamSampling sampling;
   sampling.mean = true;
   Exposure mean;
-  Exposer(scene, film, 0, 0.0, sampling).expose(scene, mean);
+  make_exposer(scene, film, 0, 0.0, sampling)->expose(scene, mean);
   const Exposure drawn = exposed(scene), prompt = exposed(without_lag(scene));
   // Rows of the picture, in which draws differ by the noise of their beams: some hundred cross each.
   for (int line = 0; line < 3; ++line) {
@@ -210,8 +210,8 @@ TEST(Lag, GivesTheSameBytesForEveryNumberOfThreads) {
   scene.sheets[0].curl_lifetime_s = 0.5;
   const FilmGeometry film = tests::whole_picture(scene);
   Exposure one, four;
-  Exposer(scene, film, 1).expose(scene, one);
-  Exposer(scene, film, 4).expose(scene, four);
+  make_exposer(scene, film, 1)->expose(scene, one);
+  make_exposer(scene, film, 4)->expose(scene, four);
   EXPECT_EQ(one.rayleigh, four.rayleigh);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "sim/render/beam_exposer.h"
 #include "sim/render/beams/points.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
@@ -58,7 +59,7 @@ TEST_P(ThroughLens, TheFilmHasTheLightOfThePointsThatItSees) {
       sum[l] += 1e-16 * points.photons_per_s[i * points.lines + l] / (range2 * steradian);
   }
   std::vector<double> reference;
-  Exposer exposer(scene, film, 0);
+  BeamExposer exposer(scene, film, 0);
   exposer.expose_reference(scene, reference);
   const Exposure exposure = tests::exposed(scene);
   const std::size_t cells = exposure.cells();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/light/sheet_profile.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/scene/table/parameter_id.h"
@@ -26,7 +27,7 @@ std::vector<std::vector<float>> lanes_of(const std::vector<float>& slope, int li
 void expect_exact(const Scene& scene, double Sheet::*number, ParameterRole role, double step,
                   double tolerance) {
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  Exposer exposer(scene, film, 2);
+  BeamExposer exposer(scene, film, 2);
   const int lines = static_cast<int>(scene.emission.lines.size());
   Exposure slope;
   exposer.expose_profiles(
@@ -69,7 +70,7 @@ TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
   fill_spline_rates(scene);
   const Sheet& sheet = scene.sheets[0];
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  Exposer exposer(scene, film, 2);
+  BeamExposer exposer(scene, film, 2);
   std::vector<std::vector<float>> basis;
   for (int k = 0; k < sheet.spline_knots; ++k)
     basis.push_back(
@@ -97,7 +98,7 @@ TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
 TEST(ProfileExposure, ANegativeProfileTakesLightAway) {
   Scene scene = tests::small_scene();
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  Exposer exposer(scene, film, 2);
+  BeamExposer exposer(scene, film, 2);
   std::vector<float> rate(HeightProfile::kAltitudes, 2.0f), negative(rate.size(), -3.0f);
   Exposure out;
   exposer.expose_profiles(scene, 0, {rate, negative, std::vector<float>(rate.size(), 0.0f)}, out);

@@ -8,6 +8,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_brightness.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/exposed.h"
@@ -107,18 +108,18 @@ TEST(StepRule, OfTheEnergyTakesTheStepsOfItsMeanAndKeepsThemWhileTheEnergyVaries
     exposer.expose(scene, exposure);
     return exposure.deflection_points;
   };
-  Exposer given(scene, whole_picture(scene), 0);
+  BeamExposer given(scene, whole_picture(scene), 0);
   sheet.step_rule = PathStepRule::energy;
-  Exposer of_energy(scene, whole_picture(scene), 0);
+  BeamExposer of_energy(scene, whole_picture(scene), 0);
   const auto at_ten = points(of_energy);
   EXPECT_EQ(at_ten, points(given)) << "d_t = 1/300 by default";
   sheet.energy_kev = 2.5;
   EXPECT_EQ(points(of_energy), at_ten) << "frozen while a fit varies E0";
-  Exposer fresh(scene, whole_picture(scene), 0);
+  BeamExposer fresh(scene, whole_picture(scene), 0);
   EXPECT_NEAR(static_cast<double>(points(fresh)) / static_cast<double>(at_ten), 0.5, 0.005);
   sheet.profile = ProfileKind::mono;
   sheet.energy_kev = 10.0;
-  Exposer of_one_energy(scene, whole_picture(scene), 0);
+  BeamExposer of_one_energy(scene, whole_picture(scene), 0);
   EXPECT_EQ(points(of_one_energy), at_ten) << "their mean is the energy itself";
 }
 

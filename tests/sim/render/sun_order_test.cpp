@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "sim/render/render.h"
 #include "sim/scene/structs/scene.h"
@@ -139,7 +140,7 @@ TEST(SunOrder, DerivativesThroughAnAbsorberAgreeWithDifferences) {
   loop.rayleigh = {500.0};
   scene.loops = {loop};
   const FilmGeometry film = film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
-  Exposer exposer(scene, film, 0, 0.5);
+  BeamExposer exposer(scene, film, 0, 0.5);
   const std::vector<std::string> paths = {
       "sun.distance_km",       "sun.azimuth_deg",  "sun.elevation_deg",
       "sun.latitude_deg",      "camera.hfov_deg",  "camera.azimuth_deg",

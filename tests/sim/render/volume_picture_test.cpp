@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sim/base/picture/image_io.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/render.h"
 #include "sim/scene/table/parameter_id.h"
 #include "tests/support/temporary_folder.h"
@@ -141,7 +142,7 @@ TEST(VolumePicture, HasItsDerivativesSoftenedAndGlowing) {
   scene.march.glow = 0.4;
   scene.march.glow_deg = 2.0;
   scene.march.shrink = 4;
-  Exposer exposer(scene, film_for(scene, 0, 0, kWidth, kHeight, 1.0, 1.0), 2);
+  BeamExposer exposer(scene, film_for(scene, 0, 0, kWidth, kHeight, 1.0, 1.0), 2);
   Exposure exposure;
   exposer.expose_with_derivatives(scene, {parameter_at(scene, "nebula.brightness").value()}, exposure);
   float largest = 0.0f;

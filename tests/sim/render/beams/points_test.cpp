@@ -9,6 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/light/sheet_profile.h"
+#include "sim/render/beam_exposer.h"
 #include "sim/render/film.h"
 #include "tests/support/all_points.h"
 #include "tests/support/exposed.h"
@@ -62,7 +63,7 @@ TEST_P(PointsUnder, ProjectedGiveTheRayleighsOfTheFilm) {
       sum[l] += 1e-16 * points.photons_per_s[i * points.lines + l] / (range2 * steradian);
   }
   std::vector<double> rayleigh;
-  Exposer(scene, film, 0).expose_reference(scene, rayleigh);
+  BeamExposer(scene, film, 0).expose_reference(scene, rayleigh);
   const std::size_t cells = rayleigh.size() / points.lines;
   for (int l = 0; l < points.lines; ++l) {
     double light = 0.0;

@@ -124,7 +124,7 @@ TEST(StructuredScene, MovesThePictureAndKeepsItsLight) {
   const FilmGeometry film = tests::whole_picture(scene);
   const auto total = [&](const Scene& s, std::vector<float>& rayleigh) {
     Exposure exposure;
-    Exposer(s, film, 0).expose(s, exposure);
+    make_exposer(s, film, 0)->expose(s, exposure);
     rayleigh.assign(exposure.rayleigh.begin(), exposure.rayleigh.end());
     double sum = 0.0;
     for (float r : rayleigh) sum += r;

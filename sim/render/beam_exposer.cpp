@@ -1,0 +1,357 @@
+#include "sim/render/beam_exposer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "sim/base/parallel.h"
+#include "sim/light/sheet_profile.h"
+#include "sim/render/beams/beams.h"
+#include "sim/render/beams/derivative_passes.h"
+#include "sim/render/beams/kernel.h"
+#include "sim/render/beams/kernel_scene.h"
+#include "sim/render/beams/sheet_nodes.h"
+#include "sim/view/film/panorama.h"
+#include "sim/view/film/tangent_film.h"
+
+namespace vegard::sim {
+namespace {
+
+constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
+
+/// Distortion that is free may be none at present.
+bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free) {
+  return std::any_of(free.begin(), free.end(), [&](const ParameterId& id) {
+    const int number = camera_number_of(camera, id);
+    return number >= k1_number && number <= p2_number;
+  });
+}
+
+BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const BeamSampling& sampling) {
+  scene.seed += sampling.draw;
+  if (sampling.mean)
+    return BeamLayout(scene, beyond, sheet_nodes(scene, film, sampling.smooth_px, sampling.fineness));
+  return BeamLayout(scene, beyond);
+}
+
+}  // namespace
+
+struct BeamExposer::Workspace {
+  FilmGeometry film;
+  int threads = 1;
+  std::uint64_t draw = 0;
+  BeamLayout layout;
+  std::vector<LargeZeros<std::int64_t>> slot_films;
+  std::vector<PackedChunk> slot_chunks;                // kept: their memory is large enough to cost something
+  std::vector<std::unique_ptr<TangentFilm>> tangents;  // of the shares of the beams, likewise
+  std::shared_ptr<const Volumes> volumes;              // if the scene has any
+  std::vector<bool> shining;                           // sheets; empty: all
+  bool volumes_shine = true;
+
+  bool is_dark(const Chunk& chunk) const { return !shining.empty() && !shining[chunk.sheet]; }
+
+  /// One per sheet.
+  std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
+    std::vector<KernelScene> all;
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+      all.push_back(
+          kernel_scene(scene, scene.sheets[s], layout.path_step(static_cast<int>(s)), film, profiles));
+      all.back().seed += draw;
+      all.back().nodes = layout.path_nodes(static_cast<int>(s));
+    }
+    return all;
+  }
+
+  /// Lets the beams of one sheet, or of all (-1), fall on the slots' films. Returns the deflection points.
+  std::uint64_t fall(const Scene& scene, const std::vector<HeightProfile>& profiles, int stride,
+                     int only_sheet, const std::function<void(double)>& progress = {},
+                     const std::atomic<bool>* stop = nullptr) {
+    const std::vector<KernelScene> of_sheets = kernels(scene, profiles);
+    clear_slots(stride);
+    std::atomic<std::uint64_t> points{0};
+    std::atomic<std::size_t> done{0};
+    parallel_for(layout.chunks().size(), threads, [&](std::size_t c, int slot) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+      const Chunk& chunk = layout.chunks()[c];
+      if (is_dark(chunk) || (only_sheet >= 0 && chunk.sheet != only_sheet)) {
+        ++done;
+        return;
+      }
+      PackedChunk& packed = slot_chunks[slot];
+      layout.pack(scene, chunk, of_sheets[chunk.sheet], packed);
+      points += fall_on_film(of_sheets[chunk.sheet], packed.groups.data(), packed.groups.size(),
+                             slot_films[slot].data());
+      const std::size_t finished = ++done;
+      if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
+    });
+    return points;
+  }
+
+  void clear_slots(int stride) {
+    const std::size_t size = static_cast<std::size_t>(film.rows) * film.columns * stride;
+    slot_films.resize(threads);
+    slot_chunks.resize(threads);
+    parallel_for(slot_films.size(), threads, [&](std::size_t s, int) { slot_films[s].reset(size); });
+  }
+
+  /// Adds the volumes' light to what has been collected.
+  void add_volumes(const Scene& scene, Exposure& out, const std::function<void(double)>& progress = {},
+                   const std::atomic<bool>* stop = nullptr, bool whole_resolution = false) const {
+    out.volumes = {};
+    if (!volumes || !volumes_shine) return;
+    out.volumes = volumes->light(scene, film, progress, stop, whole_resolution);
+    for (std::size_t i = 0; i < out.rayleigh.size(); ++i) out.rayleigh[i] += out.volumes.rayleigh[i];
+  }
+
+  /// Sums the slots' films (integers: any order gives the same) into planes of rayleighs.
+  void collect(int lines, int stride, Exposure& out) const {
+    out.geometry = film;
+    out.lines = lines;
+    const std::size_t cells = out.cells();
+    out.rayleigh.resize(cells * lines);
+    const double rayleighs_per_unit = 1.0 / (kFilmUnitsPerRayleigh * layout.instants());
+    parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+      for (std::size_t i = row * film.columns; i < (row + 1) * film.columns; ++i) {
+        for (int l = 0; l < lines; ++l) {
+          std::int64_t sum = 0;
+          for (const auto& slot : slot_films) sum += slot[i * stride + l];
+          out.rayleigh[l * cells + i] = static_cast<float>(static_cast<double>(sum) * rayleighs_per_unit);
+        }
+      }
+    });
+    if (film.turn_columns > 0)
+      parallel_for(static_cast<std::size_t>(lines), threads,
+                   [&](std::size_t l, int) { close_turn(film, out.rayleigh.data() + l * cells); });
+  }
+};
+
+BeamExposer::BeamExposer(const Scene& scene, const FilmGeometry& film, int threads, double beyond,
+                         const BeamSampling& sampling, std::shared_ptr<const Volumes> volumes)
+    : work_(new Workspace{film,
+                          thread_count(threads),
+                          sampling.draw + sampling.path_draw,
+                          laid_out(scene, film, beyond, sampling),
+                          {},
+                          {},
+                          {},
+                          std::move(volumes),
+                          {},
+                          true}) {
+  if (!work_->volumes && has_volumes(scene)) work_->volumes = std::make_shared<Volumes>(scene, threads);
+}
+
+BeamExposer::~BeamExposer() = default;
+
+void BeamExposer::let_shine(std::vector<bool> sheets, bool volumes) {
+  work_->shining = std::move(sheets);
+  work_->volumes_shine = volumes;
+}
+
+void BeamExposer::expose(const Scene& scene, Exposure& out, const std::function<void(double)>& progress,
+                         const std::atomic<bool>* stop, int only_sheet) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  out.deflection_points = w.fall(scene, w.layout.profiles(scene), stride, only_sheet, progress, stop);
+  out.free = out.free_stride = 0;
+  w.collect(lines, stride, out);
+  out.volumes = {};
+  if (only_sheet < 0) w.add_volumes(scene, out, w.layout.chunks().empty() ? progress : nullptr, stop);
+}
+
+void BeamExposer::expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,
+                                          Exposure& out) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
+  std::vector<KernelScene> kernels = w.kernels(scene, profiles);
+  if (frees_distortion(scene.camera, free))
+    for (KernelScene& kernel : kernels) kernel.plain_pinhole = false;
+
+  const std::vector<DerivativePass> passes = derivative_passes(scene, free);
+  out.free = static_cast<int>(free.size());
+  // The last pass writes a whole register, wherever it begins.
+  const std::size_t end = passes.back().first + kTangentWidth;
+  out.free_stride = static_cast<int>((end + kTangentWidth - 1) / kTangentWidth * kTangentWidth);
+  const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
+  out.derivative.resize(cells * lines * out.free_stride);
+
+  const std::size_t shards =
+      std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
+  for (const DerivativePass& pass : passes) {
+    const Seeds seeds(scene, free, pass.first, pass.count);
+    std::vector<int> of_energy(profiles.size(), -1);
+    std::vector<SharedChain> of_sheets(scene.sheets.size());
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+      std::fill_n(of_sheets[s].parameter_of_local, local_inputs, -1);
+      of_sheets[s].parameter_of_energy = of_energy.data();
+      // From the last: of a number that is free twice the first counts.
+      for (std::size_t i = pass.count; i-- > 0;) {
+        const ParameterId& id = free[pass.first + i];
+        const int k = local_input_of(scene, static_cast<int>(s), id);
+        if (k >= 0) of_sheets[s].parameter_of_local[k] = static_cast<int>(i);
+        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s))) {
+          of_energy[s] = static_cast<int>(i);
+          const bool is_ladder = profiles_of_sheet(scene, static_cast<int>(s)).ladder.count > 0;
+          for (int age = 1; !is_ladder && age < w.layout.ages().count(static_cast<int>(s)); ++age)
+            of_energy[w.layout.ages().first_profile(scene, static_cast<int>(s), age)] = static_cast<int>(i);
+        }
+      }
+    }
+
+    w.clear_slots(stride);
+    std::vector<std::unique_ptr<TangentFilm>>& tangents = w.tangents;
+    tangents.resize(shards);
+    std::atomic<std::uint64_t> points{0};
+    parallel_for(shards, w.threads, [&](std::size_t shard, int slot) {
+      if (tangents[shard] && tangents[shard]->lines() == lines)
+        tangents[shard]->clear();
+      else
+        tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
+      PackedChunk& packed = w.slot_chunks[slot];
+      for (std::size_t c = w.layout.chunks().size() * shard / shards;
+           c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
+        const Chunk& chunk = w.layout.chunks()[c];
+        if (w.is_dark(chunk)) continue;
+        w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
+        // The kernel's energy tangents are by log(E0).
+        points += fall_on_film_with_tangents(kernels[chunk.sheet], of_sheets[chunk.sheet],
+                                             packed.groups.data(), packed.chains.data(), packed.groups.size(),
+                                             w.slot_films[slot].data(), *tangents[shard]);
+      }
+    });
+    out.deflection_points = points;
+    w.collect(lines, stride, out);
+
+    const float mean = 1.0f / static_cast<float>(w.layout.instants());
+    std::vector<float> scale(kTangentWidth, mean);
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+      if (of_energy[s] >= 0) scale[of_energy[s]] = mean / static_cast<float>(scene.sheets[s].energy_kev);
+    const std::size_t out_stride = static_cast<std::size_t>(out.free_stride);
+    constexpr int kTile = TangentFilm::kTileColumns;
+    // Most tiles are lit by one share alone, or by two.
+    std::vector<std::vector<const float*>> lit((w.film.columns + kTile - 1) / kTile);
+    for (std::size_t tile = 0; tile < lit.size(); ++tile)
+      for (const auto& share : tangents)
+        if (share->tile_if_any(static_cast<int>(tile)) != nullptr)
+          lit[tile].push_back(share->tile_if_any(static_cast<int>(tile)));
+    parallel_for(static_cast<std::size_t>(w.film.rows), w.threads, [&](std::size_t row, int) {
+      for (int column = 0; column < w.film.columns; ++column) {
+        const std::vector<const float*>& tiles = lit[column / kTile];
+        const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
+        // What a pass has no parameters for is zero, and is written over by the next one.
+        float* to = out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass.first);
+        for (int l = 0; l < lines; ++l, to += cells * out_stride) {
+          float sum[kTangentWidth] = {};
+          for (const float* tile : tiles) {
+            const float* cell = tile + in_tile + static_cast<std::size_t>(l) * kTangentWidth;
+            for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
+          }
+          for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
+          if (&pass == &passes.back()) std::fill(to + kTangentWidth, to + (out_stride - pass.first), 0.0f);
+        }
+      }
+    });
+  }
+  w.add_volumes(scene, out, {}, nullptr, true);
+  if (w.volumes && w.volumes_shine)
+    w.volumes->add_light_derivatives(scene, w.film, free, out.free_stride, out.derivative.data());
+}
+
+void BeamExposer::expose_profiles(const Scene& scene, int sheet, const std::vector<std::vector<float>>& rates,
+                                  Exposure& out, int /*line*/) {
+  constexpr int kLanes = 8;
+  Workspace& w = *work_;
+  std::vector<HeightProfile> profiles = w.layout.profiles(scene);
+  const LightAges& ages = w.layout.ages();
+  const int rungs = profiles_of_sheet(scene, sheet).count();
+  std::vector<int> of_sheet;  // its profiles: interval by interval of age the rungs
+  for (int age = 0; age < ages.count(sheet); ++age)
+    for (int rung = 0; rung < rungs; ++rung) of_sheet.push_back(ages.first_profile(scene, sheet, age) + rung);
+  const auto largest = [](const std::vector<float>& numbers) {
+    float most = 0.0f;
+    for (const float x : numbers) most = std::max(most, std::abs(x));
+    return most;
+  };
+  // As bright as the sheet's own light, so that the film's units are as fine for them as for it.
+  float usual = 0.0f;
+  for (const int own : of_sheet) usual = std::max(usual, largest(profiles[own].rate));
+  if (!(usual > 0.0f)) usual = 1.0f;
+  out.geometry = w.film;
+  out.lines = static_cast<int>(rates.size());
+  out.free = out.free_stride = 0;
+  out.deflection_points = 0;
+  const std::size_t cells = out.cells();
+  out.rayleigh.resize(cells * rates.size());
+  for (HeightProfile& each : profiles) each = HeightProfile{};
+  Exposure some;
+  for (std::size_t first = 0; first < rates.size(); first += kLanes) {
+    const int lanes = static_cast<int>(std::min<std::size_t>(kLanes, rates.size() - first));
+    const int stride = lanes <= 4 ? 4 : kLanes;
+    for (HeightProfile& each : profiles) each.stride = stride;
+    std::vector<float> back(lanes, 0.0f);
+    for (int l = 0; l < lanes; ++l) {
+      const float most = largest(rates[first + l]);
+      if (most > 0.0f) back[l] = most / usual;
+    }
+    for (std::size_t part = 0; part < of_sheet.size(); ++part) {
+      HeightProfile& profile = profiles[of_sheet[part]];
+      profile.lines = lanes;
+      profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * stride, 0.0f);
+      for (int l = 0; l < lanes; ++l) {
+        const std::vector<float>& rate = rates[first + l];
+        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * of_sheet.size());
+        const float most = largest(rate);
+        if (!(most > 0.0f)) continue;
+        const float* of_part = rate.data() + part * HeightProfile::kAltitudes;
+        for (int a = 0; a < HeightProfile::kAltitudes; ++a)
+          profile.rate[static_cast<std::size_t>(a) * stride + l] = of_part[a] * (usual / most);
+      }
+    }
+    out.deflection_points += w.fall(scene, profiles, stride, sheet);
+    w.collect(lanes, stride, some);
+    parallel_for(static_cast<std::size_t>(lanes), w.threads, [&](std::size_t l, int) {
+      for (std::size_t i = 0; i < cells; ++i)
+        out.rayleigh[(first + l) * cells + i] = some.rayleigh[l * cells + i] * back[l];
+    });
+  }
+}
+
+std::vector<float> BeamExposer::split_by_age(int sheet, double wavelength_nm,
+                                             const std::vector<float>& rates) const {
+  return work_->layout.ages().split_rates(sheet, wavelength_nm, rates);
+}
+
+void BeamExposer::expose_reference(const Scene& scene, std::vector<double>& rayleigh) {
+  Workspace& w = *work_;
+  const int lines = static_cast<int>(scene.emission.lines.size());
+  const int stride = lines <= 4 ? 4 : 8;
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
+  const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
+  std::vector<double> film(cells * stride, 0.0);
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.layout.chunks()) {
+    const KernelScene& k = kernels[chunk.sheet];
+    w.layout.pack(scene, chunk, k, packed);
+    fall_on_film_reference(k, packed.groups.data(), packed.groups.size(), film.data());
+  }
+  rayleigh.resize(cells * lines);
+  for (std::size_t i = 0; i < cells; ++i)
+    for (int l = 0; l < lines; ++l) rayleigh[l * cells + i] = film[i * stride + l] / w.layout.instants();
+}
+
+void BeamExposer::record_splats(const Scene& scene, SplatRecord& record) {
+  Workspace& w = *work_;
+  const std::vector<HeightProfile> profiles = w.layout.profiles(scene);
+  const std::vector<KernelScene> kernels = w.kernels(scene, profiles);
+  PackedChunk packed;
+  for (const Chunk& chunk : w.layout.chunks()) {
+    const KernelScene& k = kernels[chunk.sheet];
+    w.layout.pack(scene, chunk, k, packed);
+    sim::record_splats(k, packed.groups.data(), packed.groups.size(), record);
+  }
+}
+
+}  // namespace vegard::sim
