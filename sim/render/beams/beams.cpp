@@ -217,15 +217,6 @@ BeamLayout::BeamLayout(const Scene& scene, double beyond, std::vector<SheetNodes
   }
 }
 
-void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel,
-                      PackedChunk& out) const {
-  pack_as<double>(scene, chunk, kernel, nullptr, out);
-}
-void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
-                      PackedChunk& out) const {
-  pack_as<PlaceDual>(scene, chunk, kernel, &seeds, out);
-}
-
 std::vector<HeightProfile> BeamLayout::profiles(const Scene& scene) const {
   std::vector<HeightProfile> all = height_profiles(scene);
   ages_.split(scene, all);
@@ -240,212 +231,321 @@ double BeamLayout::peak_km(int sheet, const EnergyLadder& ladder, int rung) cons
   return peaks[ladder.count == 0 ? 0 : std::clamp(laid_out, 0, static_cast<int>(peaks.size()) - 1)];
 }
 
+/// Packs one chunk, beam by beam. T is double for light only, PlaceDual with the data for derivatives.
 template <class T>
-void BeamLayout::pack_as(const Scene& scene, const Chunk& chunk, const KernelScene& k, const Seeds* seeds,
-                         PackedChunk& out) const {
-  out.groups.clear();
-  out.chains.clear();
-  out.axes.clear();
-  out.places.resize(chunk.count);
-  const Sheet& sheet = scene.sheets[chunk.sheet];
-  const bool literal = sheet.spacing_rule == SpacingRule::literal;
-  double instant = instants_s_[chunk.instant];  // of light of an age, from beam to beam that of its electrons
-  StretchOfSheet stretch = stretches_[chunk.instant][chunk.sheet];
-  SheetShape<double> shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
-  SheetShape<FreeDual> free_shape;
-  if (seeds != nullptr) free_shape = shape_of(scene, chunk.sheet, chunk.arc, instant, *seeds);
-  FallFrame<double> fall;
-  for (int i = 0; i < 3; ++i) {
-    fall.along[i] = k.fall.along[i].v;
-    fall.across1[i] = k.fall.across1[i].v;
-    fall.across2[i] = k.fall.across2[i].v;
-  }
-  const double tube_end = tube_variance_at_end(k.deflection);
-  const SheetOverTime& over_time = past_[chunk.sheet][chunk.age];
-  const Sheet& laid_out = over_time.sheet;
-  const CurveLayout& curve_laid_out = curves_[chunk.sheet];
-  const ProfilesOfSheet profiles = profiles_of_sheet(scene, chunk.sheet);
-  const std::uint32_t arc_address = layer_address(chunk.sheet, chunk.arc, 0);
-  ArcLight light(laid_out, arc_address, seed_, instant, stretch.drifted_km);
-  const Folds folds(laid_out, arc_address, seed_, instant, stretch.drifted_km);
-  const Curls spirals = Curls::spirals(laid_out, arc_address, seed_, instant, stretch.drifted_km);
-  const bool reads_elsewhere = light.reads_elsewhere() || over_time.draws_ray_length;
-  const bool any_light = light.any() || over_time.draws_ray_length;
-  const int first_profile = ages_.first_profile(scene, chunk.sheet, chunk.age);
-  // To the time at which a beam's electrons fell, whose light is only now seen.
-  std::optional<ArcLight> past_light;
-  EastNorth moved_km;
-  const auto go_back = [&](int beam, int layer, LayerStructure& structures) {
-    const int every =
-        BeamsOfAge(places_[chunk.sheet][chunk.arc][layer].size(), chunk.age, k.nodes.any()).every;
-    const double age_s =
-        ages_.age_s(chunk.sheet, chunk.age, even_place(beam / every, chunk.age, layer, kStepOfAge));
-    instant = instants_s_[chunk.instant] - age_s;
-    stretch = moved(stretches_[chunk.instant][chunk.sheet], sheets_[chunk.sheet], -age_s);
-    shape = shape_of(scene, chunk.sheet, chunk.arc, instant, NoSeeds());
-    if (seeds != nullptr) free_shape = shape_of(scene, chunk.sheet, chunk.arc, instant, *seeds);
-    moved_km = scene.blur.model == BlurModel::physical ? EastNorth{1e-3 * scene.blur.wind_m_s.east * age_s,
-                                                                   1e-3 * scene.blur.wind_m_s.north * age_s}
-                                                       : EastNorth{};
-    if (is_curve(sheet)) {
-      moved_km.east -= sheet.drift_km_s.east * age_s;
-      moved_km.north -= sheet.drift_km_s.north * age_s;
+class BeamLayout::Packer {
+ public:
+  Packer(const BeamLayout& layout, const Scene& scene, const Chunk& chunk, const KernelScene& kernel,
+         const Seeds* seeds, PackedChunk& out)
+      : layout_(layout),
+        scene_(scene),
+        chunk_(chunk),
+        k_(kernel),
+        seeds_(seeds),
+        out_(out),
+        sheet_(scene.sheets[chunk.sheet]),
+        over_time_(layout.past_[chunk.sheet][chunk.age]),
+        laid_out_(over_time_.sheet),
+        curve_laid_out_(layout.curves_[chunk.sheet]),
+        profiles_(profiles_of_sheet(scene, chunk.sheet)),
+        arc_address_(layer_address(chunk.sheet, chunk.arc, 0)),
+        first_profile_(layout.ages_.first_profile(scene, chunk.sheet, chunk.age)),
+        tube_end_(tube_variance_at_end(kernel.deflection)),
+        instant_(layout.instants_s_[chunk.instant]),
+        stretch_(layout.stretches_[chunk.instant][chunk.sheet]),
+        light_(laid_out_, arc_address_, layout.seed_, instant_, stretch_.drifted_km),
+        folds_(laid_out_, arc_address_, layout.seed_, instant_, stretch_.drifted_km),
+        spirals_(Curls::spirals(laid_out_, arc_address_, layout.seed_, instant_, stretch_.drifted_km)),
+        reads_elsewhere_(light_.reads_elsewhere() || over_time_.draws_ray_length),
+        any_light_(light_.any() || over_time_.draws_ray_length) {
+    find_shape();
+    for (int i = 0; i < 3; ++i) {
+      fall_.along[i] = k_.fall.along[i].v;
+      fall_.across1[i] = k_.fall.across1[i].v;
+      fall_.across2[i] = k_.fall.across2[i].v;
     }
-    if (light.any() && !k.nodes.any())
-      past_light.emplace(laid_out, arc_address, seed_, instant, stretch.drifted_km);
-    if (structures.any())
-      structures = LayerStructure(laid_out, arc_address, layer_address(chunk.sheet, chunk.arc, layer), seed_,
-                                  instant, stretch.drifted_km);
-  };
-  for (int layer = 0; layer < sheet.layers; ++layer) {
-    const LayerPlaces& places = places_[chunk.sheet][chunk.arc][layer];
-    places.fill(chunk.first, chunk.count, out.places.data());
-    const BeamsOfAge of_age(places.size(), chunk.age, k.nodes.any());
-    if (layer == 0 && chunk.age == 0)
-      light.remember(stretch.along_km(out.places.front().s), stretch.along_km(out.places.back().s));
-    LayerStructure structures{folds,
-                              Curls(laid_out, layer_address(chunk.sheet, chunk.arc, layer), seed_,
-                                    instants_s_[chunk.instant], stretch.drifted_km),
-                              spirals};
-    const LayerStructure* structure = structures.any() ? &structures : nullptr;
+  }
+
+  void run() {
+    out_.groups.clear();
+    out_.chains.clear();
+    out_.axes.clear();
+    out_.places.resize(chunk_.count);
+    for (int layer = 0; layer < sheet_.layers; ++layer) pack_layer(layer);
+    for (std::size_t g = 0; g < out_.axes.size(); ++g) out_.groups[g].axes = &out_.axes[g];
+  }
+
+ private:
+  /// What the beams of a layer have in common, and their groups with room.
+  struct Layer {
+    int number;
+    BeamsOfAge of_age;
+    LayerStructure structures;
     std::optional<SheetCurve<double>> curve;
     std::optional<SheetCurve<FreeDual>> free_curve;
-    if (is_curve(sheet)) {
-      const auto [first, last] = pieces_of(curve_laid_out, out.places);
-      const double at = instants_s_[chunk.instant];  // it keeps its shape, and is moved as a whole
-      curve.emplace(curve_nodes<double>(sheet, at, NoSeeds()), first, last);
-      if (seeds != nullptr) free_curve.emplace(curve_nodes<FreeDual>(sheet, at, *seeds), first, last);
-    }
     std::vector<OpenGroup> open;
-    for (int b = chunk.first; b < chunk.first + chunk.count; ++b) {
-      if (!of_age.has(b)) continue;
-      BeamPlace& place = out.places[b - chunk.first];
-      if (chunk.age > 0) go_back(b, layer, structures);
-      CurveFoot<double> on_curve;
-      if (curve) on_curve = curve_foot(*curve, shape, curve_laid_out, place);
-      BeamFoot<double> foot =
-          curve ? on_curve.foot : beam_foot(shape, stretch, place, layer, sheet.layers, literal, structure);
-      foot.east_km += moved_km.east;
-      foot.north_km += moved_km.north;
-      if (foot.flux_km2_mw_m2 <= 0.0) continue;
-      if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) continue;
-      const FallFrame<double> own = k.beams_own_field ? k.field.at(foot.east_km, foot.north_km) : fall;
-      BeamLight shone;
-      const auto shine = [&] {
-        ArcLight& then = past_light ? *past_light : light;
-        if (then.any())
-          shone = then.at(stretch.along_km(place.s),
-                          curve ? width_laid_out_km(laid_out, curve_laid_out, place.s) * place.across
-                                : aside_laid_out_km(laid_out, place, layer, instant));
-      };
-      const bool starts_elsewhere =
-          laid_out.border_rule == BorderRule::start && laid_out.border_amplitude_km > 0.0 && !k.nodes.any();
-      if (starts_elsewhere) shine();
-      const double top_km = sheet.top_km + shone.start_shift_km,
-                   bottom_km = HeightProfile::kBottomKm + shone.start_shift_km;
-      const Beam<double> plain = start_beam(foot.east_km, foot.north_km, own, k.observer_altitude_km, top_km,
-                                            bottom_km, k.sphere_km);
-      // A field line that does not descend would be negative light; one that grazes the Earth never comes
-      // down to the bottom, and has no length.
-      if (plain.vertical <= 0.0 || !(plain.length_km > 0.0)) continue;
-      if (k.film.columns > 0 && out_of_sight(plain, own.along, k)) continue;
-      PlaceInTube<double> in_tube;
-      if (k.nodes.any()) {
-        EastNorth tangent{shape.along_east, shape.along_north}, aside{-shape.along_north, shape.along_east};
-        if (curve) {
-          tangent = {on_curve.along[0], on_curve.along[1]};
-          aside = {-tangent.north, tangent.east};
-        } else {
-          const double slope = slope_laid_out(laid_out, place, layer, instant) * shape.side;
-          tangent = {tangent.east + slope * aside.east, tangent.north + slope * aside.north};
-        }
-        aside = {aside.east * shape.side, aside.north * shape.side};
-        in_tube = place_in_tube(own, tangent, aside, curve ? on_curve.width_km : shape.width_km, place.across,
-                                place.along_in_tube);
-        // The width of both, sqrt(w² + v), grows so much less with w; v where most light is.
-        const double width2 = in_tube.width_km * in_tube.width_km,
-                     tube2 = tube_end * plain.length_km * plain.length_km;
-        if (width2 > 0.0) place.width_slope = std::sqrt(width2 / (width2 + tube2));
-      }
-      CurveFoot<FreeDual> free_foot;
-      if constexpr (std::is_same_v<T, PlaceDual>) {
-        if (free_curve)
-          free_foot = curve_foot(*free_curve, free_shape, curve_laid_out, place);
-        else
-          free_foot.foot = beam_foot(free_shape, stretch, place, layer, sheet.layers, literal, structure);
-      }
-      if (k.nodes.any()) {
-        if (any_light) shone = mean_light(sheets_[chunk.sheet], place.ray);
-      } else {
-        if (!starts_elsewhere) shine();
-        if (over_time.draws_ray_length)
-          shone.stretch_above =
-              mean_light(sheets_[chunk.sheet],
-                         normal_quantile(even_place(b / of_age.every, chunk.age, layer, kStepOfRay)))
-                  .stretch_above;
-      }
-      const RungShare<FreeDual> share = rung_share(profiles.ladder, on_curve.ln_energy, free_foot.ln_energy);
-      for (int rung = share.rung; rung < share.rung + share.rungs; ++rung) {
-        OpenGroup& with = group_with_room(open, rung, [&] {
-          out.groups.emplace_back();
-          BeamGroup& fresh = out.groups.back();
-          leave_empty(fresh, seeds != nullptr);
-          fresh.layer_address = layer_address(chunk.sheet, chunk.arc, layer);
-          fresh.profile = first_profile + rung;
-          fresh.reads_elsewhere = reads_elsewhere;
-          fresh.peak_km = peak_km(chunk.sheet, profiles.ladder, rung);
-          if (seeds != nullptr) out.chains.emplace_back(GroupChain{});
-          if (k.beams_own_field) out.axes.emplace_back(GroupAxes{});
-          return out.groups.size() - 1;
-        });
-        const int place_in_group = with.used++;
-        BeamGroup& group = out.groups[with.group];
-        const FreeDual part = share.of(rung);
-        if constexpr (std::is_same_v<T, PlaceDual>) {
-          PlaceDual east(foot.east_km), north(foot.north_km);
-          east.d.t[foot_east] = 1.0;
-          north.d.t[foot_north] = 1.0;
-          const FallFrame<PlaceDual> own_fall = k.beams_own_field ? k.field.at(east, north) : k.fall;
-          if (k.beams_own_field) put(own_fall, place_in_group, out.axes[with.group]);
-          const Beam<PlaceDual> beam =
-              start_beam(east, north, own_fall, k.observer_altitude_km, top_km, bottom_km, k.sphere_km);
-          for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
-          put(beam.length_km, place_in_group, group.length_km);
-          put(light_per_path(sheet, beam.vertical), place_in_group, group.vertical);
-          GroupChain& chain = out.chains[with.group];
-          narrow(free_foot.foot.east_km.d, 1.0, chain.foot_east[place_in_group]);
-          narrow(free_foot.foot.north_km.d, 1.0, chain.foot_north[place_in_group]);
-          const FreeDual flux =
-              share.rungs == 1 ? free_foot.foot.flux_km2_mw_m2 : free_foot.foot.flux_km2_mw_m2 * part;
-          narrow(flux.d, flux.v > 0.0 ? 1.0 / flux.v : 0.0, chain.log_flux[place_in_group]);
-        } else {
-          if (k.beams_own_field) put(own, place_in_group, out.axes[with.group]);
-          for (int i = 0; i < 3; ++i) put(plain.start_in_enu_km[i], place_in_group, group.start_in_enu_km[i]);
-          put(plain.length_km, place_in_group, group.length_km);
-          put(light_per_path(sheet, plain.vertical), place_in_group, group.vertical);
-        }
-        group.flux_km2_mw_m2[place_in_group] = foot.flux_km2_mw_m2;
-        if (share.rungs > 1) group.flux_km2_mw_m2[place_in_group] *= part.v;
-        group.flux_km2_mw_m2[place_in_group] *= place.weight;
-        if (chunk.age > 0) group.flux_km2_mw_m2[place_in_group] *= of_age.weight;
-        if (any_light) {
-          group.flux_km2_mw_m2[place_in_group] *= shone.factor;
-          group.altitude_shift_km[place_in_group] = shone.altitude_shift_km;
-          group.stretch_above[place_in_group] = shone.stretch_above;
-        }
-        group.end_of_path[place_in_group] = k.nodes.any() ? 1.0 : 1.0 - place.depth * sheet.path_spread;
-        if (k.nodes.any())
-          group.first_node[place_in_group] = (1.0 + k.nodes.offset) * std::pow(k.nodes.shrink, place.node);
-        for (int i = 0; i < 2; ++i) {
-          group.tube_along[i][place_in_group] = in_tube.along[i];
-          group.tube_across[i][place_in_group] = in_tube.across[i];
-        }
-        group.sheet_width_km[place_in_group] = in_tube.width_km;
-        group.index[place_in_group] = static_cast<std::uint32_t>(b);
-      }
+  };
+  /// A beam on its way into a group.
+  struct PlacedBeam {
+    int number;
+    BeamPlace& place;
+    CurveFoot<double> on_curve;  ///< of sheets whose course is a curve
+    BeamFoot<double> foot;
+    FallFrame<double> fall;
+    BeamLight light;
+    double top_km, bottom_km;
+    Beam<double> beam;
+    PlaceInTube<double> in_tube;
+    CurveFoot<FreeDual> free_foot;
+  };
+
+  void pack_layer(int number) {
+    const LayerPlaces& places = layout_.places_[chunk_.sheet][chunk_.arc][number];
+    places.fill(chunk_.first, chunk_.count, out_.places.data());
+    if (number == 0 && chunk_.age == 0)
+      light_.remember(stretch_.along_km(out_.places.front().s), stretch_.along_km(out_.places.back().s));
+    const double at = layout_.instants_s_[chunk_.instant];
+    const Curls curls(laid_out_, address_of(number), layout_.seed_, at, stretch_.drifted_km);
+    Layer layer{
+        number, BeamsOfAge(places.size(), chunk_.age, k_.nodes.any()), {folds_, curls, spirals_}, {}, {}, {}};
+    if (is_curve(sheet_)) {
+      const auto [first, last] = pieces_of(curve_laid_out_, out_.places);
+      layer.curve.emplace(curve_nodes<double>(sheet_, at, NoSeeds()), first, last);  // moved as a whole
+      if (seeds_ != nullptr)
+        layer.free_curve.emplace(curve_nodes<FreeDual>(sheet_, at, *seeds_), first, last);
     }
+    for (int b = chunk_.first; b < chunk_.first + chunk_.count; ++b)
+      if (layer.of_age.has(b)) pack_beam(b, layer);
   }
-  for (std::size_t g = 0; g < out.axes.size(); ++g) out.groups[g].axes = &out.axes[g];
+
+  void pack_beam(int number, Layer& layer) {
+    if (chunk_.age > 0) go_back(number, layer);
+    PlacedBeam placed{number, out_.places[number - chunk_.first], {}, {}, {}, {}, 0.0, 0.0, {}, {}, {}};
+    if (!find_foot(layer, placed)) return;
+    const bool starts_elsewhere =
+        laid_out_.border_rule == BorderRule::start && laid_out_.border_amplitude_km > 0.0 && !k_.nodes.any();
+    if (starts_elsewhere) find_drawn_light(layer, placed);
+    if (!start(placed)) return;
+    if (k_.nodes.any()) find_place_in_tube(layer, placed);
+    if constexpr (std::is_same_v<T, PlaceDual>) {
+      if (layer.free_curve)
+        placed.free_foot = curve_foot(*layer.free_curve, free_shape_, curve_laid_out_, placed.place);
+      else
+        placed.free_foot.foot = foot_on_sheet(free_shape_, layer, placed.place);
+    }
+    if (k_.nodes.any()) {
+      if (any_light_) placed.light = mean_light(layout_.sheets_[chunk_.sheet], placed.place.ray);
+    } else {
+      if (!starts_elsewhere) find_drawn_light(layer, placed);
+      if (over_time_.draws_ray_length) placed.light.stretch_above = drawn_ray_length(layer, number);
+    }
+    const RungShare<FreeDual> share =
+        rung_share(profiles_.ladder, placed.on_curve.ln_energy, placed.free_foot.ln_energy);
+    for (int rung = share.rung; rung < share.rung + share.rungs; ++rung)
+      put_into_group(layer, placed, rung, share);
+  }
+
+  /// Goes to the time at which the electrons of a beam fell, whose light is only now seen.
+  void go_back(int beam, Layer& layer) {
+    const double age_s =
+        layout_.ages_.age_s(chunk_.sheet, chunk_.age,
+                            even_place(beam / layer.of_age.every, chunk_.age, layer.number, kStepOfAge));
+    instant_ = layout_.instants_s_[chunk_.instant] - age_s;
+    stretch_ = moved(layout_.stretches_[chunk_.instant][chunk_.sheet], layout_.sheets_[chunk_.sheet], -age_s);
+    find_shape();
+    moved_km_ =
+        scene_.blur.model == BlurModel::physical
+            ? EastNorth{1e-3 * scene_.blur.wind_m_s.east * age_s, 1e-3 * scene_.blur.wind_m_s.north * age_s}
+            : EastNorth{};
+    if (is_curve(sheet_)) {
+      moved_km_.east -= sheet_.drift_km_s.east * age_s;
+      moved_km_.north -= sheet_.drift_km_s.north * age_s;
+    }
+    if (light_.any() && !k_.nodes.any())
+      past_light_.emplace(laid_out_, arc_address_, layout_.seed_, instant_, stretch_.drifted_km);
+    if (layer.structures.any())
+      layer.structures = LayerStructure(laid_out_, arc_address_, address_of(layer.number), layout_.seed_,
+                                        instant_, stretch_.drifted_km);
+  }
+
+  void find_shape() {
+    shape_ = shape_of(scene_, chunk_.sheet, chunk_.arc, instant_, NoSeeds());
+    if (seeds_ != nullptr) free_shape_ = shape_of(scene_, chunk_.sheet, chunk_.arc, instant_, *seeds_);
+  }
+
+  template <class N>
+  BeamFoot<N> foot_on_sheet(const SheetShape<N>& shape, const Layer& layer, const BeamPlace& place) const {
+    return beam_foot(shape, stretch_, place, layer.number, sheet_.layers,
+                     sheet_.spacing_rule == SpacingRule::literal,
+                     layer.structures.any() ? &layer.structures : nullptr);
+  }
+
+  /// Returns false for a beam that is dark or too far away.
+  bool find_foot(const Layer& layer, PlacedBeam& placed) const {
+    if (layer.curve) placed.on_curve = curve_foot(*layer.curve, shape_, curve_laid_out_, placed.place);
+    BeamFoot<double>& foot = placed.foot;
+    foot = layer.curve ? placed.on_curve.foot : foot_on_sheet(shape_, layer, placed.place);
+    foot.east_km += moved_km_.east;
+    foot.north_km += moved_km_.north;
+    if (foot.flux_km2_mw_m2 <= 0.0) return false;
+    if (foot.east_km * foot.east_km + foot.north_km * foot.north_km > kFarthestKm * kFarthestKm) return false;
+    placed.fall = k_.beams_own_field ? k_.field.at(foot.east_km, foot.north_km) : fall_;
+    return true;
+  }
+
+  /// The light that the processes along the arc give the beam; unchanged if there are none.
+  void find_drawn_light(const Layer& layer, PlacedBeam& placed) {
+    ArcLight& then = past_light_ ? *past_light_ : light_;
+    if (!then.any()) return;
+    const BeamPlace& place = placed.place;
+    placed.light = then.at(stretch_.along_km(place.s),
+                           layer.curve ? width_laid_out_km(laid_out_, curve_laid_out_, place.s) * place.across
+                                       : aside_laid_out_km(laid_out_, place, layer.number, instant_));
+  }
+
+  double drawn_ray_length(const Layer& layer, int beam) const {
+    const double place = even_place(beam / layer.of_age.every, chunk_.age, layer.number, kStepOfRay);
+    return mean_light(layout_.sheets_[chunk_.sheet], normal_quantile(place)).stretch_above;
+  }
+
+  /// Returns false for a beam that does not descend or cannot be seen. A field line that does not descend
+  /// would be negative light; one that grazes the Earth never comes down to the bottom, and has no length.
+  bool start(PlacedBeam& placed) const {
+    placed.top_km = sheet_.top_km + placed.light.start_shift_km;
+    placed.bottom_km = HeightProfile::kBottomKm + placed.light.start_shift_km;
+    placed.beam = start_beam(placed.foot.east_km, placed.foot.north_km, placed.fall, k_.observer_altitude_km,
+                             placed.top_km, placed.bottom_km, k_.sphere_km);
+    if (placed.beam.vertical <= 0.0 || !(placed.beam.length_km > 0.0)) return false;
+    return k_.film.columns == 0 || !out_of_sight(placed.beam, placed.fall.along, k_);
+  }
+
+  void find_place_in_tube(const Layer& layer, PlacedBeam& placed) const {
+    BeamPlace& place = placed.place;
+    EastNorth tangent{shape_.along_east, shape_.along_north}, aside{-shape_.along_north, shape_.along_east};
+    if (layer.curve) {
+      tangent = {placed.on_curve.along[0], placed.on_curve.along[1]};
+      aside = {-tangent.north, tangent.east};
+    } else {
+      const double slope = slope_laid_out(laid_out_, place, layer.number, instant_) * shape_.side;
+      tangent = {tangent.east + slope * aside.east, tangent.north + slope * aside.north};
+    }
+    aside = {aside.east * shape_.side, aside.north * shape_.side};
+    placed.in_tube =
+        place_in_tube(placed.fall, tangent, aside, layer.curve ? placed.on_curve.width_km : shape_.width_km,
+                      place.across, place.along_in_tube);
+    // The width of both, sqrt(w² + v), grows so much less with w; v where most light is.
+    const double width2 = placed.in_tube.width_km * placed.in_tube.width_km,
+                 tube2 = tube_end_ * placed.beam.length_km * placed.beam.length_km;
+    if (width2 > 0.0) place.width_slope = std::sqrt(width2 / (width2 + tube2));
+  }
+
+  /// Appends an empty group to the chunk.
+  std::size_t make_group(const Layer& layer, int rung) {
+    BeamGroup& fresh = out_.groups.emplace_back();
+    leave_empty(fresh, seeds_ != nullptr);
+    fresh.layer_address = address_of(layer.number);
+    fresh.profile = first_profile_ + rung;
+    fresh.reads_elsewhere = reads_elsewhere_;
+    fresh.peak_km = layout_.peak_km(chunk_.sheet, profiles_.ladder, rung);
+    if (seeds_ != nullptr) out_.chains.emplace_back(GroupChain{});
+    if (k_.beams_own_field) out_.axes.emplace_back(GroupAxes{});
+    return out_.groups.size() - 1;
+  }
+
+  /// Puts the beam, with its share of a profile, into a group of that profile.
+  void put_into_group(Layer& layer, const PlacedBeam& placed, int rung, const RungShare<FreeDual>& share) {
+    OpenGroup& with = group_with_room(layer.open, rung, [&] { return make_group(layer, rung); });
+    const int at = with.used++;
+    BeamGroup& group = out_.groups[with.group];
+    const FreeDual part = share.of(rung);
+    if constexpr (std::is_same_v<T, PlaceDual>)
+      put_with_derivatives(placed, with.group, at, part, share.rungs);
+    else
+      put_beam(placed.beam, placed.fall, with.group, at);
+    double& flux = group.flux_km2_mw_m2[at];
+    flux = placed.foot.flux_km2_mw_m2;
+    if (share.rungs > 1) flux *= part.v;
+    flux *= placed.place.weight;
+    if (chunk_.age > 0) flux *= layer.of_age.weight;
+    if (any_light_) {
+      flux *= placed.light.factor;
+      group.altitude_shift_km[at] = placed.light.altitude_shift_km;
+      group.stretch_above[at] = placed.light.stretch_above;
+    }
+    group.end_of_path[at] = k_.nodes.any() ? 1.0 : 1.0 - placed.place.depth * sheet_.path_spread;
+    if (k_.nodes.any())
+      group.first_node[at] = (1.0 + k_.nodes.offset) * std::pow(k_.nodes.shrink, placed.place.node);
+    for (int i = 0; i < 2; ++i) {
+      group.tube_along[i][at] = placed.in_tube.along[i];
+      group.tube_across[i][at] = placed.in_tube.across[i];
+    }
+    group.sheet_width_km[at] = placed.in_tube.width_km;
+    group.index[at] = static_cast<std::uint32_t>(placed.number);
+  }
+
+  template <class N>
+  void put_beam(const Beam<N>& beam, const FallFrame<N>& fall, std::size_t in, int at) {
+    BeamGroup& group = out_.groups[in];
+    if (k_.beams_own_field) put(fall, at, out_.axes[in]);
+    for (int i = 0; i < 3; ++i) put(beam.start_in_enu_km[i], at, group.start_in_enu_km[i]);
+    put(beam.length_km, at, group.length_km);
+    put(light_per_path(sheet_, beam.vertical), at, group.vertical);
+  }
+
+  void put_with_derivatives(const PlacedBeam& placed, std::size_t in, int at, const FreeDual& part,
+                            int rungs) {
+    PlaceDual east(placed.foot.east_km), north(placed.foot.north_km);
+    east.d.t[foot_east] = 1.0;
+    north.d.t[foot_north] = 1.0;
+    const FallFrame<PlaceDual> fall = k_.beams_own_field ? k_.field.at(east, north) : k_.fall;
+    put_beam(
+        start_beam(east, north, fall, k_.observer_altitude_km, placed.top_km, placed.bottom_km, k_.sphere_km),
+        fall, in, at);
+    const BeamFoot<FreeDual>& foot = placed.free_foot.foot;
+    GroupChain& chain = out_.chains[in];
+    narrow(foot.east_km.d, 1.0, chain.foot_east[at]);
+    narrow(foot.north_km.d, 1.0, chain.foot_north[at]);
+    const FreeDual flux = rungs == 1 ? foot.flux_km2_mw_m2 : foot.flux_km2_mw_m2 * part;
+    narrow(flux.d, flux.v > 0.0 ? 1.0 / flux.v : 0.0, chain.log_flux[at]);
+  }
+
+  std::uint32_t address_of(int layer) const { return layer_address(chunk_.sheet, chunk_.arc, layer); }
+
+  const BeamLayout& layout_;
+  const Scene& scene_;
+  const Chunk& chunk_;
+  const KernelScene& k_;
+  const Seeds* seeds_;
+  PackedChunk& out_;
+  const Sheet& sheet_;
+  const SheetOverTime& over_time_;
+  const Sheet& laid_out_;
+  const CurveLayout& curve_laid_out_;
+  const ProfilesOfSheet profiles_;
+  const std::uint32_t arc_address_;
+  const int first_profile_;
+  const double tube_end_;
+  FallFrame<double> fall_;  ///< of the uniform field
+  // For light of an age, these are those of the time at which the present beam's electrons fell.
+  double instant_;
+  StretchOfSheet stretch_;
+  SheetShape<double> shape_;
+  SheetShape<FreeDual> free_shape_;
+  EastNorth moved_km_;                  ///< how far the atoms have been carried since
+  std::optional<ArcLight> past_light_;  ///< null: `light_`
+  ArcLight light_;
+  const Folds folds_;
+  const Curls spirals_;
+  const bool reads_elsewhere_, any_light_;
+};
+
+void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel,
+                      PackedChunk& out) const {
+  Packer<double>(*this, scene, chunk, kernel, nullptr, out).run();
+}
+void BeamLayout::pack(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds& seeds,
+                      PackedChunk& out) const {
+  Packer<PlaceDual>(*this, scene, chunk, kernel, &seeds, out).run();
 }
 
 }  // namespace vegard::sim

@@ -64,8 +64,7 @@ class BeamLayout {
   double peak_km(int sheet, const EnergyLadder& ladder, int rung) const;
 
   template <class T>
-  void pack_as(const Scene& scene, const Chunk& chunk, const KernelScene& kernel, const Seeds* seeds,
-               PackedChunk& out) const;
+  class Packer;
 
   std::vector<SheetNodes> nodes_;  ///< [sheet], or none
   std::vector<double> instants_s_;
