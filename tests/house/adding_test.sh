@@ -195,7 +195,10 @@ is_described() {
   grep -q -- "$*" "$work/words" || { cat "$work/words" >&2; fail "$kind: its size is not told"; }
 }
 
-for kind in subcommand array_format picture_format; do
+# shellcheck source=tests/house/adding/statistic_and_number.sh
+source "$root/tests/house/adding/statistic_and_number.sh"
+
+for kind in subcommand array_format picture_format statistic result_number; do
   rm -rf "$work/before"
   fresh_copy
   "add_$kind"
