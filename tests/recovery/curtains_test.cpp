@@ -13,7 +13,7 @@
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/map_raster.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/file/scene_toml.h"
@@ -219,7 +219,7 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   // Refined by beams.
   const FitResult refined =
       fit_curtains(camera(), {photo}, ridges(curtains, "curtain_"), ridges(faint, "faint_"), FitOptions());
-  for (const CurtainStep& step : refined.curve_steps)
+  for (const CurtainStep& step : refined.curtain_steps)
     std::printf("%s: chi2 %.0f\n", curve_step_in_words(step).c_str(), step.chi2);
   std::printf("chi2 %.0f at the start, %.0f at the end, dof %d\n", refined.chi2_initial, refined.chi2,
               refined.dof);
