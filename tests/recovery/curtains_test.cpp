@@ -13,7 +13,7 @@
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/map_raster.h"
-#include "fit/report/table/curtain_steps_table.h"
+#include "fit/report/table/curve_steps_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/file/scene_toml.h"
