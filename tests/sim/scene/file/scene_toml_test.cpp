@@ -210,7 +210,7 @@ const Bad bad_scenes[] = {
      "'latitude_deg' | [site]"},
     {"key_without_table", "width = 3\n", 1, "width", "'width' belongs to [camera]"},
     {"seed_in_a_table", "[fit]\nseed = 3\n", 2, "fit.seed", "'seed' | top"},
-    {"unknown_table", "seed = 1\n\n[camra]\nwidth = 3\n", 3, "camra", "'camra' | | 'camera'"},
+    {"unknown_table", "seed = 1\n\n[camra]\nwidth = 3\n", 3, "camra", "'camra' | 'camera'"},
     {"unknown_array_of_tables", "[[sheets]]\n", 1, "sheets", "did you mean 'sheet'?"},
     {"table_in_table", "[camera.lens]\nwidth = 3\n", 1, "camera.lens", "unknown table 'lens'"},
     {"sheet_as_table", "[sheet]\n", 1, "sheet", "write [[sheet]]"},
