@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <set>
 
 #include "sim/base/parallel.h"
+#include "sim/light/sample.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams/beams.h"
-#include "sim/render/beams/derivative_passes.h"
 #include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/beams/sheet_nodes.h"
@@ -25,6 +26,40 @@ bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free
     const int number = camera_number_of(camera, id);
     return number >= k1_number && number <= p2_number;
   });
+}
+
+/// The local inputs that a number is, in some sheet.
+std::set<int> local_inputs_of(const Scene& scene, const ParameterId& number) {
+  std::set<int> inputs;
+  for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+    if (const int k = local_input_of(scene, static_cast<int>(s), number); k >= 0) inputs.insert(k);
+  return inputs;
+}
+
+/// Neighbours in the list of free parameters, whose derivatives one pass of the kernel computes.
+struct DerivativePass {
+  std::size_t first = 0, count = 0;
+};
+
+/// Returns the smallest number of passes, at least one, of which none has more than kTangentWidth parameters,
+/// nor more parameters common to all beams than the kernel carries (kMaxCarried - beam_inputs,
+/// sim/light/sample.h). `free` are parameters of the scene.
+std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vector<ParameterId>& free) {
+  constexpr std::size_t kMaxShared = kMaxCarried - beam_inputs;
+  std::vector<DerivativePass> passes(1);
+  std::set<int> shared;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const std::set<int> own = local_inputs_of(scene, free[i]);
+    std::set<int> together = shared;
+    together.insert(own.begin(), own.end());
+    if (passes.back().count == kTangentWidth || together.size() > kMaxShared) {
+      passes.push_back({i, 0});
+      together = own;
+    }
+    ++passes.back().count;
+    shared = together;
+  }
+  return passes;
 }
 
 BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const BeamSampling& sampling) {
@@ -142,7 +177,7 @@ BeamExposer::BeamExposer(const Scene& scene, const FilmGeometry& film, int threa
 
 BeamExposer::~BeamExposer() = default;
 
-void BeamExposer::let_shine(std::vector<bool> sheets, bool volumes) {
+void BeamExposer::set_emitting(std::vector<bool> sheets, bool volumes) {
   work_->shining = std::move(sheets);
   work_->volumes_shine = volumes;
 }

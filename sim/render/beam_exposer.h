@@ -30,7 +30,7 @@ class BeamExposer final : public Exposer {
   bool spreads() const override { return false; }
 
   /// Sets which sheets emit from now on, and whether volumes do. Initially all do.
-  void let_shine(std::vector<bool> sheets, bool volumes);
+  void set_emitting(std::vector<bool> sheets, bool volumes);
 
   /// Computes the light of expose() in double precision with one thread; for tests.
   void expose_reference(const Scene& scene, std::vector<double>& rayleigh);

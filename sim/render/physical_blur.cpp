@@ -8,7 +8,7 @@
 #include "sim/base/parallel.h"
 #include "sim/render/beam_exposer.h"
 #include "sim/render/beams/beams.h"
-#include "sim/render/beams/kernel_levels.h"
+#include "sim/render/beams/kernel.h"
 #include "sim/render/beams/kernel_scene.h"
 #include "sim/render/film.h"
 #include "sim/scene/emitters/emitter_kinds.h"

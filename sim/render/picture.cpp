@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sim/render/air_on_film.h"
+#include "sim/render/film.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"

@@ -1,6 +1,6 @@
 // The steps from film to picture. The light on a film is, cell by cell,
 //
-//   1. dimmed by the air towards the cell, each line by itself (sim/render/air_on_film.h),
+//   1. dimmed by the air towards the cell, each line by itself (sim/render/film.h),
 //   2. blurred by the camera, each line by itself,
 //   3. coloured by the sensor: linear, signed RGB,
 //   4. shown: what is below 0, outside of the gamut, is set to 0 where a picture cannot hold it,

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/light/sheet_profile.h"
-#include "sim/render/air_on_film.h"
+#include "sim/render/film.h"
 #include "sim/render/picture.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/film/blur.h"

@@ -8,10 +8,8 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
-#include "sim/render/air_on_film.h"
 #include "sim/render/beams/sheet_nodes.h"
 #include "sim/render/film.h"
-#include "sim/render/literal_layer.h"
 #include "sim/render/physical_blur.h"
 #include "sim/render/picture.h"
 #include "sim/render/render_memory.h"

@@ -54,7 +54,7 @@ struct Rendering {
   Image volume;   ///< layer of the volumes: R, G, B, multiplied by A (sim/render/volume_layer.h); their light
                   ///< in rayleighs is in `aurora` too; empty: no volumes
   Image hidden;   ///< share of the light behind volumes that they hide, in R, G and B; empty: none
-  Image literal;  ///< nebulae of the literal march (sim/render/literal_layer.h), behind the volumes; empty:
+  Image literal;  ///< nebulae of the literal march (sim/render/volume_layer.h), behind the volumes; empty:
                   ///< none
   std::vector<SheetLayer> sheets;  ///< in the scene's order, if RenderOptions::sheet_layers
 };

@@ -317,7 +317,7 @@ void SlabExposer::expose(const Scene& scene, Exposure& out, const std::function<
       std::function<void(double)> share;
       if (progress) share = [&](double of_pass) { progress((static_cast<double>(done) + of_pass) / count); };
       BeamExposer& exposer = *exposers_[pass.film];
-      exposer.let_shine(group.sheets, has_footprints);
+      exposer.set_emitting(group.sheets, has_footprints);
       exposer.expose(part_of(scene, pass, has_footprints), some, share, stop, only_sheet);
       ++done;
       if (stop != nullptr && stop->load()) return;
@@ -356,7 +356,7 @@ void SlabExposer::expose_with_derivatives(const Scene& scene, const std::vector<
   for (const Group& group : groups_)
     for (const Pass& pass : plan_.passes) {
       BeamExposer& exposer = *exposers_[pass.film];
-      exposer.let_shine(group.sheets, group.has_footprints);
+      exposer.set_emitting(group.sheets, group.has_footprints);
       exposer.expose_with_derivatives(part_of(scene, pass, group.has_footprints), known, some);
       out.deflection_points = std::max(out.deflection_points, some.deflection_points);
       const PassPlaces places = places_of(scene, pass, group.is_calm);

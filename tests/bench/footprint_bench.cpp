@@ -17,7 +17,7 @@
 #include "interleaved.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/footprint_emitter.h"
-#include "sim/emit/footprint/texel_store.h"
+#include "sim/emit/footprint/lit_map.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
 #include "tests/support/glow.h"

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 
 namespace vegard::bench {
 

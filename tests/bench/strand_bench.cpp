@@ -17,8 +17,8 @@
 #include "apps/options/command.h"
 #include "sim/base/number/mask5.h"
 #include "sim/emit/grid/grid_filter.h"
+#include "sim/emit/sun/strand/closest_point.h"
 #include "sim/emit/sun/strand/macro_loop.h"
-#include "sim/emit/sun/strand/strand_density.h"
 #include "sim/emit/sun/strand/strand_grid.h"
 
 namespace vegard::bench {

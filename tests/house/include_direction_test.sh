@@ -64,7 +64,7 @@ check_sources() {
       folder = room "/"
       library = from != "apps"
       # What volumes are made of is read in these and handed on.
-      reads_volumes = FILENAME ~ /^sim\/render\/emitters\/(depth_file|volume_files)\.cpp$/
+      reads_volumes = FILENAME ~ /^sim\/render\/emitters\/volume_files\.cpp$/
       physics = from ~ /^sim\/(light|emit|view|render)$/ && !reads_volumes
     }
     { code = $0; sub(/\/\/.*/, "", code) }

@@ -20,7 +20,7 @@
 
 #include "sim/base/number/dual.h"
 #include "sim/base/number/smooth_step.h"
-#include "sim/emit/aurora/slot.h"
+#include "sim/emit/aurora/fold.h"
 #include "sim/scene/structs/sheet.h"
 
 namespace vegard::sim {

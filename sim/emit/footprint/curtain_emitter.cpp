@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/curtain_emitter.h"
+#include "sim/emit/footprint/footprint_emitter.h"
 
 #include <algorithm>
 #include <array>

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sim/emit/footprint/foot_projection.h"
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
+#include "sim/emit/footprint/lit_map.h"
 #include "sim/emit/footprint/scalar_march.h"
-#include "sim/emit/footprint/texel_store.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,5 +1,5 @@
 // Compiled once for every instruction set that is worth it; chosen when the program runs.
-#include "sim/emit/footprint/footprint_kernel.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
 
 #include <algorithm>
 #include <cmath>

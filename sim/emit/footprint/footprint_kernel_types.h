@@ -1,8 +1,13 @@
-// The plain numbers and arrays of the interface of the march through footprints: the footprint's grid, and
-// the light of a stretch of a ray.
+// The interface of the kernel that marches through footprints: stretches of rays in, their light out.
+//
+// The implementation is compiled once per instruction set; the interface passes plain arrays. The steps of a
+// ray lie side by side in the lanes, sixteen to a block; so no lane waits for another ray, and a block is
+// skipped as a whole if the LitMap says that it is dark. The light of a block does not depend on which other
+// blocks are skipped, nor on the instruction set.
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "sim/emit/footprint/lit_map.h"
 #include "sim/emit/footprint/march_span.h"
@@ -10,14 +15,6 @@
 #include "sim/light/emitter.h"
 
 namespace vegard::sim {
-
-/// A part of a footprint's grid that holds all its light, with a dark border.
-struct TexelWindow {
-  const float* flux = nullptr;       ///< [row][column]; null: dark
-  const float* ln_energy = nullptr;  ///< null: 0 everywhere
-  int columns = 0, rows = 0;
-  double first_x = 0.0, first_y = 0.0;  ///< texel of the grid at which the window begins
-};
 
 struct FootprintKernel {
   FootProjection projection = FootProjection::vertical;
@@ -37,5 +34,9 @@ struct SpanLight {
   double weighted_km;  ///< sum over the lines of rayleighs times the distance along the ray
   double entry_km;     ///< where the first block with light begins; infinity if there is none
 };
+
+/// Computes the light of each span. Returns the number of steps that were not skipped.
+std::size_t march_spans(const FootprintKernel& kernel, const MarchSpan* spans, std::size_t count,
+                        SpanLight* out);
 
 }  // namespace vegard::sim

@@ -69,4 +69,28 @@ LitMap plane_lit_map(int columns, int rows, const std::vector<std::uint8_t>& lit
 std::vector<LitMap> cube_lit_maps(int face_cells, const std::array<std::vector<std::uint8_t>, 6>& lit,
                                   int threads);
 
+/// A part of a footprint's grid that holds all its light, with a dark border.
+struct TexelWindow {
+  const float* flux = nullptr;       ///< [row][column]; null: dark
+  const float* ln_energy = nullptr;  ///< null: 0 everywhere
+  int columns = 0, rows = 0;
+  double first_x = 0.0, first_y = 0.0;  ///< texel of the grid at which the window begins
+};
+
+/// The part of a footprint's grid that has light, in floats.
+class TexelStore {
+ public:
+  TexelStore() = default;
+  /// Texels with a flux of at most min_flux become 0, and the part has a border of such texels.
+  /// `with_energy`: ln_energy is stored even if the grid has none.
+  TexelStore(const FootprintGrid<double>& grid, double min_flux, bool with_energy);
+
+  /// Returns a window that points into this object.
+  TexelWindow window() const;
+
+ private:
+  int columns_ = 0, rows_ = 0, first_x_ = 0, first_y_ = 0;
+  std::vector<float> flux_, ln_energy_;
+};
+
 }  // namespace vegard::sim

@@ -99,8 +99,9 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
     char problem[160];
     std::snprintf(problem, sizeof problem, "its grids take %.3g MB of memory, of which %.3g MB may be used",
                   bytes / 1048576.0, static_cast<double>(max_bytes) / 1048576.0);
-    throw Error(ErrorKind::unreadable_input,
-                {problem, file, 0, "", "smaller grids, larger voxels, or fewer lines", ""});
+    throw Error(ErrorKind::unreadable_input, problem)
+        .file(file)
+        .expected("smaller grids, larger voxels, or fewer lines");
   }
   for (int a = 0; a < 3; ++a) {
     const auto of = [a](const BrickCoordinate& b) { return floor_of(a == 0 ? b.x : a == 1 ? b.y : b.z); };
@@ -114,8 +115,9 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
   double cells = 1.0;
   for (int a = 0; a < 3; ++a) cells *= high_[a] - low_[a];
   if (cells > static_cast<double>(kMaxCoarseCells))
-    throw Error(ErrorKind::unreadable_input, {"its voxels lie too far apart for their size", file, 0, "",
-                                              "fewer than 10^13 voxels in the box", ""});
+    throw Error(ErrorKind::unreadable_input, "its voxels lie too far apart for their size")
+        .file(file)
+        .expected("fewer than 10^13 voxels in the box");
   coarse_.assign(static_cast<std::size_t>(cells), -1);
   emission_.assign((count_ * kVoxels) * stride_, 0.0f);
   if (density >= 0) density_.assign(count_ * kVoxels, 0.0f);

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "sim/base/number/escaping_share.h"
-#include "sim/emit/grid/grid_march.h"
+#include "sim/emit/grid/grid_lamp.h"
 #include "sim/emit/grid/grid_trilinear.h"
-#include "sim/emit/grid/phase_function.h"
+#include "sim/emit/grid/grid_walk.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/emit/grid/grid_march.h"
+#include "sim/emit/grid/grid_walk.h"
 
 #include <hwy/cache_control.h>
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -107,5 +108,17 @@ inline std::int64_t first_sample(double t, double steps_per_km) {
   constexpr double kMax = 4e18;  // what is farther is no number of a step
   return static_cast<std::int64_t>(std::clamp(std::ceil(t * steps_per_km - 0.5), -kMax, kMax));
 }
+
+/// The light that a ray has collected.
+struct GridSum {
+  double light[8] = {};      ///< of every line: the samples' emission, summed
+  double weighted_km = 0.0;  ///< emission of all lines times distance, summed
+  double entry_km = 0.0;     ///< where its first brick begins; infinity if there is none
+};
+
+/// Samples each ray every `step_km` by trilinear interpolation. The bits do not depend on the instruction
+/// set.
+void march_grid(const GridBricks& grid, std::size_t rays, const GridRay* ray, const double* end_km,
+                double step_km, GridSum* sums);
 
 }  // namespace vegard::sim

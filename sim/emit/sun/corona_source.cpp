@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-#include "sim/emit/sun/thomson.h"
-
 namespace vegard::sim {
 
 template <class T>

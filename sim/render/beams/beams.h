@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/emit/aurora/change_times.h"
+#include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/sheet.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/render/beams/kernel_scene.h"

@@ -74,7 +74,6 @@ const char* InstructionSet() { return hwy::TargetName(HWY_TARGET); }
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "sim/render/beams/kernel_lens.h"
 
 namespace vegard::sim {
 

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/render/beams/emission_points.h"
 #include "sim/render/beams/kernel_types.h"
 #include "sim/view/film/tangent_film.h"
 
@@ -48,5 +47,25 @@ void list_points(const KernelScene& scene, const BeamGroup* groups, std::size_t 
 
 /// Returns the instruction set that fall_on_film was dispatched to, such as "AVX3".
 const char* kernel_instruction_set();
+
+/// Distributes the samples of fall_on_film, for one line whose atoms move before they emit, to the films of a
+/// ladder of blurs (sim/view/film/level_ladder.h): films[level][row][column], in the units of the value film.
+/// The height profiles hold one line. Returns the number of deflection points computed.
+std::uint64_t fall_on_levels(const KernelScene& scene, const KernelLevels& levels, const BeamGroup* groups,
+                             std::size_t count, std::int64_t* const* films);
+
+// These are the functions above for every lens except a plain pinhole; they are called by the functions
+// above.
+std::uint64_t fall_on_film_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                   std::int64_t* film);
+std::uint64_t fall_with_tangents_by_lens(const KernelScene& scene, const SharedChain& shared,
+                                         const BeamGroup* groups, const GroupChain* chains, std::size_t count,
+                                         std::int64_t* film, TangentFilm& tangents);
+std::uint64_t fall_reference_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                     double* film);
+std::uint64_t fall_until_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                 FallPhase phase);
+std::uint64_t record_splats_by_lens(const KernelScene& scene, const BeamGroup* groups, std::size_t count,
+                                    SplatRecord& record);
 
 }  // namespace vegard::sim

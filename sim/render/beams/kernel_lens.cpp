@@ -1,6 +1,6 @@
 // The kernel with any lens before the film. A file of its own: a plain pinhole, which most pictures have, is
 // spared the lens's arithmetic, and two files compile side by side.
-#include "sim/render/beams/kernel_lens.h"
+#include "sim/render/beams/kernel.h"
 
 #include <cstddef>
 

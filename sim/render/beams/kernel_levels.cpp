@@ -1,5 +1,5 @@
 // Like sim/render/beams/kernel.cpp, compiled once for every instruction set that is worth it.
-#include "sim/render/beams/kernel_levels.h"
+#include "sim/render/beams/kernel.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/render/beams/kernel_levels.cpp"

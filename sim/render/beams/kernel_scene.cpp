@@ -6,7 +6,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/sheet_shape.h"
+#include "sim/emit/aurora/sheet.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams/altitude_slabs.h"
 

@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sim/render/beams/emission_points.h"
+#include "sim/render/beams/kernel_types.h"
 #include "sim/render/beams/samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "sim/render/beams/emission_points.h"
+#include "sim/render/beams/kernel_types.h"
 
 namespace vegard::sim {
 

@@ -7,7 +7,6 @@
 #include "sim/emit/grid/grid_field.h"
 #include "sim/emit/grid/grid_home.h"
 #include "sim/emit/nebula/nebula_emitter.h"
-#include "sim/emit/nebula/nebula_field.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/mean_of_instants.h"
 

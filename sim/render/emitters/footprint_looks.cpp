@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim/base/number/constants.h"
-#include "sim/emit/aurora/change_times.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/scene/structs/footprint.h"
 

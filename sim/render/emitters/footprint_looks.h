@@ -1,14 +1,14 @@
 // The instants at which a footprint's map is evaluated for the light of an exposure.
 //
 // A footprint that changes by itself is evaluated at each instant of an exposure and, since excited atoms
-// emit with a delay, at earlier instants (sim/render/beams/age_intervals.h): in each interval of age as often
+// emit with a delay, at earlier instants (sim/render/beams/light_ages.h): in each interval of age as often
 // as the footprint changes in it. If only the substorm's level changes, it is evaluated once.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "sim/render/beams/age_intervals.h"
+#include "sim/render/beams/light_ages.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {

@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/emit/footprint/curtain_emitter.h"
 #include "sim/emit/footprint/footprint_emitter.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/emit/footprint/map/make_footprint.h"
-#include "sim/emit/footprint/map/plane_grid.h"
-#include "sim/emit/footprint/map/precipitation_footprint.h"
 #include "sim/light/profile_table.h"
 #include "sim/render/beams/altitude_slabs.h"
 #include "sim/render/emitters/emitter_makers.h"
@@ -40,7 +38,7 @@ struct EnergyRange {
 /// What counts of a footprint's light in a part of a scene: colours are no light of excited atoms.
 void take_part(const Scene& scene, const Footprint& f, const LightShare& of_lines, ProfileTable& table) {
   if (!of_lines.empty())
-    for (HeightProfile& profile : table.of_energy) take_share(of_lines, profile);
+    for (HeightProfile& profile : table.of_energy) multiply_by_share(of_lines, profile);
   const auto& shares = scene.emission.altitude_share;
   if (shares.empty()) return;
   if (f.light == FootprintLight::lines) {

@@ -41,9 +41,7 @@ struct LoopVolume {
     try {
       return GridBricks(grid, channel, -1, scene.file, scene.site, scene.site);
     } catch (const Error& error) {
-      ErrorDetails details = error.details();
-      details.key = "loop." + scene.loops[index].name + ".voxel";
-      throw Error(ErrorKind::scene, details);
+      throw Error(ErrorKind::scene, error.details()).key("loop." + scene.loops[index].name + ".voxel");
     }
   }
 };
@@ -105,8 +103,8 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, 
     filter_grid(grid, mask, threads);
     // Each pass may add a layer of bricks on all sides.
     if (grid.bricks.size() * (SparseGrid::kVoxels * sizeof(float)) > memory_limit)
-      throw Error(ErrorKind::usage, {"its grid would take more than it may after blur and sharpen", "", 0, "",
-                                     "larger voxels, or fewer passes", ""});
+      throw Error(ErrorKind::usage, "its grid would take more than it may after blur and sharpen")
+          .expected("larger voxels, or fewer passes");
   };
   try {
     add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain_number), instant_s),
@@ -114,10 +112,7 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, 
     for (int pass = 0; pass < loop.blur; ++pass) filter(blur_mask());
     for (int pass = 0; pass < loop.sharpen; ++pass) filter(sharpen_mask());
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.file = scene.file;
-    details.key = "loop." + loop.name + ".voxel";
-    throw Error(ErrorKind::scene, details);
+    throw Error(ErrorKind::scene, error.details()).file(scene.file).key("loop." + loop.name + ".voxel");
   }
   return grid;
 }

@@ -1,6 +1,6 @@
 // Compiled once for every instruction set that is worth it; chosen when the program runs. Lane by lane the
 // same operations in the same order, so that all give the same bits.
-#include "sim/render/ground/ground_kernel.h"
+#include "sim/render/ground/ground_light.h"
 
 #include <cstddef>
 #include <cstdint>

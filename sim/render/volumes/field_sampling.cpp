@@ -133,8 +133,9 @@ BricksToSample bricks_to_sample(const LightField& field, const SparseGrid& grid,
                  last = std::ceil((high - grid.origin[a]) / edge);
     if (!(first < last)) return {};
     if (first < -1e8 || last > 1e8)
-      throw Error(ErrorKind::usage, {"the voxels are too small for where the light is", "", 0, "--voxel",
-                                     "larger voxels, or a --box", ""});
+      throw Error(ErrorKind::usage, "the voxels are too small for where the light is")
+          .key("--voxel")
+          .expected("larger voxels, or a --box");
     range.low[a] = static_cast<int>(first);
     range.high[a] = static_cast<int>(last);
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/emit/sun/sun_frame.h"
-#include "sim/render/emitters/depth_file.h"
+#include "sim/render/emitters/volume_files.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {

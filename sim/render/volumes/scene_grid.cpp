@@ -30,14 +30,14 @@ std::string formatted(double x, const char* format) {
                                 double thinnest) {
   const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
   const std::string part = "a --box about a part of it";
-  throw Error(
-      ErrorKind::usage,
-      {"voxels of " + formatted(options.voxel, "%g") + " would take about " + formatted(bytes / gb, "%.2g") +
-           " GB",
-       "", 0, "--memory-limit", "at most " + formatted(limit / gb, "%.3g") + " GB",
-       would_do > 0.0            ? "Voxels of " + formatted(would_do, "%g") + " would do, or " + part
-       : std::isfinite(thinnest) ? "Choose with --of NAME, or " + part + ": larger voxels would miss strands"
-                                 : "Choose with --of NAME, or " + part});
+  throw Error(ErrorKind::usage, "voxels of " + formatted(options.voxel, "%g") + " would take about " +
+                                    formatted(bytes / gb, "%.2g") + " GB")
+      .key("--memory-limit")
+      .expected("at most " + formatted(limit / gb, "%.3g") + " GB")
+      .hint(would_do > 0.0 ? "Voxels of " + formatted(would_do, "%g") + " would do, or " + part
+            : std::isfinite(thinnest)
+                ? "Choose with --of NAME, or " + part + ": larger voxels would miss strands"
+                : "Choose with --of NAME, or " + part);
 }
 
 void add_relative_light(SparseGrid& grid) {
@@ -279,15 +279,18 @@ SceneGrid grid_of_fields(const Scene& scene, const std::vector<const LightField*
 
 SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
   if (const auto complaint = why_no_light_field(scene))
-    throw Error(ErrorKind::usage,
-                {complaint->problem, "", 0, "SCENE", complaint->expected, "Leave it out with --of NAME"});
+    throw Error(ErrorKind::usage, complaint->problem)
+        .key("SCENE")
+        .expected(complaint->expected)
+        .hint("Leave it out with --of NAME");
   const ThinPart thinnest = thinnest_part(scene);
   if (options.voxel > thinnest.radius)
-    throw Error(ErrorKind::usage,
-                {"strands of the " + thinnest.what + ", of radius " + formatted(thinnest.radius, "%.6g") +
-                     ", would fall between voxels of " + formatted(options.voxel, "%g"),
-                 "", 0, "--voxel", "at most their radius",
-                 "half of it shows how they fall off; or leave it out with --of NAME"});
+    throw Error(ErrorKind::usage, "strands of the " + thinnest.what + ", of radius " +
+                                      formatted(thinnest.radius, "%.6g") + ", would fall between voxels of " +
+                                      formatted(options.voxel, "%g"))
+        .key("--voxel")
+        .expected("at most their radius")
+        .hint("half of it shows how they fall off; or leave it out with --of NAME");
   const VolumeFiles files = read_volume_files(scene);
   const std::vector<NamedField> named = light_fields(scene, files, options.threads, options.memory_limit);
   std::vector<const LightField*> fields;
@@ -301,10 +304,11 @@ SceneGrid grid_of_scene(const Scene& scene, const SceneGridOptions& options) {
     const bool alone = one.frame != FieldFrame::ground &&
                        (differs(one.frame) || (one.frame == FieldFrame::nebula && named.size() > 1));
     if (alone)
-      throw Error(
-          ErrorKind::usage,
-          {"the " + one.what + " is in a frame of its own, and the scene has more that shines", "", 0,
-           "SCENE", "one nebula, what is on the Sun, or light in kilometres", "Choose with --of NAME"});
+      throw Error(ErrorKind::usage,
+                  "the " + one.what + " is in a frame of its own, and the scene has more that shines")
+          .key("SCENE")
+          .expected("one nebula, what is on the Sun, or light in kilometres")
+          .hint("Choose with --of NAME");
     fields.push_back(one.field.get());
   }
   return grid_with_strands(scene, fields, options, thinnest.radius);

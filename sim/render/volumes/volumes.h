@@ -29,6 +29,15 @@ struct VolumeLight {
 using MarchCells =
     std::function<VolumeLight(const FilmGeometry& film, const std::vector<std::uint8_t>& wanted)>;
 
+/// Returns where the rays of a film end (ray_ends_km() in sim/render/emitters/volume_files.h).
+using EndsOfRays = std::function<std::vector<float>(const FilmGeometry& film)>;
+
+/// Computes the light of a film from that of a film with cells `shrink` times as wide and high
+/// (sim/view/film/depth_image.h). Cells that no coarse ray represents, at the edges of objects in the
+/// scene and of the lens's image circle, are marched directly.
+VolumeLight march_coarsely(const FilmGeometry& film, int shrink, const EndsOfRays& ends,
+                           const MarchCells& march, int threads);
+
 /// True if the scene has volumes whose light is in rayleighs.
 bool has_volumes(const Scene& scene);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/model/profile_model.h"
-#include "sim/render/air_on_film.h"
+#include "sim/render/film.h"
 #include "sim/render/picture.h"
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"

@@ -1,4 +1,4 @@
-#include "sim/render/air_on_film.h"
+#include "sim/render/film.h"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,8 @@
 
 #include <cmath>
 
-#include "sim/render/air_on_film.h"
 #include "sim/render/as_seen.h"
 #include "sim/render/film.h"
-#include "sim/render/literal_layer.h"
 #include "sim/render/render.h"
 #include "sim/view/film/composite.h"
 

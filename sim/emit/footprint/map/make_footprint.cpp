@@ -6,12 +6,8 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_field.h"
-#include "sim/emit/footprint/map/noise_footprint.h"
-#include "sim/emit/footprint/map/picture_footprint.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/emit/footprint/map/plane_flow.h"
-#include "sim/emit/footprint/map/plane_grid.h"
-#include "sim/emit/footprint/map/sheet_footprint.h"
-#include "sim/emit/footprint/map/spline_footprint.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint.h"

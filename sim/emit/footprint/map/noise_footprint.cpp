@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/noise_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "sim/base/number/noise.h"
 #include "sim/base/number/smooth_step.h"
 #include "sim/base/parallel.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {
 namespace {

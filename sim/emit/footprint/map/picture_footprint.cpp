@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/picture_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,8 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
-#include "sim/emit/footprint/map/cube_faces.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {
 namespace {

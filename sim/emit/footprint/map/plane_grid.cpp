@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/precipitation_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/sheet_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/beam_light.h"
 #include "sim/emit/aurora/curve_foot.h"
+#include "sim/emit/aurora/sheet.h"
 #include "sim/emit/aurora/sheet_brightness.h"
-#include "sim/emit/aurora/sheet_shape.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/spline_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,8 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/parallel.h"
-#include "sim/emit/footprint/map/cube_faces.h"
 #include "sim/emit/footprint/map/curve.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {

@@ -1,4 +1,5 @@
-// The point of a cubic Bézier curve that is nearest to a place, always the global minimum.
+// The point of a cubic Bézier curve that is nearest to a place, always the global minimum, and the density
+// of a strand there.
 //
 // The square of the distance is a polynomial of degree six in t, its derivative a quintic. Written in
 // Bernstein's basis, a polynomial lies within the hull of its coefficients and changes its sign no oftener
@@ -10,6 +11,8 @@
 
 #include <array>
 #include <vector>
+
+#include "sim/emit/sun/strand/strand.h"
 
 namespace vegard::sim {
 
@@ -29,5 +32,18 @@ ClosestPoint closest_point(const CubicBezier& curve, const std::array<double, 3>
 /// whole chain, 1 / n for each curve.
 ClosestPoint closest_point(const std::vector<std::array<double, 3>>& chain,
                            const std::array<double, 3>& place);
+
+/// Returns the density of a strand (strand.h) at the distance q, in radii, from an axis with density 1.
+double falloff_across(RadialFalloff falloff, double q);
+
+/// Returns the density on the axis, at t from 0 to 1 of the whole chain.
+double density_in_middle(const Strand<double>& strand, double t);
+
+/// True if the place is beyond the flat end at the chain's first or last point, given that this is the
+/// nearest point.
+bool beyond_end(const Strand<double>& strand, bool last, const std::array<double, 3>& place);
+
+/// Returns the density from the nearest point of the chain, found with certainty; slow.
+double density_at(const Strand<double>& strand, RadialFalloff falloff, const std::array<double, 3>& place);
 
 }  // namespace vegard::sim

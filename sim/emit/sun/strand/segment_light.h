@@ -1,6 +1,6 @@
 // The integral of the density of one straight segment of a strand along a ray.
 //
-// The segment is the space between the planes of its two joints (strand_joints.h), within its radius of the
+// The segment is the space between the planes of its two joints (strand.h), within its radius of the
 // axis between them. With h0 and h1 the distances from those planes, measured along the axis, the fraction of
 // the length from joint to joint is w = h0 / (h0 + h1): on a circular arc this is the fraction of the nearest
 // point, and it is continuous across a plane. Density is along(w) falloff(d / r), d the distance to the axis:
@@ -20,7 +20,7 @@
 #include <type_traits>
 
 #include "sim/base/number/gauss_quadrature.h"
-#include "sim/emit/sun/strand/strand_joints.h"
+#include "sim/emit/sun/strand/strand.h"
 #include "sim/light/sky_frame.h"
 
 namespace vegard::sim {

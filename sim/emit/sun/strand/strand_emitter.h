@@ -1,7 +1,7 @@
 // The light of strands along rays.
 //
 // Light is the integral of the density along the ray (strand.h), times rayleighs per unit of path. Strands
-// are cut into straight segments (strand_joints.h), which rays find by a hierarchy of boxes and whose
+// are cut into straight segments (strand.h), which rays find by a hierarchy of boxes and whose
 // integrals are exact or nearly so (segment_light.h). The search uses doubles; for T = FreeDual only the
 // segments that a ray meets are computed with derivatives. Where a strand comes within its radius of itself,
 // the densities of both parts are added.

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kFieldMaxCells = 2e9;  // to a side; they are counted by 32 bits
 
-[[noreturn]] void refuse_thinness() {
-  throw Error(ErrorKind::usage, {"its strands are so thin that to know where they are takes too much memory",
-                                 "", 0, "", "thicker or shorter strands, or fewer", ""});
+Error too_thin() {
+  return Error(ErrorKind::usage, "its strands are so thin that to know where they are takes too much memory")
+      .expected("thicker or shorter strands, or fewer");
 }
 
 struct BeforeCell {
@@ -50,14 +50,14 @@ StrandField::StrandField(const Strands<double>& strands, const Sun& sun, const s
   lattice_.voxel = 2.0 * radii / static_cast<double>(strands.all.size()) / SparseGrid::kEdge;
   for (int a = 0; a < 3; ++a)
     if (!(std::max(-bounds_.low[a], bounds_.high[a]) < kFieldMaxCells * SparseGrid::kEdge * lattice_.voxel))
-      refuse_thinness();
+      throw too_thin();
   double bytes = 0.0;
   for (std::size_t s = 0; s < strands.all.size(); ++s) {
     strands_.push_back(pieces_of(strands.all[s], lattice_));
     gain_.insert(gain_.end(), strands.all[s].line_gain.begin(), strands.all[s].line_gain.end());
     bytes += static_cast<double>(strands_.back().pieces.size() * sizeof(StrandPiece)) +
              bricks_about(strands_.back()) * sizeof(ReachOfStrand);
-    if (bytes > static_cast<double>(memory_limit)) refuse_thinness();
+    if (bytes > static_cast<double>(memory_limit)) throw too_thin();
     find_bricks(strands_.back(), static_cast<std::uint32_t>(s), BrickPart::whole, reaches_);
   }
   std::sort(reaches_.begin(), reaches_.end(), [](const ReachOfStrand& a, const ReachOfStrand& b) {

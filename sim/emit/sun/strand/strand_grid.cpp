@@ -71,7 +71,7 @@ void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff fallof
   char text[96];
   std::snprintf(text, sizeof text, "its grid would take more than the %.3g GB that it may",
                 bytes / (1024.0 * 1024.0 * 1024.0));
-  throw Error(ErrorKind::usage, {text, "", 0, "", "larger voxels", ""});
+  throw Error(ErrorKind::usage, text).expected("larger voxels");
 }
 
 /// The strands of a block, whose numbers count from its beginning.

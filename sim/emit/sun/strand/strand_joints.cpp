@@ -1,4 +1,4 @@
-#include "sim/emit/sun/strand/strand_joints.h"
+#include "sim/emit/sun/strand/strand.h"
 
 #include <algorithm>
 #include <cassert>

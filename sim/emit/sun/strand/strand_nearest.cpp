@@ -4,7 +4,6 @@
 
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/strand/closest_point.h"
-#include "sim/emit/sun/strand/strand_density.h"
 
 namespace vegard::sim {
 namespace {

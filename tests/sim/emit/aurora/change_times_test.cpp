@@ -1,4 +1,4 @@
-#include "sim/emit/aurora/change_times.h"
+#include "sim/emit/aurora/motion.h"
 
 #include <gtest/gtest.h>
 

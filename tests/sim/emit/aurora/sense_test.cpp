@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "sim/emit/aurora/sheet.h"
-#include "sim/emit/aurora/sheet_shape.h"
 
 namespace vegard::sim::sense_test {
 namespace {

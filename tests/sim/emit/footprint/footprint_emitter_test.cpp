@@ -9,8 +9,8 @@
 
 #include "march_case.h"
 #include "sim/base/number/constants.h"
-#include "sim/emit/footprint/footprint_kernel.h"
-#include "sim/emit/footprint/texel_store.h"
+#include "sim/emit/footprint/footprint_kernel_types.h"
+#include "sim/emit/footprint/lit_map.h"
 #include "sim/light/form_profile.h"
 #include "tests/support/glow.h"
 #include "tests/support/kind_named.h"

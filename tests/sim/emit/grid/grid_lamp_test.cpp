@@ -1,6 +1,6 @@
 // A grid that scatters the light of a lamp once: against integrals that are known, and its derivatives.
-#include "sim/base/number/gauss_quadrature.h"
 #include "sim/emit/grid/grid_lamp.h"
+#include "sim/base/number/gauss_quadrature.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "sim/emit/grid/grid_emitter.h"
-#include "sim/emit/grid/phase_function.h"
 #include "tests/support/seeded_numbers.h"
 
 namespace vegard::sim::grid_lamp_test {

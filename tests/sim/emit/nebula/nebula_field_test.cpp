@@ -1,5 +1,5 @@
 // A nebula's field against its rays.
-#include "sim/emit/nebula/nebula_field.h"
+#include "sim/emit/nebula/nebula_emitter.h"
 
 #include <gtest/gtest.h>
 

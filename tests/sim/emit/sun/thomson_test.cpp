@@ -1,4 +1,4 @@
-#include "sim/emit/sun/thomson.h"
+#include "sim/emit/sun/corona_source.h"
 
 #include <gtest/gtest.h>
 

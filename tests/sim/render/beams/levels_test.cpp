@@ -1,7 +1,6 @@
 // The levels' splat and books, instantiated for the instruction set that this file is compiled for; and
 // point-like light through the kernel.
 #include "sim/render/beams/kernel.h"
-#include "sim/render/beams/kernel_levels.h"
 #include "sim/render/beams/levels-inl.h"
 
 #include <gtest/gtest.h>

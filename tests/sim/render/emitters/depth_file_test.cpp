@@ -1,4 +1,4 @@
-#include "sim/render/emitters/depth_file.h"
+#include "sim/render/emitters/volume_files.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/emit/aurora/motion.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/light/atmosphere.h"
 #include "sim/light/excited_atom.h"
 #include "sim/render/emitters/footprint_looks.h"

@@ -1,4 +1,4 @@
-#include "sim/render/volumes/coarse_march.h"
+#include "sim/render/volumes/volumes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/cube_faces.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 #include <gtest/gtest.h>
 

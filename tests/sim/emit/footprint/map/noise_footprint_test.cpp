@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/noise_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sim/emit/footprint/map/picture_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "sim/base/number/random.h"
-#include "sim/emit/footprint/map/cube_faces.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 #include "tests/support/kind_named.h"
 
 namespace vegard::sim::picture_footprint_test {

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/emit/footprint/map/plane_fft.h"
-#include "sim/emit/footprint/map/spline_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 namespace vegard::sim::plane_flow_test {
 namespace {

@@ -1,10 +1,10 @@
-#include "sim/emit/footprint/map/sheet_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim::sheet_footprint_test {
 namespace {

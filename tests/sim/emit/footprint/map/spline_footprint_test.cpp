@@ -1,4 +1,4 @@
-#include "sim/emit/footprint/map/spline_footprint.h"
+#include "sim/emit/footprint/map/make_footprint.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/footprint/map/curve.h"
-#include "sim/emit/footprint/map/plane_grid.h"
+#include "sim/emit/footprint/map/footprint_map.h"
 
 namespace vegard::sim::spline_footprint_test {
 namespace {

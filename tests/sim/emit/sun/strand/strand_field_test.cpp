@@ -5,7 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
-#include "sim/emit/sun/strand/strand_density.h"
+#include "sim/emit/sun/strand/closest_point.h"
 #include "tests/support/sun_rays.h"
 
 namespace vegard::sim::strand_field_test {

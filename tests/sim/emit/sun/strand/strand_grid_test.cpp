@@ -8,7 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/random.h"
-#include "sim/emit/sun/strand/strand_density.h"
+#include "sim/emit/sun/strand/closest_point.h"
 
 namespace vegard::sim::strand_grid_test {
 namespace {

@@ -9,7 +9,6 @@
 #include <functional>
 
 #include "sim/emit/sun/line_light.h"
-#include "sim/emit/sun/strand/cooling_strand.h"
 #include "sim/emit/sun/strand/macro_loop.h"
 #include "sim/emit/sun/strand/strand_emitter.h"
 #include "sim/emit/sun/strand/strand_field.h"

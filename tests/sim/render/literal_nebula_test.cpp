@@ -1,4 +1,4 @@
-#include "sim/render/volumes/literal_nebula.h"
+#include "sim/render/volume_layer.h"
 
 #include <gtest/gtest.h>
 
