@@ -11,7 +11,7 @@
 namespace vegard::sim {
 namespace {
 
-/// From the sensor's linear values to XYZ in cd m^-2.
+/// Returns the matrix from the sensor's linear values to XYZ in cd m^-2.
 Eigen::Matrix3d luminous_from_rgb(const Scene& scene) {
   const Matrix3 rgb = rgb_from_xyz(scene.sensor.primaries);
   Eigen::Matrix3d matrix;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxPixels = 320;        // to a side of the picture that it is found in
 constexpr double kMaxPoints = 2e7;     // and of deflection points
 constexpr double kShareAbove = 0.001;  // of the pixels
-// What it is found from, whatever the scene's own.
+// The gain and the ISO number that a factor of 1 stands for, whatever the scene's own.
 constexpr double kGainPerKilorayleigh = 0.01, kIso = 100.0;
 
 void scale_gain(Sensor& sensor, double factor) {
@@ -25,8 +25,8 @@ void scale_gain(Sensor& sensor, double factor) {
   sensor.iso = kIso * factor;
 }
 
-/// What of a picture no gain changes: sky.level and nebulae of the literal
-/// march, as far as the ground and what absorbs leave it.
+/// Returns the part of a picture that no gain changes: sky.level and nebulae of the literal march, where the
+/// ground and absorbers leave them visible.
 Image constant_light(Scene scene, const RenderOptions& options) {
   constexpr double kNearlyNothing = 1e-9;
   scale_gain(scene.sensor, kNearlyNothing);

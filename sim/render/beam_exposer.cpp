@@ -221,7 +221,7 @@ void BeamExposer::expose_with_derivatives(const Scene& scene, const std::vector<
     for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
       std::fill_n(of_sheets[s].parameter_of_local, local_inputs, -1);
       of_sheets[s].parameter_of_energy = of_energy.data();
-      // From the last: of a number that is free twice the first counts.
+      // The order is reversed so that the first entry counts for a number that is listed twice.
       for (std::size_t i = pass.count; i-- > 0;) {
         const ParameterId& id = free[pass.first + i];
         const int k = local_input_of(scene, static_cast<int>(s), id);
@@ -275,7 +275,7 @@ void BeamExposer::expose_with_derivatives(const Scene& scene, const std::vector<
       for (int column = 0; column < w.film.columns; ++column) {
         const std::vector<const float*>& tiles = lit[column / kTile];
         const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
-        // What a pass has no parameters for is zero, and is written over by the next one.
+        // Entries beyond the pass's own parameters are zero, and the next pass overwrites them.
         float* to = out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass.first);
         for (int l = 0; l < lines; ++l, to += cells * out_stride) {
           float sum[kTangentWidth] = {};
@@ -309,7 +309,7 @@ void BeamExposer::expose_profiles(const Scene& scene, int sheet, const std::vect
     for (const float x : numbers) most = std::max(most, std::abs(x));
     return most;
   };
-  // As bright as the sheet's own light, so that the film's units are as fine for them as for it.
+  // The rates are scaled to the sheet's own light, so that the film's integer units are as fine for them.
   float usual = 0.0f;
   for (const int own : of_sheet) usual = std::max(usual, largest(profiles[own].rate));
   if (!(usual > 0.0f)) usual = 1.0f;

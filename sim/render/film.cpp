@@ -29,7 +29,7 @@ double picture_height_deg(const Camera& camera) {
   return (camera.model == LensModel::pinhole ? 2.0 * std::atan(0.5 * height) : height) / kRadiansPerDegree;
 }
 
-/// Of the paper's pictures, which are 383 pixels high over 35 degrees (docs/physics.md row B25).
+/// The paper's pictures are 383 pixels high over 35 degrees (docs/physics.md row B25).
 double pixels_per_paper_pixel(const Camera& camera) {
   constexpr double kPaperRows = 383.0, kPaperHeight_deg = 35.0;
   return camera.height / kPaperRows * kPaperHeight_deg / picture_height_deg(camera);

@@ -103,7 +103,7 @@ Image ground_layer(const Scene& scene, const GroundIllumination& light, int thre
     for (int x = 0; x < camera.width; ++x) {
       const int corners = above[x] + above[x + 1] + under[x] + under[x + 1];
       double share = corners / 4;
-      // Where its middle is below the horizon a pixel's sky is dark already.
+      // The sky of a pixel whose middle is below the horizon is dark already.
       if (corners % 4 != 0 && below(x + 0.5, y + 0.5)) {
         share = 1.0;
       } else if (corners % 4 != 0) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kFloatBytes = sizeof(float), kFilmUnit = 8.0;  // of a line on a thread's film
 
-/// Of a cell: the threads' films and the sum of them (film.cpp), and what volumes add.
+/// Returns the bytes of a cell: on the threads' films, on the sum of them, and for volumes.
 double film_bytes_of_cell(const Scene& scene, int threads) {
   const double lines = static_cast<double>(scene.emission.lines.size()), stride = lines <= 4.0 ? 4.0 : 8.0;
   double bytes = kFloatBytes * lines;
@@ -93,7 +93,7 @@ double model_bytes(const Scene& scene, double cells, int free, int threads) {
   const double of_means =
       cells * (of_lines + 6.0 * kFloatBytes + 24.0) + map_bytes_of_all(scene, sizeof(FreeDual));
   if (scene.blur.model == BlurModel::physical) {
-    // In slabs, on a film of as many square cells.
+    // The light is spread slab by slab, here on a film of as many square cells.
     FilmGeometry film;
     film.columns = film.rows = static_cast<int>(std::ceil(std::sqrt(cells)));
     film.cell_width_px = static_cast<double>(scene.camera.width) / film.columns;

@@ -36,7 +36,7 @@ void make_room(const Scene& scene, const Window& window, Image& out) {
   out = Image(window.columns, window.rows, names);
 }
 
-/// By the line's angle, whatever the order.
+/// Returns the blur by the line's angle, whatever blur.order is.
 PlaneBlur angle_blur(const Scene& scene, const FilmGeometry& film, int line) {
   if (film.ramp_px > 0.0)
     return {BlurInCells(scene, line, film.cell_height_px).kernel(), gaussian_kernel(0.0)};

@@ -22,7 +22,7 @@ ProfileShapers profile_shapers(const Scene& scene, const std::vector<ParameterId
       const std::vector<std::vector<float>> slopes =
           profile_slopes(scene.emission.lines, scene, static_cast<int>(s), free[j]);
       if (slopes.empty()) continue;
-      // Of these two there is more: the kernel's share, and the volumes'.
+      // These two numbers also act outside of the profiles: in the kernel, and in the volumes.
       result.alone[j] =
           free[j].role() != ParameterRole::energy_flux && free[j].role() != ParameterRole::oxygen_factor;
       const std::size_t stride = slopes.front().size() / HeightProfile::kAltitudes;

@@ -30,7 +30,7 @@ Scene reduced_scene(const Scene& scene, const Reduction& reduction) {
   const double share = reduction.points / std::max(1.0, expected_deflection_points(scene));
   if (share < 1.0)
     for (Sheet& sheet : reduced.sheets) {
-      // By their number, so that no limit of beams_per_km stands in the way.
+      // The number of beams is set directly, so that no limit of beams_per_km applies.
       sheet.beams = std::max(1, static_cast<int>(std::lround(beams_per_layer(sheet) * share)));
       sheet.beams_per_km = sheet.points_per_px = 0.0;
     }

@@ -93,7 +93,7 @@ FilmGeometry film_of(const Scene& scene) {
   return film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
 }
 
-/// As with_enough_beams() of a panorama: by a fisheye of as many pixels to a degree, which has no seams.
+/// Does with_enough_beams() for a panorama, by a fisheye of as many pixels per degree, which has no seams.
 Scene with_enough_beams_around(const Scene& scene) {
   constexpr double kHighSite_m = 100e3;
   Scene fisheye = scene;
@@ -195,7 +195,7 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
                     ? &options.memory->exposer(film)
                     : (own_exposer = make_exposer(first, film, options.threads, 0.0, sampling)).get();
     const bool blurs_colours = scene.blur.order == BlurOrder::rgb;
-    // Of one camera, with its linear RGB; its volumes, if there are any, are put into `of_volumes`.
+    // Returns the lines of one camera, with its linear RGB; its volumes, if any, are put into `of_volumes`.
     const auto lines_before = [&](const Scene& view, const std::function<void(double)>& progress,
                                   int only_sheet, std::uint64_t& points, VolumePictures& of_volumes,
                                   Image& aurora) {
@@ -274,8 +274,7 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
     RenderOptions of_sky;
     of_sky.threads = options.threads;
     of_sky.stop = options.stop;
-    // Of the scene as it was given: how many beams this camera's picture takes
-    // is no matter there.
+    // The light on the ground is that of the scene as given: it does not depend on this picture's beams.
     const auto on_ground = [&] { return light_on_ground(as_given, of_sky); };
     const GroundIllumination light = options.memory != nullptr
                                          ? options.memory->on_ground(as_given, options.stop, on_ground)

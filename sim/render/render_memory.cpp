@@ -12,7 +12,7 @@
 namespace vegard::sim {
 namespace {
 
-/// That a picture's light is put together from what shines, and has no part in that.
+/// The tables that affect how a picture is composed of its lights, but not the light of emitters.
 const std::set<std::string> kLights = {"sky",       "air",   "airglow", "twilight", "light_pollution",
                                        "composite", "stars", "moon",    "ground",   "fit"};
 
@@ -91,7 +91,7 @@ const Image& RenderMemory::stars(const std::atomic<bool>* stop) {
 }
 
 const Image& RenderMemory::night_sky() {
-  // Of the time the sensor's exposure alone, unless the sky follows it.
+  // Only the exposure matters of the scene's time, unless the sky moves.
   std::set<std::string> others = volumes_and({"sheet", "composite", "ground", "fit"});
   const bool moved = night_sky_.made_for && night_sky_moves(*night_sky_.made_for);
   if (!moved && !night_sky_moves(*scene_)) others.insert({"stars", "moon", "time"});

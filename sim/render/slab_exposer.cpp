@@ -35,7 +35,7 @@ bool has_line_footprints(const Scene& scene) {
                      [](const Footprint& f) { return f.light == FootprintLight::lines; });
 }
 
-/// Whether anything shines that is not of the air's excited atoms.
+/// Returns whether the scene has light that is not emitted by the air's excited atoms.
 bool has_other_light(const Scene& scene) {
   for (const EmitterKind& kind : emitter_kinds())
     if (kind.table != "footprint" && is_drawn(kind, scene)) return true;
@@ -80,7 +80,7 @@ const std::shared_ptr<const std::vector<float>>& whole_share() {
   return whole;
 }
 
-/// Whether the number is one of an emitter that a part of the scene has not.
+/// Returns whether the number belongs to an emitter of such light, which the parts of a scene do not have.
 bool is_of_other_light(const ParameterId& id) {
   const EmitterKind* kind = kind_of_table(id.row->table);
   return kind != nullptr && kind->table != "footprint";

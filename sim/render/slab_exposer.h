@@ -70,7 +70,7 @@ class SlabExposer final : public Exposer {
     std::vector<bool> sheets;
     bool has_footprints = false;
   };
-  /// Where the light of a pass's items goes.
+  /// The cells to which the light of a pass's items is spread.
   struct PassPlaces {
     std::vector<SlabPlaces> of_item;  ///< empty for light that is not spread
   };

@@ -114,7 +114,7 @@ Image literal_layer(const Scene& scene, int threads) {
 }
 
 Image literal_nebula_picture(const Scene& scene, const Nebula& nebula, const Image* depth_km, int threads) {
-  const NumberAs<double> number = [](const double& value) { return value; };
+  const NumberAs<double>& number = plain_number;
   const NodeMap<double> map(scene, number);
   const LiteralCloud cloud = literal_cloud(map, nebula);
   const NebulaFrame<double> frame(nebula, number);
@@ -129,7 +129,8 @@ Image literal_nebula_picture(const Scene& scene, const Nebula& nebula, const Ima
       if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu)) continue;
       double end_km = ground_km(observer_km, enu[2], scene.body.radius_km);
       if (depth_km != nullptr) end_km = std::min(end_km, static_cast<double>(depth_km->at(x, y, 0)));
-      // What stands nearer than the nebula's bound hides it; only an observer inside has it before that.
+      // An object nearer than the nebula's bound hides it; only an observer inside the bound sees light
+      // before it.
       std::array<double, 3> direction;
       frame.turn(enu, direction.data());
       const std::array<double, 4> rgba = literal_march(cloud, origin, direction, end_km / frame.unit_km());

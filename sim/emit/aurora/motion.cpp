@@ -14,7 +14,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kLivesToMean = 4.0;
 
-/// Of what lives for a time (0: for ever) and goes on by its own width in another.
+/// Returns the time of change of a structure with this lifetime (0: for ever), width and speed.
 double change_s(double lifetime_s, double width_km, double speed_km_s) {
   const double own = lifetime_s > 0.0 ? lifetime_s : kNever;
   return speed_km_s != 0.0 ? std::min(own, width_km / std::abs(speed_km_s)) : own;

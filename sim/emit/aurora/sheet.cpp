@@ -127,7 +127,7 @@ void LayerPlaces::lay_out_nodes(double beyond) {
   for (std::size_t k = 0; k < nodes_.beams.size(); ++k) add(static_cast<double>(k) / parts, nodes_.beams[k]);
   if (beyond_ > 0.0) add(1.0, nodes_.beams.back() * parts * beyond_);
   add(1.0 + beyond_, 0.0);
-  // Of an odd number none begins where an even line does: at a border the light has a kink.
+  // With an odd number no beam begins where that of an even line does: at a border the light has a kink.
   beams_ = (static_cast<int>(std::ceil(before)) | 1) * nodes_.across;
   for (int k = 0; k < kRecurrences; ++k)
     recurrence_from_[k] =

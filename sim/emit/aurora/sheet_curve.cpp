@@ -3,7 +3,7 @@
 namespace vegard::sim {
 namespace {
 
-/// For those that want values alone.
+/// Stands for `number` of a caller that needs values only.
 double the_number(const double& number) { return number; }
 
 }  // namespace

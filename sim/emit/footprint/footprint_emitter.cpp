@@ -16,7 +16,7 @@
 namespace vegard::sim {
 namespace {
 
-/// What all footprint emitters have: G is the number type of their grids.
+/// The common part of all footprint emitters. G is the number type of their grids.
 template <class T, class G>
 class FootprintEmitter : public Emitter<T> {
  public:

@@ -19,8 +19,7 @@ class FootprintField : public LightField {
       : grids_(std::move(grids)),
         profile_(profiles, footprint.top_km, 0.0),
         rays_(scene, footprint, profile_.bottom_km(), turned_deg),
-        rule_(rule_of_foot<double>(
-            scene, footprint, [](const double& number) { return number; }, turned_deg)) {
+        rule_(rule_of_foot<double>(scene, footprint, plain_number, turned_deg)) {
     f_.projection = rule_.projection;
     f_.sphere_km = rule_.sphere_km;
     std::copy_n(rule_.axis, 3, f_.axis);

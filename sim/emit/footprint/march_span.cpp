@@ -14,7 +14,7 @@ MarchRays::MarchRays(const Scene& scene, const Footprint& footprint, double bott
       literal_ghosts_(scene.march.ghosts == GhostRule::literal),
       axes_{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}} {
   if (footprint.shape == FootprintShape::shell) {
-    // What has turned to the east is seen from as much farther west.
+    // A shell that has turned to the east is seen as from a site that is farther west by the same angle.
     Site site = scene.site;
     site.longitude_deg -= turned_deg;
     const SiteAxes axes = axes_at(site);

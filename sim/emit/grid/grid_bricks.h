@@ -23,8 +23,8 @@ namespace vegard::sim {
 struct GridPlace {
   double turn[3][3];
   double shift[3];
-  /// From east, north, up of the volume's own site, along which the volume is shifted, to those of the
-  /// observer.
+  /// The rotation from east, north, up of the volume's own site, along which the volume is shifted, to those
+  /// of the observer.
   double from_home[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 };
 

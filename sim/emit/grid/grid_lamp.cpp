@@ -25,7 +25,7 @@ void in_voxels(const GridBricks& grid, const double frame[3], double voxels[3]) 
   }
 }
 
-/// From east, north, up of the site that the volume is given about to the observer's.
+/// Turns a vector from east, north, up of the volume's home to those of the observer.
 void from_home(const GridBricks& grid, const double home[3], double here[3]) {
   for (int c = 0; c < 3; ++c) {
     here[c] = 0.0;
@@ -33,7 +33,8 @@ void from_home(const GridBricks& grid, const double home[3], double here[3]) {
   }
 }
 
-/// To the lamp, from a voxel; the ray's unit is a voxel's edge. False where its light does not come from.
+/// Aims a ray from a voxel at the lamp; its unit is a voxel's edge. Returns false if no light comes from
+/// there.
 bool aim_at_lamp(const LampPlace& lamp, const double voxel[3], GridRay& ray, double& end) {
   double length = 1.0;
   end = std::numeric_limits<double>::infinity();

@@ -99,7 +99,7 @@ template class NebulaEmitter<double>;
 template class NebulaEmitter<FreeDual>;
 
 NebulaField::NebulaField(const Scene& scene, const Nebula& nebula)
-    : cloud_(scene, nebula, [](const double& number) { return number; }),
+    : cloud_(scene, nebula, plain_number),
       lines_(static_cast<int>(scene.emission.lines.size())),
       unit_cm_(nebula.unit_pc * kKmPerParsec * kCmPerKm),
       bound_(nebula.bound) {}

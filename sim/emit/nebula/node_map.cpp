@@ -13,13 +13,13 @@
 namespace vegard::sim {
 namespace {
 
-/// What noise can add to or take from a distance, to a unit of amplitude.
+/// Returns the most that noise of amplitude 1 can change a distance.
 template <class T>
 double reach_of(const NoiseNumbers<T>& noise) {
   return NoiseLattice::kLargest * octave_total(noise);
 }
 
-/// Whether a placement may be left out: for derivatives it may not, since it may be free.
+/// True if a node has a placement to apply; for derivatives it always has, since its numbers may be free.
 template <class T>
 bool must_place(const Node& node) {
   if (!std::is_same_v<T, double>) return true;

@@ -4,7 +4,6 @@
 
 #include "sim/base/number/random.h"
 
-
 namespace vegard::sim {
 namespace {
 
@@ -58,7 +57,7 @@ T ChromosphereDensity<T>::at(const T place[3]) const {
   return at_first(turned_west(here, T(0.0) - turn_.angle_at_rad(here[0], here[1], here[2])).data());
 }
 
-/// Where it was at time 0.
+/// Returns the density at a place of the pattern as it stood at time 0.
 template <class T>
 T ChromosphereDensity<T>::at_first(const T place[3]) const {
   T density(0.0);

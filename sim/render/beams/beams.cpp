@@ -126,10 +126,10 @@ RungShare<FreeDual> rung_share(const EnergyLadder& ladder, double ln_energy, con
   return share;
 }
 
-// Of beams whose light has an age: so many of a layer's stand for one each. It is odd, so that those across
-// the layer stay even (LayerPlaces). A line that is still bright at an age is so over some five intervals, so
-// that with seven its noise is little more than that of prompt light; and slow lines are the widely blurred
-// ones.
+// In an interval of age one beam stands for this many of a layer's. It is odd, so that the beams stay evenly
+// spaced across the layer (LayerPlaces). A line that is still bright at an age is so over some five
+// intervals, so that with seven its noise is little more than that of prompt light; and slow lines are the
+// widely blurred ones.
 constexpr int kThinning = 7;
 
 /// Which beams of a layer stand for its light of an age.
@@ -276,7 +276,7 @@ class BeamLayout::Packer {
   }
 
  private:
-  /// What the beams of a layer have in common, and their groups with room.
+  /// The common state of a layer's beams, and their groups that are not full yet.
   struct Layer {
     int number;
     BeamsOfAge of_age;
@@ -526,7 +526,7 @@ class BeamLayout::Packer {
   const int first_profile_;
   const double tube_end_;
   FallFrame<double> fall_;  ///< of the uniform field
-  // For light of an age, these are those of the time at which the present beam's electrons fell.
+  // For light of an age, these belong to the time at which the present beam's electrons fell.
   double instant_;
   StretchOfSheet stretch_;
   SheetShape<double> shape_;

@@ -21,8 +21,8 @@ T local(double degrees, int input, double scale = kRadiansPerDegree) {
   return dual;
 }
 
-/// Whether a fit is to find a pinhole's distortion, which may be none at present: its light is the same to
-/// the last bit whether derivatives are wanted or not.
+/// Returns whether a fit frees a pinhole's distortion, which may be 0 at present: the light is then the same
+/// to the last bit with and without derivatives.
 bool may_be_distorted(const Fit& fit) {
   static const std::vector<std::string> distortions = [] {
     std::vector<std::string> paths;
@@ -40,7 +40,7 @@ bool may_be_distorted(const Fit& fit) {
                      [&](const TiedParameter& tied) { return is_distortion(tied.path); });
 }
 
-/// Whether any of the film looks below the horizon: its border, or the nadir itself.
+/// Returns whether the film sees anything below the horizon, on its border or at the nadir.
 bool looks_below_horizon(const CameraView<double>& view, const FilmGeometry& film, double altitude_km,
                          double sphere_km) {
   const double radius = sphere_km / (sphere_km + std::max(0.0, altitude_km));

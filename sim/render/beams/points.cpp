@@ -111,7 +111,7 @@ int thinning_for(const Scene& scene, std::uint64_t most, int threads, const std:
   };
   const int last = max_beams_of_a_layer(scene) | 1;  // one beam of each layer
 
-  // To count takes long. So the search begins where the expected count says, and widens from there.
+  // Counting takes long, so the search begins at the number that the expected count suggests, and widens.
   Scene still = scene;
   still.time.instants = 1;
   still.emission.lag = EmissionLag::none;

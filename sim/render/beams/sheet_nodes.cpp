@@ -16,13 +16,13 @@
 namespace vegard::sim {
 namespace {
 
-// From beam to beam. A ramp is a parabola's integral: of beams that stand so far apart, as shares of the
-// parabola's width, a column keeps a wave of 3 / (pi / 0.53)^2, one in ten, at most, and more beams of other
-// layers and altitudes a tenth of it.
+// The distances from beam to beam. A ramp is the integral of a parabola. With beams at this distance, in
+// shares of the parabola's width, the light of a column has a ripple of at most 3 / (pi / 0.53)^2, a tenth;
+// the beams of other layers and altitudes reduce it to a tenth of that.
 constexpr double kAlongCells = 0.5, kAlongPerRamp = 0.53, kAlongPerSmoothing = 0.25;
-// From node to node in the lower part of a path. Of a lattice of nodes with the distance d a Gaussian of the
-// standard deviation d / 2 leaves exp(-pi^2 / 2), 0.7 %, and many beams with nodes at other places a tenth of
-// it.
+// The distance from node to node in the lower part of a path. A Gaussian of the standard deviation d / 2 over
+// a lattice of nodes at the distance d has a ripple of exp(-pi^2 / 2), 0.7 %; many beams with nodes at other
+// places reduce it to a tenth of that.
 constexpr double kDownPerBlur = 2.0, kMinDownCells = 1.0;
 // Up to which standard deviation of the width, in what is seen of a node, how many of Gauss's nodes will do.
 // One alone would not feel the width.
@@ -44,7 +44,7 @@ constexpr double kMaxMoreBeams = 16.0;  // than are said
 constexpr double kOutOfView = 0.25;     // of the beams where they stand most densely
 constexpr double kLowKm = 105.0, kHighKm = 125.0;  // where most light is
 
-/// Where a camera sees a point of the field line through a foot.
+/// The place on a picture at which a camera sees a point of the field line through a foot.
 struct Sight {
   double x = 0.0, y = 0.0;
   bool seen = false;
@@ -205,7 +205,7 @@ std::vector<SheetNodes> sheet_nodes(const Scene& scene, const FilmGeometry& film
   double blur_px = 1e9;
   for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
     blur_px = std::min(blur_px, scene.blur.width_deg[l] * pixels_per_degree(scene.camera));
-  // What is seen of a node: a hat of cells, the blur and the smoothing.
+  // A node is seen as a triangle function over cells, with the blur and the smoothing.
   const double rows_px = std::hypot(kHat * film.cell_height_px, blur_px, smooth_px);
   const double down_px =
       std::max(kMinDownCells * film.cell_height_px, kDownPerBlur * std::hypot(blur_px, smooth_px));

@@ -4,7 +4,6 @@
 
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/grid/grid_emitter.h"
-#include "sim/emit/grid/grid_field.h"
 #include "sim/emit/grid/grid_home.h"
 #include "sim/emit/nebula/nebula_emitter.h"
 #include "sim/render/emitters/emitter_makers.h"
@@ -34,7 +33,7 @@ std::optional<Complaint> why_nebula_has_no_field(const Scene& scene) {
   return std::nullopt;
 }
 
-/// What a substorm leaves of a volume's light: of one about a site, which is aurora, the mean over instants.
+/// Returns the substorm's factor on a volume's light: the mean over instants about a site (aurora), else 1.
 double substorm_share(const Scene& scene, const Volume& volume, const std::vector<double>& instants) {
   if (volume.frame != VolumeFrame::site) return 1.0;
   double sum = 0.0;

@@ -72,7 +72,7 @@ std::vector<FootprintLook> of_exposure(const Scene& scene, const Footprint& f,
   return looks;
 }
 
-/// Of one that stays as it is but for the substorm's level: which light is how bright.
+/// Returns the share of each line's light of a footprint that only the substorm's level changes.
 LightShare of_levels(const Scene& scene, const Footprint& f, const std::vector<double>& instants,
                      const AgeIntervals& ages, const std::vector<LightShare>& shares) {
   LightShare sum = shares[0];

@@ -35,7 +35,8 @@ struct EnergyRange {
   }
 };
 
-/// What counts of a footprint's light in a part of a scene: colours are no light of excited atoms.
+/// Reduces a footprint's light to the part that a part of a scene has; colours are not light of excited
+/// atoms.
 void take_part(const Scene& scene, const Footprint& f, const LightShare& of_lines, ProfileTable& table) {
   if (!of_lines.empty())
     for (HeightProfile& profile : table.of_energy) multiply_by_share(of_lines, profile);
@@ -184,8 +185,8 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
                                 threads);
   }
   Footprint own;
-  PlaneFootprint<double> map = plane_at<double>(
-      scene, f, files, [](const double& number) { return number; }, {instant}, share, threads, own);
+  PlaneFootprint<double> map =
+      plane_at<double>(scene, f, files, plain_number, {instant}, share, threads, own);
   range.take(map.grid);
   return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false, {}).usual,
                                threads);
@@ -193,7 +194,7 @@ std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint&
 
 namespace {
 
-/// That the past of one that moves takes no more memory than a machine has.
+/// Throws if the past states of a footprint that moves would take too much memory.
 void check_memory_of_looks(const Scene& scene, const Footprint& f, std::size_t number_bytes) {
   const double bytes = map_bytes(scene, f, number_bytes);
   // make_plane_footprint() refuses one map that is too large by itself.

@@ -3,7 +3,6 @@
 #include "sim/base/error.h"
 #include "sim/emit/grid/grid_bricks.h"
 #include "sim/emit/grid/grid_emitter.h"
-#include "sim/emit/grid/grid_field.h"
 #include "sim/emit/grid/grid_filter.h"
 #include "sim/emit/sun/line_light.h"
 #include "sim/emit/sun/strand/macro_loop.h"
@@ -28,8 +27,7 @@ struct LoopVolume {
     Volume volume;
     volume.name = loop.name;
     volume.frame = VolumeFrame::sun;
-    volume.density_rayleigh =
-        line_light<double>(scene, loop.rayleigh, loop.temperature_mk, NumberAs<double>(plain_number));
+    volume.density_rayleigh = line_light<double>(scene, loop.rayleigh, loop.temperature_mk, plain_number);
     return volume;
   }
 
@@ -107,8 +105,8 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, 
           .expected("larger voxels, or fewer passes");
   };
   try {
-    add_strands(strands_of<double>(scene.sun, loop, scene.seed, NumberAs<double>(plain_number), instant_s),
-                {1.0}, {threads, memory_limit}, grid);
+    add_strands(strands_of<double>(scene.sun, loop, scene.seed, plain_number, instant_s), {1.0},
+                {threads, memory_limit}, grid);
     for (int pass = 0; pass < loop.blur; ++pass) filter(blur_mask());
     for (int pass = 0; pass < loop.sharpen; ++pass) filter(sharpen_mask());
   } catch (const Error& error) {

@@ -1,5 +1,6 @@
-// What is on a scene's Sun: the photosphere, chromospheres and the corona at large; and what is made of strands:
-// loops, bundles and ejections (whose shells are none). Loops with voxels are drawn by a grid of their own.
+// What is on a scene's Sun: the photosphere, chromospheres and the corona at large; and what is made of
+// strands: loops, bundles and ejections (whose shells are none). Loops with voxels are drawn by a grid of
+// their own.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -67,12 +68,7 @@ void add_corona_fields(const FieldInputs& in, std::vector<NamedField>& all) {
         {"corona '" + corona.name + "'", std::make_unique<CoronaField>(in.scene, corona), FieldFrame::sun});
 }
 
-/// The scene's numbers as they are.
-NumberAs<double> as_they_are() {
-  return [](const double& number) { return number; };
-}
-
-/// By what lines shine where a table has a temperature of its own: of a loop that flares heat, by none.
+/// Returns the temperature that sets the lines' light; none (0) for a loop that is heated by flares.
 template <class Element>
 const double& temperature_of(const Element& of) {
   return of.temperature_mk;
@@ -95,7 +91,7 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
                                                const Element& of) {
   try {
     return std::make_unique<StrandField>(
-        strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, temperature_of(of), as_they_are()),
+        strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, temperature_of(of), plain_number),
         static_cast<int>(in.scene.emission.lines.size()), in.memory_limit);
   } catch (const Error& error) {
     ErrorDetails details = error.details();
@@ -104,7 +100,7 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
   }
 }
 
-/// As they stand at one instant of the scene's clock, and as bright as they are in the mean over some.
+/// Returns the strands with their shape at one instant of the scene's clock and their mean light over others.
 template <class T>
 Strands<T> loop_strands(const Scene& scene, const Loop& loop, const NumberAs<T>& number, double stands_s,
                         const std::vector<double>& shines_s) {
@@ -154,7 +150,7 @@ void add_loop_fields(const FieldInputs& in, std::vector<NamedField>& all) {
     else
       field = strand_field(
           in,
-          loop_strands<double>(in.scene, loop, as_they_are(), in.scene.time.start_s, {in.scene.time.start_s}),
+          loop_strands<double>(in.scene, loop, plain_number, in.scene.time.start_s, {in.scene.time.start_s}),
           loop);
     all.push_back({"loop '" + loop.name + "'", std::move(field), FieldFrame::sun});
   }
@@ -182,12 +178,12 @@ void add_bundles(const EmitterInputs<T>& in, Emitters<T>& all) {
 
 void add_bundle_fields(const FieldInputs& in, std::vector<NamedField>& all) {
   for (const Bundle& bundle : in.scene.bundles)
-    all.push_back({"bundle '" + bundle.name + "'",
-                   strand_field(in,
-                                strands_of<double>(in.scene.sun, bundle, in.scene.seed, as_they_are(),
-                                                   in.scene.time.start_s),
-                                bundle),
-                   FieldFrame::sun});
+    all.push_back(
+        {"bundle '" + bundle.name + "'",
+         strand_field(
+             in, strands_of<double>(in.scene.sun, bundle, in.scene.seed, plain_number, in.scene.time.start_s),
+             bundle),
+         FieldFrame::sun});
 }
 
 /// A line counts with the thinner of its ends.
@@ -222,7 +218,7 @@ void add_ejection_fields(const FieldInputs& in, std::vector<NamedField>& all) {
     std::unique_ptr<const LightField> field;
     if (ejection.kind == EjectionKind::rope)
       field = strand_field(
-          in, rope_strands<double>(in.scene.sun, in.scene.time.start_s, ejection, as_they_are()), ejection);
+          in, rope_strands<double>(in.scene.sun, in.scene.time.start_s, ejection, plain_number), ejection);
     else
       field = std::make_unique<EjectionShellField>(in.scene, ejection);
     all.push_back({"ejection '" + ejection.name + "'", std::move(field), FieldFrame::sun});
@@ -238,7 +234,7 @@ ThinPart thinnest_rope(const Scene& scene) {
     Ejection one = ejection;
     one.strands = 1;
     for (const Strand<double>& piece :
-         rope_strands<double>(scene.sun, scene.time.start_s, one, as_they_are()).all)
+         rope_strands<double>(scene.sun, scene.time.start_s, one, plain_number).all)
       if (const double radius = std::max(piece.radius_first, piece.radius_last); radius < thinnest.radius)
         thinnest = {"ejection '" + ejection.name + "'", radius};
   }

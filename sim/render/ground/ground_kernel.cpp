@@ -53,7 +53,7 @@ HWY_INLINE void store(const Energies& e, float* to) {
   for (std::size_t p = 0; p < kParts; ++p) hn::StoreU(e.part[p], Tag(), to + p * kLanes);
 }
 
-/// In one order for every instruction set.
+/// Returns the sum, added in the same order with every instruction set.
 HWY_INLINE float sum_of(const Energies& e) {
   float lane[kGroundEnergies];
   store(e, lane);

@@ -78,7 +78,7 @@ struct HomeRay {
 
   AirPoint<double> at(double u_km) const { return point_of_ray(place, direction, square, along, u_km); }
 
-  /// Where it is so high, rising; negative where it has been there before it begins.
+  /// Returns the distance at which the rising line reaches an altitude; negative if it begins above it.
   double to_altitude(double altitude_km) const {
     const double above = square - altitude_km * (altitude_km + 2.0 * kEarthRadiusKm);
     const double root2 = along * along - above;

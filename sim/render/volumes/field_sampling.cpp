@@ -75,7 +75,7 @@ SparseGrid::Brick sampled(const LightField& field, int all_lines, const std::vec
   return out;
 }
 
-/// Whether a brick of the range, found by going into halves that may be lit, is lit.
+/// Returns whether one brick of the range is lit; it is found by descending into halves that may be lit.
 bool is_lit(const LightField& field, int all_lines, const std::vector<int>& lines, BrickRange r,
             unsigned turns, const std::optional<Box3>& crop, const SparseGrid& grid) {
   while (!is_brick(r)) {
@@ -102,7 +102,7 @@ double lit_share(const LightField& field, int all_lines, const std::vector<Brick
   return static_cast<double>(lit) / static_cast<double>(tried);
 }
 
-/// What is lit is a surface at least: a part that is s bricks wide has s^2 lit ones.
+/// Returns the number of lit bricks if light is a surface: a part that is s bricks wide has s^2 lit ones.
 double bricks_of_surface(const std::vector<BrickRange>& ranges) {
   double all = 0.0;
   for (const BrickRange& r : ranges) {

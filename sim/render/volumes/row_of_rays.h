@@ -19,9 +19,7 @@ namespace vegard::sim {
 class SunBall {
  public:
   explicit SunBall(const Scene& scene)
-      : shown_(scene.sun.shown),
-        radius_(scene.sun.radius),
-        frame_(scene.sun, [](const double& number) { return number; }) {}
+      : shown_(scene.sun.shown), radius_(scene.sun.radius), frame_(scene.sun, plain_number) {}
 
   double end_km(const double enu[3]) const {
     if (!shown_) return std::numeric_limits<double>::infinity();

@@ -63,7 +63,7 @@ bool any_density(const SparseGrid& grid) {
   });
 }
 
-/// Of the box about all fields, as far as it is cropped.
+/// Returns the longest side of the box around all fields, cropped.
 double longest_side(const std::vector<const LightField*>& fields, const std::optional<Box3>& crop) {
   double longest = 0.0;
   for (int a = 0; a < 3; ++a) {
@@ -90,7 +90,7 @@ double two_digits(double x) {
 /// Rounded up to two digits.
 double two_digits_up(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
-  // By its words, so that who types them means the same number.
+  // The number is read back from its text, so that a user who types the text gets this number.
   return std::stod(formatted(std::ceil(x / unit * (1.0 - 1e-12)) * unit, "%.2g"));
 }
 
@@ -106,8 +106,8 @@ double usual_voxel(double side, double strand_radius) {
   return two_digits(voxel);
 }
 
-/// What a grid of a scene takes, before it is made: bytes by what may be lit, which are more than those of
-/// what is.
+/// The memory that a grid of a scene needs, before it is made: an upper bound, from the bricks that may be
+/// lit.
 class GridNeed {
  public:
   GridNeed(const Scene& scene, const std::vector<const LightField*>& fields, const SceneGridOptions& options,
@@ -197,7 +197,7 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
     out.grid.channels.push_back({emission_grid_name(scene.emission.lines[l]), "photons cm^-3 s^-1"});
   out.grid.channels.push_back({"density", ""});
   if (!fields.empty()) out.unit_cm = fields.front()->unit_cm();
-  // What a brick takes at the worst of its stations: as sums, as numbers, and on its way into the file.
+  // A brick's memory is that of the worst of its stages: as sums, as numbers, and on its way into the file.
   const GridNeed need(scene, fields, options, lines.size());
   const auto stopped = [&] { return need.stopped(); };
   const double limit = static_cast<double>(options.memory_limit);
@@ -234,7 +234,7 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
     deposit.move_to(out.grid);
     done += 1.0;
   }
-  // Of all before any is sampled, which takes its time.
+  // The bricks of all fields are found before any is sampled, since sampling takes long.
   std::vector<BricksToSample> bricks_of;
   for (const LightField* field : fields) {
     bricks_of.push_back(

@@ -1,4 +1,4 @@
-// From the march of the volumes to their light as it is seen: at a coarser resolution, softened, with glow.
+// The volumes' light as it is seen: marched at a coarser resolution, softened, with glow.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 bool is_spread(const March& march) { return march.smooth_px > 0.0 || march.glow > 0.0; }
 
-/// What [march] makes of planes of light, linear in it.
+/// Applies the smoothing and the glow of [march] to planes of light; linear in the light.
 void spread(const Scene& scene, const FilmGeometry& film, const Planes& planes, int threads) {
   const March& march = scene.march;
   if (march.smooth_px > 0.0)

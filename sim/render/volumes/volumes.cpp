@@ -23,8 +23,7 @@ Volumes::Volumes(const Scene& scene, int threads, bool of_one_scene)
     : threads_(thread_count(threads)), files_(std::make_unique<VolumeFiles>(read_volume_files(scene))) {
   if (!of_one_scene) return;
   auto made = std::make_unique<Made>(Made{scene, {}});
-  made->emitters = make_emitters<double>(
-      made->scene, *files_, [](const double& number) { return number; }, threads_);
+  made->emitters = make_emitters<double>(made->scene, *files_, plain_number, threads_);
   made_ = std::move(made);
 }
 
@@ -32,9 +31,8 @@ Volumes::~Volumes() = default;
 
 MarchCells Volumes::marcher(const Scene& scene, const std::function<void(double)>& progress,
                             const std::atomic<bool>* stop) const {
-  const auto rows = std::make_shared<RowMarch<double>>(
-      scene, *files_, [](const double& number) { return number; }, threads_,
-      made_ ? &made_->emitters : nullptr);
+  const auto rows = std::make_shared<RowMarch<double>>(scene, *files_, plain_number, threads_,
+                                                       made_ ? &made_->emitters : nullptr);
   const int lines = static_cast<int>(scene.emission.lines.size());
   return [rows, lines, progress, stop, threads = threads_](const FilmGeometry& film,
                                                            const std::vector<std::uint8_t>& wanted) {

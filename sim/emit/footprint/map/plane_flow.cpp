@@ -105,7 +105,7 @@ class Flow {
 
   /// The vorticity at the very start, largest 1, and at the start of this stretch.
   FlowLayer first, start;
-  /// Where each cell came from since this stretch began, less where it is.
+  /// The displacement of each cell's content since this stretch began: its earlier place less its place.
   FlowStretch back;
   FlowLayer stream, velocity_column, velocity_row;
 
@@ -268,7 +268,7 @@ PlaneFlow wind_up(const PlaneFootprint<double>& plane, const Footprint& f, doubl
   result.energy_first = flow.energy();
   FlowLayer before = flow.stream, middle(flow.cells());
   for (int s = 0; s < steps; ++s) {
-    // In the middle of the step, from this one and the one before.
+    // The stream function in the middle of the step is extrapolated from this step and the one before.
     for (std::size_t i = 0; i < flow.cells(); ++i) middle[i] = 1.5 * flow.stream[i] - 0.5 * before[i];
     before = flow.stream;
     flow.step(time, middle);

@@ -34,8 +34,8 @@ double flux_scale(const Scene& scene, int sheet) {
   return brightness.power->energy_flux_mw_m2 / brightness.level * of_mean;
 }
 
-/// Where the feet of one layer's beams come down, as a grid of flux; and, of a sheet whose energy varies
-/// along its curve, of flux times the logarithm of the energy over that of `ln_unit`.
+/// Adds the flux of one layer's beams to the cells around their feet; and for a sheet whose energy varies
+/// along its curve the flux times the logarithm of the energy, less `ln_unit`.
 template <class T>
 void deposit(const Scene& scene, const LayerOfFeet& which, double age_s, double scale, const T& ln_unit,
              const NumberAs<T>& number, PlaneFootprint<T>& on) {

@@ -98,7 +98,7 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
 
 CubeFootprint<double> spline_cube(const Footprint& f, double sphere_km, int threads) {
   const double radius = sphere_km + kFootAltitudeKm;
-  const NumberAs<double> number = [](const double& n) { return n; };
+  const NumberAs<double>& number = plain_number;
   std::vector<CurveNode<double, 3>> points(f.latitude_deg.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double latitude = f.latitude_deg[i] * kRadiansPerDegree,

@@ -36,7 +36,7 @@ class BundleMaker {
         name_(name_number(bundle.name)),
         seed_(seed),
         position_noise_(number(bundle.position_noise_deg) * kRadiansPerDegree) {
-    SunFrame<double>(sun, [](const double& x) { return x; }).observer(observer_.data());
+    SunFrame<double>(sun, plain_number).observer(observer_.data());
     const double distance = length3(observer_);
     observer_ = times3(observer_, 1.0 / distance);
     limb_ = std::acos(std::min(sun.radius / distance, 1.0));

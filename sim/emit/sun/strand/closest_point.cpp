@@ -102,8 +102,8 @@ Piece whole(const Offset& offset) {
   return piece;
 }
 
-/// Where the slope passes from falling to rising between two parameters: Newton's method, and halves where
-/// it leaves the interval.
+/// Returns the minimum between two parameters, by Newton's method, with bisection where a step would leave
+/// the interval.
 double minimum_between(const Offset& offset, double low, double high) {
   double t = 0.5 * (low + high);
   for (int step = 0; step < 60 && high - low > 1e-16; ++step) {

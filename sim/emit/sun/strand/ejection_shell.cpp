@@ -45,10 +45,10 @@ T EjectionShell<T>::density_at(const T& square) const {
 
 template <class T>
 T EjectionShell<T>::mass(const T& sun_radius) const {
-  // By spheres of radius p about the middle, at the distance D: of such a sphere is outside of the
-  // photosphere what is above cos = (R² - D² - p²) / (2 D p), so that its area there is 2 π p² (1 - cos).
-  // Where none or all of it is, at p = |R - D|, the formula changes; on either side it is a polynomial, and
-  // so is density.
+  // The integral runs over spheres of radius p about the middle, which is at the distance D. The part of a
+  // sphere above cos = (R² - D² - p²) / (2 D p) is outside of the photosphere, with the area 2 π p² (1 -
+  // cos). At p = |R - D|, where none or all of it is outside, the formula changes; on either side it is a
+  // polynomial, and so is the density.
   const T distance = length3(middle);
   const double edge = std::abs(value_of(sun_radius) - value_of(distance));
   const T touching =
@@ -127,7 +127,7 @@ void EjectionShellEmitter<T>::march_ray(const T enu[3], const T& end_km, std::si
 }
 
 EjectionShellField::EjectionShellField(const Scene& scene, const Ejection& ejection)
-    : body_(scene.sun, scene.time.start_s, ejection, NumberAs<double>(plain_number)),
+    : body_(scene.sun, scene.time.start_s, ejection, plain_number),
       light_(line_light<double>(scene, ejection.rayleigh, ejection.temperature_mk, plain_number)),
       lines_(static_cast<int>(scene.emission.lines.size())),
       unit_cm_(scene.sun.unit_km * kCmPerKm),

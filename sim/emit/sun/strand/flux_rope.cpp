@@ -48,7 +48,7 @@ class Rope {
     bulge_ = height_ * kBulge / (height_ + sun_radius_ * half_angle_);
   }
 
-  /// At e, for a strand at (share of the disc's radius, phase).
+  /// Returns the point at the parameter e of a strand at (share of the disc's radius, phase).
   RopePoint<T> at(double e, double share, double phase) const {
     const double c = std::cos(e), s = std::sin(e);
     const T distance = sun_radius_ - foot_radius_ + (height_ + foot_radius_) * c,

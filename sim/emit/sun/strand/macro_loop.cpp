@@ -13,7 +13,8 @@
 namespace vegard::sim {
 namespace {
 
-/// What is random about a strand: standard normal numbers, and what the middles of bunches are drawn by.
+/// The random numbers of a strand: standard normal ones, and the one by which the middles of bunches are
+/// drawn.
 struct StrandChance {
   double root[2][2];  ///< [foot][along, across]
   double height, tilt, density;
@@ -61,7 +62,7 @@ struct LoopShape {
     }
   }
 
-  /// On the photosphere, straight below or above a place of the tangent plane.
+  /// Returns the place on the photosphere straight below or above a place of the tangent plane.
   Vec3<T> foot(T a, T x) const {
     const T square = a * a + x * x;
     const T most = radius * radius * 0.999;

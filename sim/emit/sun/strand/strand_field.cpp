@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "sim/base/error.h"
-#include "sim/emit/sun/strand/strand_nearest.h"
+#include "sim/emit/sun/strand/strand_pieces.h"
 #include "sim/light/emitter.h"
 
 namespace vegard::sim {

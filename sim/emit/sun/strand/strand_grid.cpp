@@ -7,7 +7,6 @@
 
 #include "sim/base/error.h"
 #include "sim/base/parallel.h"
-#include "sim/emit/sun/strand/strand_nearest.h"
 #include "sim/emit/sun/strand/strand_pieces.h"
 
 namespace vegard::sim {

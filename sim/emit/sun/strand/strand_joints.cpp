@@ -28,7 +28,7 @@ double parts_of_piece(const Strand<T>& strand, int piece, double radius) {
   return std::clamp(std::sqrt(second / (8.0 * kSagitta * radius)), 1.0, kMaxParts);
 }
 
-/// Where joints must be: at the ends of pieces and at the numbers of `along`, rising.
+/// Returns the parameters that must have joints, in rising order: ends of pieces and numbers of `along`.
 template <class T>
 std::vector<double> fixed_joints(const Strand<T>& strand) {
   std::vector<double> t;
@@ -60,7 +60,7 @@ StrandJoint<T> joint_at(const Strand<T>& strand, double t) {
   return joint;
 }
 
-/// From `a` to `b`, or `otherwise` if they are one place.
+/// Returns the unit vector from `a` to `b`, or `otherwise` if they are the same place.
 template <class T>
 Vec3<T> direction(const Vec3<T>& a, const Vec3<T>& b, const Vec3<T>& otherwise) {
   const Vec3<T> way = minus3(b, a);

@@ -9,7 +9,6 @@
 #include <functional>
 #include <limits>
 
-#include "sim/emit/grid/grid_field.h"
 #include "sim/scene/structs/site_axes.h"
 #include "tests/support/expect_error.h"
 

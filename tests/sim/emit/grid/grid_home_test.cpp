@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "sim/emit/grid/grid_emitter.h"
-#include "sim/emit/grid/grid_field.h"
 
 namespace vegard::grid_home_test {
 namespace {
