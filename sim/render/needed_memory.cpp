@@ -8,7 +8,7 @@
 #include "sim/base/image.h"
 #include "sim/base/parallel.h"
 #include "sim/light/sample.h"
-#include "sim/render/emitters/footprint_looks.h"
+#include "sim/render/emitters/footprint_volumes.h"
 #include "sim/render/film.h"
 #include "sim/render/physical_blur.h"
 #include "sim/render/slab_exposer.h"

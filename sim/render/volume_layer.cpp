@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/parallel.h"
-#include "sim/emit/nebula/literal_march.h"
+#include "sim/emit/nebula/nebula_emitter.h"
 #include "sim/emit/nebula/nebula_frame.h"
 #include "sim/render/emitters/volume_files.h"
 #include "sim/render/picture.h"

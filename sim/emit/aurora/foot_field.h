@@ -8,7 +8,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/beam.h"
 #include "sim/light/field/field_patch.h"
 #include "sim/light/sample.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/base/number/constants.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/beam.h"
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/structs/scene.h"

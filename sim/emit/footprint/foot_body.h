@@ -59,7 +59,7 @@ VEGARD_INLINE PlaneFoot<L> foot_along(const AirPoint<L>& p, const L along[3], do
   return {p.x[0] + way * along[0], p.x[1] + way * along[1], falls && value_of(L(0.0)) < value_of(height)};
 }
 
-/// Computes the direction of fall in a dipole field at a foot; sim/emit/aurora/dipole.h does the same for a
+/// Computes the direction of fall in a dipole field at a foot; sim/emit/aurora/beam.h does the same for a
 /// beam.
 template <class L>
 VEGARD_INLINE void dipole_fall(const L axis[3], const PlaneFoot<L>& foot, double sphere_km, L along[3]) {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/march_span.h"
 #include "sim/light/emitter.h"

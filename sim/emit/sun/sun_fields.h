@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "sim/emit/sun/chromosphere_density.h"
-#include "sim/emit/sun/corona_source.h"
+#include "sim/emit/sun/corona_emitter.h"
 #include "sim/light/emitter.h"
 #include "sim/scene/structs/scene.h"
 

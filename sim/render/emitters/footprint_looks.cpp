@@ -1,4 +1,4 @@
-#include "sim/render/emitters/footprint_looks.h"
+#include "sim/render/emitters/footprint_volumes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/foot.h"
 #include "sim/light/height_profile.h"

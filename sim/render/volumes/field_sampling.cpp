@@ -1,4 +1,4 @@
-#include "sim/render/volumes/field_sampling.h"
+#include "sim/render/volumes/scene_grid.h"
 
 #include <algorithm>
 #include <cmath>

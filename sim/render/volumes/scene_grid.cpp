@@ -11,7 +11,6 @@
 #include "sim/base/grid/sparse_grid.h"
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/volume_files.h"
-#include "sim/render/volumes/field_sampling.h"
 #include "sim/render/volumes/point_deposit.h"
 #include "sim/scene/file/volume_grid_file.h"
 

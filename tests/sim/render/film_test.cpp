@@ -8,7 +8,7 @@
 #include <random>
 
 #include "sim/base/number/constants.h"
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/beam.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/render/beams/kernel.h"
 #include "tests/support/block_means.h"

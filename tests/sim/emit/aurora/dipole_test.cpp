@@ -1,4 +1,4 @@
-#include "sim/emit/aurora/dipole.h"
+#include "sim/emit/aurora/beam.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim/emit/aurora/beam.h"
-#include "sim/emit/aurora/dipole.h"
 #include "sim/emit/aurora/foot_field.h"
 #include "sim/emit/footprint/foot_projection.h"
 #include "sim/scene/structs/site_axes.h"

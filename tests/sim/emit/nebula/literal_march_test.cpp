@@ -1,4 +1,4 @@
-#include "sim/emit/nebula/literal_march.h"
+#include "sim/emit/nebula/nebula_emitter.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include <functional>
 #include <memory>
 
-#include "sim/emit/sun/corona_source.h"
 #include "tests/support/kind_named.h"
 #include "tests/support/one_sun.h"
 

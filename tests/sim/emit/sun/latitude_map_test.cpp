@@ -1,4 +1,4 @@
-#include "sim/emit/sun/latitude_map.h"
+#include "sim/emit/sun/chromosphere_density.h"
 
 #include <gtest/gtest.h>
 

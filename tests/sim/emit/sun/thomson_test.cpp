@@ -1,4 +1,4 @@
-#include "sim/emit/sun/corona_source.h"
+#include "sim/emit/sun/corona_emitter.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/light/atmosphere.h"
 #include "sim/light/excited_atom.h"
-#include "sim/render/emitters/footprint_looks.h"
+#include "sim/render/emitters/footprint_volumes.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/lines/emission_lines.h"
 
