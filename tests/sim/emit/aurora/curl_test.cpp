@@ -1,4 +1,4 @@
-#include "sim/emit/aurora/curl.h"
+#include "sim/emit/aurora/sheet_structures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/emit/aurora/fold.h"
+#include "sim/emit/aurora/sheet_structures.h"
 
 #include <gtest/gtest.h>
 
