@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "fit/answer/verdict.h"
 #include "fit/map/map_record.h"
 #include "fit/needed_memory.h"
 #include "fit/report/run_directory.h"

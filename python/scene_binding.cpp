@@ -12,7 +12,6 @@
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/value_words.h"
-#include "sim/scene/structs/line_of.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_table.h"
 

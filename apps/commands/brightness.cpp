@@ -7,7 +7,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
-#include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/brightness_texts.h"

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,17 +15,10 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
 #include "fit/measurement/camera_calibration.h"
-#include "fit/photo/photo.h"
-#include "fit/photo/photo_metadata.h"
-#include "fit/photo/pointing/blind/star_doubts.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/exchange/star_files.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/base/picture/picture_metadata.h"
-#include "sim/base/picture/pixel_limit.h"
-#include "sim/scene/file/scene_toml.h"
-#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
@@ -57,35 +49,6 @@ void check_outputs(const CalibrateOptions& options) {
       if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
   }
 }
-
-/// Claimed before the work: one that may not be written is refused before any other is, and none is written
-/// by halves.
-class CalibrateOutputs {
- public:
-  explicit CalibrateOutputs(const CalibrateOptions& options) {
-    for (const std::string& name :
-         {options.request.output, options.residuals, options.json, options.plot, options.overlay,
-          options.stars_out, options.axy_out, options.request.corr_out})
-      if (!name.empty()) claimed_[name] = std::make_unique<sim::WholeFile>(name, options.overwrite);
-  }
-  void put(const std::string& name, const std::string& bytes) {
-    if (name.empty()) return;
-    claimed_.at(name)->write(bytes);
-    written_.push_back(name);
-  }
-  /// Those that were put; what was claimed for nothing leaves no trace.
-  void commit() {
-    for (const std::string& name : written_) claimed_.at(name)->commit();
-  }
-  const std::vector<std::string>& written() const { return written_; }
-  void tell() const {
-    for (const std::string& name : written_) say("%s\n", name.c_str());
-  }
-
- private:
-  std::map<std::string, std::unique_ptr<sim::WholeFile>> claimed_;
-  std::vector<std::string> written_;  ///< in order
-};
 
 /// Completes the request by the options that are words, and checks what concerns its outputs.
 void read_words(CalibrateOptions& options) {
@@ -127,29 +90,32 @@ int run_calibrate(CalibrateOptions options) {
   check_outputs(options);
   read_words(options);
   const fit::CalibrationRequest& request = options.request;
-  CalibrateOutputs outputs(options);
+  sim::WholeFiles outputs({request.output, options.residuals, options.json, options.plot, options.overlay,
+                           options.stars_out, options.axy_out, request.corr_out},
+                          options.overwrite);
   const fit::CameraCalibration found = fit::calibrate_camera(request, said());
   // All is made before anything gets its name.
   if (!options.axy_out.empty())
-    outputs.put(options.axy_out, fit::encode_star_list(found.points, found.frame, options.axy_out));
+    outputs.write(options.axy_out, fit::encode_star_list(found.points, found.frame, options.axy_out));
   if (const std::string table = fit::recognised_table(found); !table.empty())
-    outputs.put(options.stars_out, table);
+    outputs.write(options.stars_out, table);
   if (found.calibration) {
     const fit::Calibration& calibration = *found.calibration;
-    outputs.put(request.output, fit::camera_toml(calibration, found.origin));
-    if (!options.residuals.empty()) outputs.put(options.residuals, fit::residuals_csv(calibration));
+    outputs.write(request.output, fit::camera_toml(calibration, found.origin));
+    if (!options.residuals.empty()) outputs.write(options.residuals, fit::residuals_csv(calibration));
     if (!request.corr_out.empty())
-      outputs.put(request.corr_out, fit::encode_star_pairs(calibration, found.sky, request.corr_out));
-    if (!options.json.empty()) outputs.put(options.json, fit::calibration_json(calibration, found.origin));
+      outputs.write(request.corr_out, fit::encode_star_pairs(calibration, found.sky, request.corr_out));
+    if (!options.json.empty()) outputs.write(options.json, fit::calibration_json(calibration, found.origin));
     if (format != PlotFormat::none)
-      outputs.put(options.plot, plot_bytes(fit::residual_plot(calibration), format));
-    if (!options.overlay.empty()) outputs.put(options.overlay, fit::star_overlay(calibration, *found.photo));
+      outputs.write(options.plot, plot_bytes(fit::residual_plot(calibration), format));
+    if (!options.overlay.empty())
+      outputs.write(options.overlay, fit::star_overlay(calibration, *found.photo));
   }
   outputs.commit();
   if (voice().is_json) json_answer() = fit::answer_json(found);
   json_answer()["outputs"] = json_names(outputs.written());
   if (found.calibration) fit::tell_calibration(found, said());
-  outputs.tell();
+  for (const std::string& name : outputs.written()) say("%s\n", name.c_str());
   return found.has_answer ? good : doubted;
 }
 

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

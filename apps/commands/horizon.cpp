@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -217,15 +216,8 @@ MapFormat map_format(const std::string& file) {
 void spare(const InvertRequest& request, const std::vector<std::string>& inputs) {
   std::vector<std::pair<std::string, std::string>> outputs;
   for (const std::string& output : request.outputs) outputs.emplace_back("--output", output);
-  if (!request.plot.empty()) outputs.emplace_back("--plot", request.plot);
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (const std::string& input : inputs)
-      if (same_file(outputs[i].second, input))
-        refuse_same_file(outputs[i].first, outputs[i].second, "an input");
-    for (std::size_t j = 0; j < i; ++j)
-      if (same_file(outputs[i].second, outputs[j].second))
-        refuse_same_file(outputs[i].first, outputs[i].second, "another output");
-  }
+  outputs.emplace_back("--plot", request.plot);
+  protect_outputs(outputs, inputs);
 }
 
 int invert_line_maps(const InvertRequest& request) {
@@ -242,8 +234,7 @@ int invert_line_maps(const InvertRequest& request) {
   fit::require_different_lines(lines_nm, "--map");
   std::vector<fit::LineMap> lines(lines_nm.size());
   take_errors(request, lines_nm, lines, error_files);
-  std::vector<MapFormat> formats;
-  for (const std::string& output : request.outputs) formats.push_back(map_format(output));
+  for (const std::string& output : request.outputs) map_format(output);  // refuses what it does not know
   std::vector<std::string> inputs = map_files;
   inputs.insert(inputs.end(), error_files.begin(), error_files.end());
   spare(request, inputs);
@@ -270,22 +261,20 @@ int invert_line_maps(const InvertRequest& request) {
     take(map_files[l], lines_nm[l], lines[l].rayleigh);
     if (!error_files[l].empty()) take(error_files[l], lines_nm[l], lines[l].known_error);
   }
-  std::vector<std::unique_ptr<sim::WholeFile>> files;
-  for (const std::string& output : request.outputs)
-    files.push_back(std::make_unique<sim::WholeFile>(output, request.overwrite));
+  sim::WholeFiles files(request.outputs, request.overwrite);
 
   constexpr std::size_t kStride = 2;  // a tenth of ln(E0): ratios turn over whole factors
   const fit::ColumnMaps maps =
       fit::invert_maps(inversion.chi2(kStride), lines, static_cast<std::size_t>(width),
                        static_cast<std::size_t>(height), request.threads);
   const fit::InversionFacts facts = facts_of(request);
-  for (std::size_t o = 0; o < files.size(); ++o) {
-    if (formats[o] == MapFormat::fits)
-      files[o]->write(fit::encode_column_maps(maps, facts, request.outputs[o]));
+  for (const std::string& output : request.outputs) {
+    if (map_format(output) == MapFormat::fits)
+      files.write(output, fit::encode_column_maps(maps, facts, output));
     else
-      fit::write_column_maps_netcdf(maps, facts, files[o]->temporary(), request.outputs[o]);
+      fit::write_column_maps_netcdf(maps, facts, files.file(output).temporary(), output);
   }
-  for (const auto& file : files) file->commit();
+  files.commit();
   json_answer() = {{"outputs", json_names(request.outputs)},
                    {"width_px", width},
                    {"height_px", height},
@@ -330,20 +319,20 @@ int invert_lines(const InvertRequest& request) {
   const Inversion inversion(request, lines_nm);
   if (format != PlotFormat::none && !(inversion.free()[fit::kLnEnergy] && inversion.free()[fit::kLnFlux]))
     throw usage_error("--plot", "energy and flux are not both free", "--free energy,flux");
-  std::optional<sim::WholeFile> output, plot;
-  if (!request.outputs.empty()) output.emplace(request.outputs.front(), request.overwrite);
-  if (format != PlotFormat::none) plot.emplace(request.plot, request.overwrite);
+  const std::string output = request.outputs.empty() ? std::string() : request.outputs.front();
+  sim::WholeFiles files({output, request.plot}, request.overwrite);
 
   const fit::ColumnChi2 chi2 = inversion.chi2(1);
   const fit::ColumnInversion answer = fit::invert_columns(chi2, data);
   const fit::InversionFacts facts = facts_of(request);
   const std::string json = fit::inversion_json(answer, facts);
-  if (output) output->write(json);
-  if (plot)
-    plot->write(plot_bytes(
-        fit::inversion_plot(chi2, answer, facts.spectrum + " electrons, tables " + facts.tables), format));
-  if (output) output->commit();
-  if (plot) plot->commit();
+  files.write(output, json);
+  if (format != PlotFormat::none)
+    files.write(
+        request.plot,
+        plot_bytes(fit::inversion_plot(chi2, answer, facts.spectrum + " electrons, tables " + facts.tables),
+                   format));
+  files.commit();
   answer_with(json);
   say_result(fit::inversion_text(answer, facts));
   return answer.verdict == fit::ColumnVerdict::contradiction ? doubted : good;

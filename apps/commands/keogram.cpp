@@ -49,13 +49,11 @@ void check_outputs(const KeogramOptions& options, const std::vector<std::string>
   for (const std::string& input : {options.mask, options.scene, options.times, options.maps.azimuth_map,
                                    options.maps.elevation_map, options.maps.skymap})
     inputs.push_back(input);
-  for (std::size_t i = 0; i < options.outputs.size(); ++i) {
-    output_kind(options.outputs[i]);
-    for (std::size_t j = 0; j < i; ++j)
-      if (same_file(options.outputs[i], options.outputs[j]))
-        refuse_same_file("--output", options.outputs[i], "another output");
-    for (const std::string& input : inputs)
-      if (same_file(options.outputs[i], input)) refuse_same_file("--output", options.outputs[i], "an input");
+  std::vector<std::pair<std::string, std::string>> outputs;
+  for (const std::string& output : options.outputs) {
+    output_kind(output);  // refuses what it does not know
+    outputs.emplace_back("--output", output);
+    protect_outputs(outputs, inputs);
   }
 }
 
@@ -168,14 +166,12 @@ void run_keogram(const KeogramOptions& options) {
   const TimedPictures pictures = timed_pictures(options.images, options.times);
   check_outputs(options, pictures.files);
   // All places are claimed before the work, and filled after all of it.
-  std::vector<std::unique_ptr<sim::WholeFile>> files;
-  for (const std::string& output : options.outputs)
-    files.push_back(std::make_unique<sim::WholeFile>(output, options.overwrite));
+  sim::WholeFiles files(options.outputs, options.overwrite);
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) scene = sim::read_scene(options.scene);
   const fit::Keogram keogram = measure(options, pictures, scene ? &*scene : nullptr);
-  for (std::size_t i = 0; i < files.size(); ++i) fill(*files[i], keogram, look, options.outputs[i]);
-  for (const auto& file : files) file->commit();
+  for (const std::string& output : options.outputs) fill(files.file(output), keogram, look, output);
+  files.commit();
 
   json_answer() = {{"outputs", json_names(options.outputs)},
                    {"pictures", keogram.columns.size()},

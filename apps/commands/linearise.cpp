@@ -62,8 +62,8 @@ int run_linearise(const LineariseRequest& options) {
   if (sim::image_format(options.output) != sim::ImageFormat::exr)
     throw usage_error("--output", "'" + options.output + "' cannot hold linear light and its variance",
                       "a name that ends in .exr");
-  for (const std::string& input : {options.photo, options.scene.file, options.scene.camera_file})
-    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+  protect_outputs({{"--output", options.output}},
+                  {options.photo, options.scene.file, options.scene.camera_file});
   sim::WholeFile file(options.output, options.overwrite);
   const fit::Photo photo = fit::read_photo(options.photo, fit::Decoding::sensor, &scene);
   check_is_photograph(photo, options.photo);
@@ -114,8 +114,8 @@ int run_rayleigh(const LineariseRequest& options) {
                       "a name that ends in .fits or .exr");
   const fit::RayleighCamera camera = fit::read_rayleigh_camera(options.rayleigh);
   const fit::RayleighFilter& filter = fit::filter_called(camera, options.filter);
-  for (const std::string& input : {options.photo, options.rayleigh, filter.dark_file, filter.flat_file})
-    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
+  protect_outputs({{"--output", options.output}},
+                  {options.photo, options.rayleigh, filter.dark_file, filter.flat_file});
   if (!filter.factor) {
     throw sim::Error(sim::ErrorKind::scene, "it is not known what a count of '" + filter.name + "' means")
         .file(options.rayleigh)

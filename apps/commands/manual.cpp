@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -263,19 +264,18 @@ void make_folder(const std::filesystem::path& folder, std::vector<std::filesyste
 /// All of them or none: no file gets its name before every one is written.
 void write_files(const std::map<std::string, std::string>& texts, const ManualRequest& request) {
   std::vector<std::filesystem::path> folders;
-  std::vector<std::unique_ptr<sim::WholeFile>> files;
+  std::optional<sim::WholeFiles> files(request.overwrite);
   try {
     for (const auto& [name, text] : texts) {
       const std::filesystem::path path = std::filesystem::path(request.folder) / name;
       make_folder(path.parent_path(), folders);
-      files.push_back(std::make_unique<sim::WholeFile>(path.string(), request.overwrite));
-      files.back()->write(text);
+      files->claim(path.string());
+      files->write(path.string(), text);
     }
-    for (const std::unique_ptr<sim::WholeFile>& file : files) file->commit();
-    for (const auto& [name, text] : texts)
-      json_answer()["outputs"].push_back((std::filesystem::path(request.folder) / name).string());
+    files->commit();
+    json_answer()["outputs"] = json_names(files->written());
   } catch (...) {
-    files.clear();
+    files.reset();
     std::error_code error;  // what is not empty stays
     for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
       std::filesystem::remove(*folder, error);

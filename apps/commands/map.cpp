@@ -7,7 +7,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
-#include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"

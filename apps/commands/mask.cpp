@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,18 +32,11 @@ struct MaskOptions {
 
 /// No output may take another's place, or that of the photograph or of what the user has drawn.
 void check_outputs(const MaskOptions& options) {
-  const std::vector<std::pair<std::string, std::string>> outputs = {
-      {"--output", options.output}, {"--show", options.show}, {"--horizon-csv", options.horizon_csv}};
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    for (std::size_t other = 0; other < i; ++other)
-      if (same_file(outputs[i].second, outputs[other].second))
-        refuse_same_file(outputs[i].first, outputs[i].second, "another output");
-    if (same_file(outputs[i].second, options.image))
-      refuse_same_file(outputs[i].first, outputs[i].second, "an input");
-    for (const std::string& drawn : options.request.drawn)
-      if (same_file(outputs[i].second, drawn))
-        refuse_same_file(outputs[i].first, outputs[i].second, "an input");
-  }
+  std::vector<std::string> inputs = options.request.drawn;
+  inputs.push_back(options.image);
+  protect_outputs(
+      {{"--output", options.output}, {"--show", options.show}, {"--horizon-csv", options.horizon_csv}},
+      inputs);
 }
 
 void check_png(const std::string& key, const std::string& file) {
@@ -130,19 +122,15 @@ void run_mask(MaskOptions options) {
   const std::string picture = fit::mask_png(mask.left_out);
   const std::string shown = options.show.empty() ? "" : fit::shown_mask_png(photo, mask.parts);
   // All places are claimed before any is filled.
-  sim::WholeFile mask_file(options.output, options.overwrite);
-  std::optional<sim::WholeFile> shown_file, horizon_file;
-  if (!options.show.empty()) shown_file.emplace(options.show, options.overwrite);
-  if (!options.horizon_csv.empty()) horizon_file.emplace(options.horizon_csv, options.overwrite);
-  mask_file.write(picture);
-  if (shown_file) shown_file->write(shown);
-  if (horizon_file) horizon_file->write(fit::horizon_csv(*mask.horizon, photo.file_name));
-  mask_file.commit();
-  if (shown_file) shown_file->commit();
-  if (horizon_file) horizon_file->commit();
+  sim::WholeFiles outputs({options.output, options.show, options.horizon_csv}, options.overwrite);
+  outputs.write(options.output, picture);
+  outputs.write(options.show, shown);
+  if (!options.horizon_csv.empty())
+    outputs.write(options.horizon_csv, fit::horizon_csv(*mask.horizon, photo.file_name));
+  outputs.commit();
 
   fit::tell_mask(mask, !options.show.empty(), said());
-  json_answer() = {{"outputs", json_names({options.output, options.show, options.horizon_csv})}};
+  json_answer() = {{"outputs", json_names(outputs.written())}};
   json_answer().update(fit::mask_json(mask));
 }
 

@@ -18,7 +18,6 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
-#include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
@@ -244,18 +243,16 @@ void run_profile(const ProfileRequest& options) {
   // The plot is made before anything is written: what fails here leaves nothing behind.
   const std::string plot = plot_bytes(measured.plot, format);
   // Both places are claimed before either is filled.
-  sim::WholeFile table_file(options.output, options.overwrite);
-  std::optional<sim::WholeFile> plot_file;
-  if (format != PlotFormat::none) plot_file.emplace(options.plot, options.overwrite);
+  sim::WholeFiles outputs({options.output, options.plot}, options.overwrite);
   if (std::filesystem::path(options.output).extension() == ".nc")
-    fit::table_dataset(measured.csv, options.output).write(table_file.temporary(), options.output);
+    fit::table_dataset(measured.csv, options.output)
+        .write(outputs.file(options.output).temporary(), options.output);
   else
-    table_file.write(measured.csv);
-  if (plot_file) plot_file->write(plot);
-  table_file.commit();
-  if (plot_file) plot_file->commit();
+    outputs.write(options.output, measured.csv);
+  outputs.write(options.plot, plot);
+  outputs.commit();
 
-  json_answer() = {{"outputs", json_names({options.output, options.plot})},
+  json_answer() = {{"outputs", json_names(outputs.written())},
                    {"photo", photo.file_name},
                    {"width_px", photo.linear.width},
                    {"height_px", photo.linear.height},
@@ -266,7 +263,7 @@ void run_profile(const ProfileRequest& options) {
       sim::size_text(photo.linear.width, photo.linear.height).c_str(), photo.decoding.c_str());
   say("%s: %s\n", options.output.c_str(), measured.words.c_str());
   for (const std::string& line : measured.details) say("  %s\n", line.c_str());
-  if (plot_file) say("%s\n", options.plot.c_str());
+  if (!options.plot.empty()) say("%s\n", options.plot.c_str());
   if (options.lines) print_resolution(*scene);
 }
 

@@ -121,21 +121,16 @@ void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
 /// All files are filled before any gets its name: a disk that fills up leaves none.
 void write_outputs(const RenderRequest& options, const sim::Scene& scene, sim::Rendering&& rendering) {
   const sim::Image lines = line_layer(rendering);
-  std::optional<sim::WholeFile> picture_file, lines_file, raw_file, camera;
-  if (!options.output.empty()) picture_file.emplace(options.output, options.overwrite);
-  if (!options.lines.empty()) lines_file.emplace(options.lines, options.overwrite);
-  if (!options.raw.empty()) raw_file.emplace(options.raw, options.overwrite);
-  if (options.camera_json) camera.emplace(camera_file(options), options.overwrite);
-  if (raw_file) raw_file->write(encoded_raw(options.raw, options.picture, scene, rendering));
-  if (picture_file)
-    picture_file->write(encoded_picture(options.output, options.picture, scene, std::move(rendering), lines,
-                                        !options.layers.empty()));
-  if (lines_file) lines_file->write(encoded_lines(options.lines, scene, lines));
-  if (camera) camera->write(camera_json(scene));
-  if (picture_file) picture_file->commit();
-  if (lines_file) lines_file->commit();
-  if (raw_file) raw_file->commit();
-  if (camera) camera->commit();
+  const std::string camera = options.camera_json ? camera_file(options) : std::string();
+  sim::WholeFiles outputs({options.output, options.lines, options.raw, camera}, options.overwrite);
+  if (!options.raw.empty())
+    outputs.write(options.raw, encoded_raw(options.raw, options.picture, scene, rendering));
+  if (!options.output.empty())
+    outputs.write(options.output, encoded_picture(options.output, options.picture, scene,
+                                                  std::move(rendering), lines, !options.layers.empty()));
+  if (!options.lines.empty()) outputs.write(options.lines, encoded_lines(options.lines, scene, lines));
+  if (!camera.empty()) outputs.write(camera, camera_json(scene));
+  outputs.commit();
 }
 
 /// Of beams: volumes have none.

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,12 +14,12 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/memory_limit.h"
 #include "apps/options/photo_options.h"
-#include "apps/options/photographs.h"
 #include "apps/options/picture_lists.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
+#include "fit/answer/input_files.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"

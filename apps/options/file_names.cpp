@@ -44,6 +44,17 @@ void refuse_same_file(const std::string& key, const std::string& file, const std
   throw usage_error(key, "'" + file + "' is " + other + " as well", "", "choose another name");
 }
 
+void protect_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
+                     const std::vector<std::string>& inputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    const auto& [key, file] = *output;
+    for (const std::string& input : inputs)
+      if (same_file(file, input)) refuse_same_file(key, file, "an input");
+    for (auto other = outputs.begin(); other != output; ++other)
+      if (same_file(file, other->second)) refuse_same_file(key, file, "another output");
+  }
+}
+
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene) {
   std::vector<NamedInput> inputs = {{options.file, "the scene"}, {options.camera_file, "the camera's file"}};
   for (const std::string& file : fit::picture_files(scene))

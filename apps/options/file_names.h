@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/options/scene_options.h"
@@ -21,6 +22,11 @@ bool is_inside(const std::string& file, const std::string& folder);
 
 /// Throws Error(usage), which says that the file given by the option `key` is also `other` ("an input").
 [[noreturn]] void refuse_same_file(const std::string& key, const std::string& file, const std::string& other);
+
+/// Throws Error(usage) if one of the outputs, each with the option that gives it, is an input or another
+/// output. Empty names are no files.
+void protect_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
+                     const std::vector<std::string>& inputs);
 
 struct NamedInput {
   std::string file;  ///< empty: none

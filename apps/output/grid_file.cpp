@@ -1,7 +1,5 @@
 #include "apps/output/grid_file.h"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "apps/options/refusals.h"

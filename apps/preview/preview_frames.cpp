@@ -14,7 +14,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
-#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/animation/animation_frames.h"
 #include "apps/output/progress_bar.h"

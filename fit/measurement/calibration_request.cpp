@@ -5,7 +5,6 @@
 
 #include "fit/measurement/words.h"
 #include "fit/photo/photo_defaults.h"
-#include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {

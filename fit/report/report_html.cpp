@@ -17,7 +17,6 @@
 #include "fit/report/table/validation_table.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/shown_text.h"
-#include "sim/base/version.h"
 
 namespace vegard::fit {
 namespace {

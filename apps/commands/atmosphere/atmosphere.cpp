@@ -216,19 +216,16 @@ int run_atmosphere(const AtmosphereRequest& request) {
     return good;
   }
   const PlotFormat format = plot_format(request.plot, "--plot");
-  if (same_file(request.plot, request.output)) refuse_same_file("--plot", request.plot, "another output");
+  protect_outputs({{"--output", request.output}, {"--plot", request.plot}}, {});
   if (request.bottom_km >= request.top_km)
     throw usage_error("--bottom-km", "the bottom is not below the top", "less than --top-km");
   const AirColumn column = air_column(conditions_of(request), request.bottom_km, request.top_km);
-  std::optional<sim::WholeFile> output, plot;
-  if (!request.output.empty()) output.emplace(request.output, request.overwrite);
-  if (format != PlotFormat::none) plot.emplace(request.plot, request.overwrite);
-  if (output) output->write(air_csv(column));
-  if (plot) plot->write(plot_bytes(air_plot(column), format));
-  if (output) output->commit();
-  if (plot) plot->commit();
+  sim::WholeFiles outputs({request.output, request.plot}, request.overwrite);
+  outputs.write(request.output, air_csv(column));
+  if (format != PlotFormat::none) outputs.write(request.plot, plot_bytes(air_plot(column), format));
+  outputs.commit();
   answer_with(air_json(column));
-  json_answer()["outputs"] = json_names({request.output, request.plot});
+  json_answer()["outputs"] = json_names(outputs.written());
   say_result(air_text(column));
   return good;
 }

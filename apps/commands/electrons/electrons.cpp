@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +20,6 @@
 #include "apps/output/plot_file.h"
 #include "fit/report/plot/plot.h"
 #include "sim/base/file/csv_table.h"
-#include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/light/tables/ionisation.h"
 #include "sim/light/transport/electron_transport.h"
@@ -247,16 +245,12 @@ std::vector<double> fang_rates(const sim::FieldAir& column, const sim::EnergyGri
 
 int run_electrons(const ElectronsRequest& request) {
   const PlotFormat format = plot_format(request.plot, "--plot");
-  for (const auto& [key, file] : {std::pair{"--output", request.output}, std::pair{"--plot", request.plot}})
-    for (const std::string& input : {request.electrons.table, air_file(request.electrons.atmosphere)})
-      if (same_file(file, input)) refuse_same_file(key, file, "an input");
-  if (same_file(request.plot, request.output)) refuse_same_file("--plot", request.plot, "another output");
+  protect_outputs({{"--output", request.output}, {"--plot", request.plot}},
+                  {request.electrons.table, air_file(request.electrons.atmosphere)});
   const ElectronOptions& electrons = request.electrons;
   const sim::IncidentSpectrum spectrum = spectrum_of(electrons);
   const sim::AirTable air = air_of_choice(electrons.atmosphere);
-  std::optional<sim::WholeFile> output, plot;
-  if (!request.output.empty()) output.emplace(request.output, request.overwrite);
-  if (format != PlotFormat::none) plot.emplace(request.plot, request.overwrite);
+  sim::WholeFiles outputs({request.output, request.plot}, request.overwrite);
 
   const sim::FieldAir column = sim::field_air(air, electrons.dip_deg);
   const sim::Degradation degradation =
@@ -272,14 +266,14 @@ int run_electrons(const ElectronsRequest& request) {
   run.atmosphere = words_of_air(electrons.atmosphere);
   if (angles == sim::PitchAngles::isotropic && electrons.dip_deg == 90.0)
     run.fang_cm3_s = fang_rates(column, degradation.grid, flux);
-  if (output) output->write(electron_rates_csv(run, column, rates));
-  if (plot)
-    plot->write(plot_bytes(
-        electron_plot(column, rates, run.fang_cm3_s, run.electrons + "; " + run.atmosphere), format));
-  if (output) output->commit();
-  if (plot) plot->commit();
+  if (!request.output.empty()) outputs.write(request.output, electron_rates_csv(run, column, rates));
+  if (format != PlotFormat::none)
+    outputs.write(request.plot, plot_bytes(electron_plot(column, rates, run.fang_cm3_s,
+                                                         run.electrons + "; " + run.atmosphere),
+                                           format));
+  outputs.commit();
   answer_with(electron_budget_json(run, column, rates));
-  json_answer()["outputs"] = json_names({request.output, request.plot});
+  json_answer()["outputs"] = json_names(outputs.written());
   say_result(electron_budget_text(run, column, rates));
   return good;
 }

@@ -27,7 +27,6 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/light/chemistry/line_sources.h"
 #include "sim/scene/lines/emission_lines.h"
-#include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
 namespace {
@@ -187,11 +186,8 @@ void add_line_source_options(const Command& command, const Option& sources, Line
 
 ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
   const PlotFormat format = plot_format(request.plot, "--plot");
-  for (const auto& [key, file] : {std::pair{"--output", request.output}, std::pair{"--plot", request.plot}})
-    for (const std::string& input :
-         {request.electrons.table, air_file(request.electrons.atmosphere), request.reactions})
-      if (same_file(file, input)) refuse_same_file(key, file, "an input");
-  if (same_file(request.plot, request.output)) refuse_same_file("--plot", request.plot, "another output");
+  protect_outputs({{"--output", request.output}, {"--plot", request.plot}},
+                  {request.electrons.table, air_file(request.electrons.atmosphere), request.reactions});
   const ElectronOptions& electrons = request.electrons;
   const sim::IncidentSpectrum spectrum = spectrum_of(electrons);
   const sim::AirTable air =
@@ -202,9 +198,7 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
           : sim::Reactions::changed(
                 sim::input_bytes(request.reactions, "a table of the columns of data/electrons/reactions.csv"),
                 request.reactions);
-  std::optional<sim::WholeFile> output, plot;
-  if (!request.output.empty()) output.emplace(request.output, overwrite);
-  if (format != PlotFormat::none) plot.emplace(request.plot, overwrite);
+  sim::WholeFiles outputs({request.output, request.plot}, overwrite);
 
   const sim::Degradation all = sim::degradation(sim::energy_grid(1e3 * sim::highest_energy_kev(spectrum)));
   const sim::AuroralRun run = sim::auroral_run(all, sim::field_air(air, electrons.dip_deg),
@@ -215,13 +209,13 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
   if (request.seconds)
     for (sim::SourcedLine& line : lines) line = sim::after_seconds(line, *request.seconds);
   const std::string words = electron_words(electrons, spectrum) + "; " + words_of_air(electrons.atmosphere);
-  if (output) output->write(sources_csv(run, lines));
-  if (plot) plot->write(plot_bytes(sources_plot(run, lines, words), format));
-  if (output) output->commit();
-  if (plot) plot->commit();
+  if (!request.output.empty()) outputs.write(request.output, sources_csv(run, lines));
+  if (format != PlotFormat::none)
+    outputs.write(request.plot, plot_bytes(sources_plot(run, lines, words), format));
+  outputs.commit();
   answer_sources(run, lines);
   json_answer()["electrons"] = words;
-  json_answer()["outputs"] = json_names({request.output, request.plot});
+  json_answer()["outputs"] = json_names(outputs.written());
   say_result(words + "\n" + sources_text(run, lines));
   return good;
 }

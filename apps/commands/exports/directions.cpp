@@ -23,7 +23,6 @@
 #include "sim/base/file/whole_file.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/scene/structs/scene.h"
-#include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
 #include "sim/view/sky/star_place.h"
@@ -95,28 +94,26 @@ void run_directions(const DirectionsRequest& options) {
   for (const std::string& name : names)
     for (const std::string& input : {options.scene.file, options.scene.camera_file})
       if (same_file(name, input)) refuse_same_file("--output", name, "an input");
-  std::vector<std::unique_ptr<sim::WholeFile>> files;
-  for (const std::string& name : names)
-    files.push_back(std::make_unique<sim::WholeFile>(name, options.overwrite));
+  sim::WholeFiles files(names, options.overwrite);
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (extension == ".wcs" || extension == ".acc") {
     const OtherCamera other = other_camera(options, scene, extension);
-    files[0]->write(other.bytes);
-    files[0]->commit();
+    files.write(names[0], other.bytes);
+    files.commit();
     json_answer() = {{"outputs", json_names(names)}, {"words", other.words}};
     for (const auto& [key, value] : other.numbers) json_answer()[key] = json_number(value);
     say("%s: %s\n", names[0].c_str(), other.words.c_str());
     return;
   }
   const sim::DirectionMap map = sim::direction_map(scene.camera);
-  if (files.size() == 1) {
-    files[0]->write(fit::encode_direction_map(map, names[0]));
+  if (names.size() == 1) {
+    files.write(names[0], fit::encode_direction_map(map, names[0]));
   } else {
     const fit::FitsMaps maps = fit::encode_fits_maps(map);
-    files[0]->write(maps.azimuth);
-    files[1]->write(maps.elevation);
+    files.write(names[0], maps.azimuth);
+    files.write(names[1], maps.elevation);
   }
-  for (const auto& file : files) file->commit();
+  files.commit();
   std::size_t somewhere = 0;
   for (const float elevation : map.elevation_deg) somewhere += std::isfinite(elevation) ? 1 : 0;
   json_answer() = {{"outputs", json_names(names)},

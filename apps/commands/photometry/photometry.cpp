@@ -12,7 +12,6 @@
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
 #include "apps/options/refusals.h"
-#include "apps/options/scene_options.h"
 #include "apps/options/site_words.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
@@ -198,9 +197,7 @@ int run_photometry(PhotometryRequest& options) {
         .expected("'width_nm', or 'transmission'");
   }
   check_outputs(options, filter);
-  std::optional<sim::WholeFile> output, stars_out;
-  if (!options.output.empty()) output.emplace(options.output, options.overwrite);
-  if (!options.stars_out.empty()) stars_out.emplace(options.stars_out, options.overwrite);
+  sim::WholeFiles outputs({options.output, options.stars_out}, options.overwrite);
 
   std::vector<std::string> names;
   for (const std::string& picture : options.pictures)
@@ -225,14 +222,13 @@ int run_photometry(PhotometryRequest& options) {
     tell("vegard: the stars do not determine the factor: its error is %.0f %%\n", 100.0 * found.star_error);
     return doubted;
   }
-  if (output) output->write(fit::with_factor(text, options.counts, filter.name, found.factor));
-  if (stars_out) stars_out->write(star_table(found));
-  if (output) output->commit();
-  if (stars_out) stars_out->commit();
+  if (!options.output.empty())
+    outputs.write(options.output, fit::with_factor(text, options.counts, filter.name, found.factor));
+  outputs.write(options.stars_out, star_table(found));
+  outputs.commit();
   say_text(factor_text(found, filter, names.size()));
-  json_answer()["outputs"] = json_names({options.output, options.stars_out});
-  if (output) say("%s\n", options.output.c_str());
-  if (stars_out) say("%s\n", options.stars_out.c_str());
+  json_answer()["outputs"] = json_names(outputs.written());
+  for (const std::string& name : outputs.written()) say("%s\n", name.c_str());
   return good;
 }
 

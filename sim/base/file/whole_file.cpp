@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <cstdio>
@@ -100,6 +101,30 @@ void WholeFile::commit() {
   // try, and no reason to call the output missing.
   const std::string folder = fs::path(resolved_).parent_path().string();
   make_durable(folder.empty() ? "." : folder);
+}
+
+WholeFiles::WholeFiles(const std::vector<std::string>& names, bool overwrite) : overwrite_(overwrite) {
+  for (const std::string& name : names) claim(name);
+}
+
+void WholeFiles::claim(const std::string& name) {
+  if (!name.empty()) claimed_.emplace_back(name, std::make_unique<WholeFile>(name, overwrite_));
+}
+
+WholeFile& WholeFiles::file(const std::string& name) {
+  const auto found = std::find_if(claimed_.begin(), claimed_.end(),
+                                  [&](const auto& claimed) { return claimed.first == name; });
+  assert(found != claimed_.end());
+  if (std::find(written_.begin(), written_.end(), name) == written_.end()) written_.push_back(name);
+  return *found->second;
+}
+
+void WholeFiles::write(const std::string& name, std::string_view bytes) {
+  if (!name.empty()) file(name).write(bytes);
+}
+
+void WholeFiles::commit() {
+  for (const std::string& name : written_) file(name).commit();
 }
 
 void write_whole(const std::string& path, std::string_view bytes, bool overwrite) {

@@ -1,4 +1,4 @@
-// WholeFile: an output file that appears complete or not at all.
+// WholeFile: an output file that appears complete or not at all; WholeFiles: several of them.
 //
 // A file is written under a temporary name beside its target (".model.partial-812-0.exr") and renamed at the
 // end, so that neither a full disk nor an interruption leaves an incomplete file under the target's name. A
@@ -10,11 +10,13 @@
 // ignores SIGXFSZ; setting signals is left to programs.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "sim/base/file/durable_rename.h"
-
 
 namespace vegard::sim {
 
@@ -53,6 +55,32 @@ class WholeFile {
   PartialLock lock_;
   bool overwrite_;
   bool committed_ = false;
+};
+
+/// The outputs of one piece of work: all are claimed before it, so that one that may not be written is
+/// refused then, and none gets its name before all are written. An empty name is no output. Not thread-safe.
+class WholeFiles {
+ public:
+  explicit WholeFiles(bool overwrite) : overwrite_(overwrite) {}
+  /// Claims the outputs in this order. Throws as WholeFile does.
+  WholeFiles(const std::vector<std::string>& names, bool overwrite);
+
+  /// Claims one more output.
+  void claim(const std::string& name);
+
+  /// Returns a claimed output for a writer of its own.
+  WholeFile& file(const std::string& name);
+  void write(const std::string& name, std::string_view bytes);
+
+  /// Commits what file() or write() was called for, in that order; the other outputs leave no trace.
+  void commit();
+  /// The names of what commit() commits, in order.
+  const std::vector<std::string>& written() const { return written_; }
+
+ private:
+  bool overwrite_;
+  std::vector<std::pair<std::string, std::unique_ptr<WholeFile>>> claimed_;
+  std::vector<std::string> written_;
 };
 
 /// Writes a small file: constructor, write, commit.

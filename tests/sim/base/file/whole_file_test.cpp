@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/base/file/durable_rename.h"
 #include "tests/support/expect_error.h"
@@ -52,6 +53,34 @@ TEST(WholeFile, WithoutCommitNothingRemains) {
   TemporaryFolder folder;
   { WholeFile(folder / "a.txt").write("half"); }
   EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(WholeFiles, AppearTogetherAndWhatWasClaimedForNothingLeavesNoTrace) {
+  TemporaryFolder folder;
+  {
+    WholeFiles files({folder / "a.txt", "", folder / "b.txt", folder / "c.txt"}, false);
+    files.write(folder / "b.txt", "b");
+    files.write("", "nowhere");
+    files.file(folder / "a.txt").write("half");
+    files.write(folder / "a.txt", "a");
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.txt"));
+    files.commit();
+    EXPECT_EQ(files.written(), (std::vector<std::string>{folder / "b.txt", folder / "a.txt"}));
+  }
+  EXPECT_EQ(bytes_of(folder / "a.txt"), "a");
+  EXPECT_EQ(bytes_of(folder / "b.txt"), "b");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+TEST(WholeFiles, AnOutputThatExistsIsRefusedBeforeAnyIsWritten) {
+  TemporaryFolder folder;
+  put(folder / "b.txt", "kept");
+  const std::string message = expect_error(ErrorKind::existing_output, [&] {
+    WholeFiles({folder / "a.txt", folder / "b.txt"}, false);
+  });
+  EXPECT_NE(message.find("b.txt"), std::string::npos);
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_EQ(bytes_of(folder / "b.txt"), "kept");
 }
 
 TEST(WholeFile, TwoForOneTargetDoNotShareATemporary) {
