@@ -19,7 +19,6 @@
 #include "fit/photo/pointing/exchange/star_files.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/file/whole_file.h"
-#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {
@@ -55,10 +54,7 @@ void read_words(CalibrateOptions& options) {
   fit::CalibrationRequest& request = options.request;
   request.finds_points = !options.axy_out.empty();
   request.keeps_recognised = !options.stars_out.empty();
-  if (!options.site.empty()) {
-    const SitePlace place = site_place(options.site);
-    request.site = sim::Observer{place.latitude_deg, place.longitude_deg, place.height_m};
-  }
+  if (!options.site.empty()) request.site = site_place(options.site);
   const MapOptions& maps = options.maps;
   if (!request.wcs.empty() || !request.acc.empty()) {
     if (!maps.first().empty() || !maps.elevation_map.empty() ||

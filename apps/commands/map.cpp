@@ -107,8 +107,7 @@ void add_map_command(Program& program) {
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
-  command.option("--threads", options->threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, options->threads);
   command
       .option("--replicates", options->replicates,
               "Perturbed solutions from which error bars follow (0: no error bars)")

@@ -13,17 +13,13 @@
 #include "apps/output/terminal.h"
 #include "fit/answer/trust.h"
 #include "fit/measurement/measure.h"
-#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
 namespace {
 
 int run_measure(fit::MeasureRequest request, const std::string& at, const std::vector<std::string>& site) {
   request.photo = picture_at(request.photo, at);
-  if (!site.empty()) {
-    const SitePlace place = site_place(site);
-    request.site = sim::Observer{place.latitude_deg, place.longitude_deg, place.height_m};
-  }
+  if (!site.empty()) request.site = site_place(site);
   end_at_once_when_interrupted();
   const fit::Measurement found = fit::measure(request, {said(), [](fit::MapOptions& map) {
                                                           map.stop = &watch_for_interrupt();
@@ -69,8 +65,7 @@ void add_measure_command(Program& program) {
   command.option("--replicates", request.replicates, "Perturbed solutions for the map's error bars")
       .range(0, 1000)
       .shows_default();
-  command.option("--threads", request.threads, "Threads to use (0: all cores); the result is the same")
-      .range(0, 1024);
+  add_threads_option(command, request.threads);
   command.flag("--no-map", request.no_map, "Leave out the map of precipitation");
   command.flag("--overwrite", request.overwrite, "Replace a measurement that exists");
   command.runs([words] { return run_measure(words->request, words->at, words->site); });

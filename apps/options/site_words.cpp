@@ -111,7 +111,7 @@ void add_site_option(const Command& command, std::vector<std::string>& words) {
       .type_name("LAT,LON[,HEIGHT]");
 }
 
-SitePlace site_place(const std::vector<std::string>& words, const std::string& key) {
+sim::Observer site_place(const std::vector<std::string>& words, const std::string& key) {
   const std::string all = sim::joined(words, ",");
   if (words.size() < 2 || words.size() > 3) throw usage_error(key, "'" + all + "' is no place", kSiteForm);
   std::optional<SiteAngle> first = AngleReader(words[0]).read(), second = AngleReader(words[1]).read();
@@ -121,7 +121,7 @@ SitePlace site_place(const std::vector<std::string>& words, const std::string& k
   if (first->letter != 0 && second->letter != 0 && !is_latitude(*first)) std::swap(first, second);
   if ((first->letter != 0 && !is_latitude(*first)) || (second->letter != 0 && is_latitude(*second)))
     throw usage_error(key, "'" + all + "' is no latitude and longitude", kSiteForm);
-  SitePlace place;
+  sim::Observer place;
   place.latitude_deg = first->degrees;
   place.longitude_deg = second->degrees;
   if (!(std::abs(place.latitude_deg) <= 90.0) ||

@@ -5,22 +5,17 @@
 #include <vector>
 
 #include "apps/options/command.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::apps {
-
-struct SitePlace {
-  double latitude_deg = 0.0;   ///< north positive, -90 to 90
-  double longitude_deg = 0.0;  ///< east positive, -180 to 360
-  double height_m = 0.0;       ///< above the sea; 0 if it is not given
-};
 
 /// Adds --site LAT,LON[,HEIGHT]; `words` stays empty if it is not given, and must outlive the parsing.
 void add_site_option(const Command& command, std::vector<std::string>& words);
 
 /// Parses two or three words. A latitude and a longitude are decimal degrees or degrees, minutes and seconds,
 /// with a sign or with one of N, S, E, W before or behind them: "78.148", "78.148N", "N78.148", "78°8'53\"N",
-/// "16.043 E". With letters the longitude may come first. The height is in metres, "520" or "520m". Throws
-/// Error(usage) about `key`.
-SitePlace site_place(const std::vector<std::string>& words, const std::string& key = "--site");
+/// "16.043 E". With letters the longitude may come first; it is from -180 to 360 degrees. The height is in
+/// metres, "520" or "520m"; 0 if it is not given. Throws Error(usage) about `key`.
+sim::Observer site_place(const std::vector<std::string>& words, const std::string& key = "--site");
 
 }  // namespace vegard::apps

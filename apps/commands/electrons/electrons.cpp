@@ -15,7 +15,6 @@
 #include "apps/options/exit_code.h"
 #include "apps/options/file_names.h"
 #include "apps/options/json_answer.h"
-#include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
 #include "fit/report/plot/plot.h"

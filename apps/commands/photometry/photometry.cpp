@@ -58,7 +58,7 @@ sim::Scene scene_of_camera(const PhotometryRequest& options) {
   sim::Scene scene;
   sim::take_camera(scene, options.camera);
   if (!options.site.empty()) {
-    const SitePlace place = site_place(options.site);
+    const sim::Observer place = site_place(options.site);
     scene.site.latitude_deg = place.latitude_deg;
     scene.site.longitude_deg = place.longitude_deg;
     scene.site.altitude_m = place.height_m;

@@ -23,7 +23,7 @@ TEST(SiteWords, SaysTheSamePlaceInEveryForm) {
                                                        {"78\u00b09'", "-16\u00b03'"},
                                                        {"78.15\u00b0N", "16.05\u00b0W"}};
   for (const std::vector<std::string>& form : forms) {
-    const SitePlace place = site_place(form);
+    const sim::Observer place = site_place(form);
     EXPECT_NEAR(place.latitude_deg, 78.15, kRounding) << form[0];
     EXPECT_NEAR(place.longitude_deg, -16.05, kRounding) << form[1];
     EXPECT_EQ(place.height_m, 0.0);
