@@ -11,18 +11,6 @@ namespace {
 
 using sim::html_text;
 
-const char* band_of(Trust trust) {
-  switch (trust) {
-    case Trust::good:
-      return "good";
-    case Trust::doubtful:
-      return "doubtful";
-    case Trust::unconstrained:
-      return "failed";
-  }
-  return "";
-}
-
 std::string stage_section(const MeasureStage& stage) {
   std::string html = "<section>\n<h2>" + html_text(stage.title) + " <small>(" + trust_name(stage.trust) +
                      ")</small></h2>\n<p>" + html_text(stage.found) + "</p>\n";
@@ -42,13 +30,10 @@ std::string stage_section(const MeasureStage& stage) {
 }  // namespace
 
 std::string measure_page(const Measurement& m) {
-  const std::string title = "What " + m.photo + " tells";
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     html_text(title) + "</title>\n<style>" + kReportStyle +
-                     "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " +
-                     html_text(sim::version()) + "</p>\n<h1>" + html_text(title) + "</h1></div></header>\n";
-  html += std::string("<div class=\"verdict ") + band_of(m.trust) + "\"><div><div class=\"word\">" +
-          trust_name(m.trust) + "</div><div>";
+  std::string html = headed_page("What " + m.photo + " tells");
+  html += std::string("<div class=\"verdict ") +
+          (m.trust == Trust::unconstrained ? "failed" : trust_name(m.trust)) +
+          "\"><div><div class=\"word\">" + trust_name(m.trust) + "</div><div>";
   for (const std::string& sentence : m.answer)
     html += "<div class=\"line\">" + html_text(sentence) + "</div>";
   html += "</div></div></div>\n<main>\n";

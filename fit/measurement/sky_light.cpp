@@ -4,8 +4,6 @@
 #include <utility>
 
 #include "fit/photo/scene_photos.h"
-#include "fit/report/border/border_run.h"
-#include "fit/report/map_run.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"

@@ -12,8 +12,8 @@
 #include "fit/measurement/words.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_facts.h"
-#include "fit/report/border/border_page.h"
-#include "fit/report/map_page.h"
+#include "fit/report/border/border_run.h"
+#include "fit/report/map_run.h"
 #include "fit/search/file_journal.h"
 #include "sim/scene/structs/scene.h"
 

@@ -1,4 +1,4 @@
-#include "fit/report/map_page.h"
+#include "fit/report/map_run.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,6 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/shown_text.h"
-#include "sim/base/version.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/site_axes.h"
 
@@ -347,11 +346,7 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
   std::string title = "Precipitation map";
   for (std::size_t i = 0; i < facts.inputs.size(); ++i)
     if (facts.inputs[i].role == "photo") title += (title.size() > 17 ? ", " : " of ") + facts.inputs[i].name;
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                     sim::html_text(title) + "</title>\n<style>" + kReportStyle +
-                     "</style>\n</head>\n<body>\n";
-  html += "<header><div class=\"head\"><p>vegard " + sim::html_text(sim::version()) + "</p>\n<h1>" +
-          sim::html_text(title) + "</h1></div></header>\n";
+  std::string html = headed_page(title);
   const char* word = result.interrupted ? "interrupted" : all_good ? "good" : "doubtful";
   html += std::string("<div class=\"verdict ") + word + "\"><div><div class=\"word\">" +
           (result.interrupted ? "Interrupted"

@@ -9,7 +9,7 @@
 
 #include "fit/map/map_raster.h"
 #include "fit/map/map_record.h"
-#include "fit/report/netcdf/map_dataset.h"
+#include "fit/report/netcdf/run_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"

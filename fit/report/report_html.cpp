@@ -22,17 +22,9 @@ namespace vegard::fit {
 namespace {
 
 std::string verdict_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::good:
-      return "Good";
-    case Verdict::doubtful:
-      return "Doubtful";
-    case Verdict::failed:
-      return "Failed";
-    case Verdict::interrupted:
-      return "Interrupted";
-  }
-  return {};
+  std::string word = verdict_name(verdict);
+  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return word;
 }
 
 /// What the verdict has asked, folded up; in words what was found where that is not among the reasons

@@ -1,5 +1,8 @@
 #include "fit/report/report_style.h"
 
+#include "sim/base/shown_text.h"
+#include "sim/base/version.h"
+
 namespace vegard::fit {
 
 const char* const kReportStyle = R"css(
@@ -91,5 +94,12 @@ footer { color: var(--soft); font-size: 13px; padding: 0 0 40px; }
   main, .head, .verdict > div { padding-left: 12px; padding-right: 12px; } .card .big { white-space: normal; }
   .plots, .two { display: block; } .plots > svg { max-height: 105mm; display: block; } @page { margin: 12mm; } }
 )css";
+
+std::string headed_page(const std::string& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+         sim::html_text(title) + "</title>\n<style>" + kReportStyle +
+         "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " +
+         sim::html_text(sim::version()) + "</p>\n<h1>" + sim::html_text(title) + "</h1></div></header>\n";
+}
 
 }  // namespace vegard::fit

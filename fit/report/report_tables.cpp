@@ -69,19 +69,6 @@ FitResult without_coefficients(const FitResult& whole) {
   return result;
 }
 
-/// The colour of a number's edge says how far it may be leaned on.
-std::string card_class(Trust trust) {
-  switch (trust) {
-    case Trust::good:
-      return "good";
-    case Trust::doubtful:
-      return "doubtful";
-    case Trust::unconstrained:
-      return "unconstrained";
-  }
-  return "";
-}
-
 std::string shown_number(const ResultNumber& number, const std::optional<double>& value) {
   if (!value) return "\u2013";
   switch (number.form) {
@@ -103,7 +90,8 @@ std::string derived_cards(const FitResult& result) {
   std::string cards;
   for (const DerivedNumber& d : result.derived) {
     if (d.is_detail || !d.why_none.empty()) continue;
-    cards += "<div class=\"card " + card_class(d.trust) + "\"><div class=\"big\">" +
+    // The colour of a number's edge says how far it may be leaned on.
+    cards += std::string("<div class=\"card ") + trust_name(d.trust) + "\"><div class=\"big\">" +
              with_unit(sim::number_with_error(d.value, d.error()), d.unit) + "</div><div>" +
              sim::html_text(d.name) + "</div><div class=\"trust\"><b>" + trust_name(d.trust) + "</b> " +
              sim::html_text(d.trust_reason) + "</div></div>\n";

@@ -11,7 +11,7 @@
 #include "fit/parameters/free_parameters.h"
 #include "fit/photo/averaging.h"
 #include "fit/photo/photo.h"
-#include "fit/report/border/border_page.h"
+#include "fit/report/border/border_run.h"
 #include "fit/sequence.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "fit/report/table/run_summary.h"
+#include "fit/report/table/run_comparison.h"
 #include "fit/search/file_journal.h"
 #include "fit/survey/survey_results.h"
 #include "tests/fuzz/input_file.h"

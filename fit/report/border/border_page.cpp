@@ -1,4 +1,4 @@
-#include "fit/report/border/border_page.h"
+#include "fit/report/border/border_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/shown_text.h"
-#include "sim/base/version.h"
 #include "sim/scene/structs/line_of.h"
 #include "sim/view/camera/camera.h"
 
@@ -382,13 +381,9 @@ std::string border_answer(const Border& border, const sim::Scene& scene) {
 
 std::string border_page(const Border& border, const Photo& photo, const sim::Scene& scene,
                         const BorderRunFacts& facts) {
-  const std::string title = "Lower borders in " + photo.file_name;
   const bool is_measured = border.measured > 0;
   std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-      sim::html_text(title) + "</title>\n<style>" + kReportStyle +
-      "</style>\n</head>\n<body>\n<header><div class=\"head\"><p>vegard " + sim::html_text(sim::version()) +
-      "</p>\n<h1>" + sim::html_text(title) + "</h1></div></header>\n<div class=\"verdict " +
+      headed_page("Lower borders in " + photo.file_name) + "<div class=\"verdict " +
       (is_measured ? "good" : "doubtful") + "\"><div>\n<div class=\"word\">" +
       (is_measured ? "Measured" : "Not measured") + "</div>\n<div><div class=\"answer\">" +
       sim::html_text(border_answer(border, scene)) + "</div><div class=\"line\">" +

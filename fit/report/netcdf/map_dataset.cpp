@@ -1,4 +1,4 @@
-#include "fit/report/netcdf/map_dataset.h"
+#include "fit/report/netcdf/run_dataset.h"
 
 #include <cmath>
 

@@ -7,7 +7,6 @@
 
 #include "fit/answer/result_numbers.h"
 #include "fit/answer/trust.h"
-#include "fit/report/netcdf/map_dataset.h"
 #include "fit/report/netcdf/record_json.h"
 #include "fit/report/netcdf/table_dataset.h"
 #include "fit/report/table/result_json.h"

@@ -10,9 +10,10 @@
 
 namespace vegard::fit {
 
-/// Names of the files that `--netcdf` writes into the directory of a run and of a sequence.
+/// Names of the files that `--netcdf` writes into the directory of a run, of a sequence and of a map.
 inline constexpr const char* kRunNetcdf = "result.nc";
 inline constexpr const char* kSequenceNetcdf = "sequence.nc";
+inline constexpr const char* kMapNetcdf = "precipitation.nc";
 
 /// Converts a run of `vegard fit`: result.json and the tables profiles.csv, profiles-NAME.csv and
 /// profile.csv. Throws sim::Error(unreadable_input) if the directory is not a run's.
@@ -24,6 +25,10 @@ sim::NetcdfDataset sequence_dataset(const std::vector<SequenceRow>& rows);
 /// Reads the rows in frames/*.json of a sequence's directory, sorted by time. Throws
 /// sim::Error(unreadable_input).
 std::vector<SequenceRow> read_sequence_rows(const std::string& directory);
+
+/// Converts a map of precipitation: map.json, precipitation.fits and curtains.csv. Throws
+/// sim::Error(unreadable_input) if the directory is not a map's.
+sim::NetcdfDataset map_dataset(const std::string& directory);
 
 /// Converts whatever `path` is: the directory of a run, a map or a sequence, or a table that table_dataset()
 /// reads. Throws sim::Error(unreadable_input).

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "fit/border/border_distance.h"
-#include "fit/report/border/border_page.h"
 #include "fit/report/border/border_run.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"

@@ -1,5 +1,5 @@
 // Maps as netCDF.
-#include "fit/report/netcdf/map_dataset.h"
+#include "fit/report/netcdf/run_dataset.h"
 
 #include <gtest/gtest.h>
 
