@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <iterator>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
@@ -15,6 +16,23 @@
 #include <opencv2/imgproc.hpp>
 
 namespace vegard::apps {
+namespace {
+
+/// Keys as the window system numbers them; those of the number pad have numbers of their own.
+struct KeyCode {
+  int code;
+  WindowKey key;
+  char letter;
+};
+constexpr KeyCode kKeyCodes[] = {
+    {0xff51, WindowKey::left, 0},     {0xff96, WindowKey::left, 0},      {0xff52, WindowKey::up, 0},
+    {0xff97, WindowKey::up, 0},       {0xff53, WindowKey::right, 0},     {0xff98, WindowKey::right, 0},
+    {0xff54, WindowKey::down, 0},     {0xff99, WindowKey::down, 0},      {0xff55, WindowKey::page_up, 0},
+    {0xff9a, WindowKey::page_up, 0},  {0xff56, WindowKey::page_down, 0}, {0xff9b, WindowKey::page_down, 0},
+    {0xffab, WindowKey::letter, '+'}, {0xffad, WindowKey::letter, '-'},  {27, WindowKey::escape, 0},
+    {0xff1b, WindowKey::escape, 0}};
+
+}  // namespace
 
 bool has_display() {
   for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"}) {
@@ -112,44 +130,13 @@ WindowEvents PreviewWindow::wait(int ms) {
     shown_ = false;
     mouse_->held = false;
   }
-  switch (code < 0 ? -1 : code & 0xffff) {
-    case 0xff51:
-    case 0xff96:
-      events.key = WindowKey::left;
-      break;
-    case 0xff52:
-    case 0xff97:
-      events.key = WindowKey::up;
-      break;
-    case 0xff53:
-    case 0xff98:
-      events.key = WindowKey::right;
-      break;
-    case 0xff54:
-    case 0xff99:
-      events.key = WindowKey::down;
-      break;
-    case 0xff55:
-    case 0xff9a:
-      events.key = WindowKey::page_up;
-      break;
-    case 0xff56:
-    case 0xff9b:
-      events.key = WindowKey::page_down;
-      break;
-    case 0xffab:
-      events.key = WindowKey::letter, events.letter = '+';
-      break;
-    case 0xffad:
-      events.key = WindowKey::letter, events.letter = '-';
-      break;
-    case 27:
-    case 0xff1b:
-      events.key = WindowKey::escape;
-      break;
-    default:
-      if (code >= 32 && code < 127) events.key = WindowKey::letter, events.letter = static_cast<char>(code);
-  }
+  const auto known = std::find_if(std::begin(kKeyCodes), std::end(kKeyCodes), [&](const KeyCode& one) {
+    return code >= 0 && one.code == (code & 0xffff);
+  });
+  if (known != std::end(kKeyCodes))
+    events.key = known->key, events.letter = known->letter;
+  else if (code >= 32 && code < 127)
+    events.key = WindowKey::letter, events.letter = static_cast<char>(code);
   if (shown_ && cv::getWindowProperty(title_, cv::WND_PROP_VISIBLE) < 1.0) events.key = WindowKey::closed;
   return events;
 }

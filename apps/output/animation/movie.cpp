@@ -11,7 +11,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
-#include "apps/output/animation/spherical_video.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 

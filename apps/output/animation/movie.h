@@ -1,4 +1,9 @@
 // Encodes frames on a disk as one movie file. The only part of the command that uses OpenCV.
+//
+// A movie is marked as spherical, so that players show it in all directions, with Google's "Spherical Video"
+// metadata of version 1 (an XML text in a box of its own in the track) and version 2 (boxes st3d and sv3d in
+// the description of the samples; both in https://github.com/google/spatial-media, docs). The pictures are
+// unchanged.
 #pragma once
 
 #include <atomic>
@@ -13,11 +18,20 @@ namespace vegard::apps {
 /// name; without `overwrite` it never replaces another file. Returns the name of the codec, or an empty text
 /// if `stop` ended the work: nothing is left behind then. The same pictures give the same bytes in every run
 /// on one machine; those of H.264 depend on the number of cores. `all_around`: the pictures are
-/// equirectangular, and the movie is marked so (apps/output/animation/spherical_video.h). Throws
+/// equirectangular, and the movie is marked so. Throws
 /// Error(existing_output), Error(unwritable_output), Error(unreadable_input) for a picture.
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite,
                         const std::function<void(double)>& progress = {},
                         const std::atomic<bool>* stop = nullptr, bool all_around = false);
+
+/// Returns the box "moov" of an MP4 file with both kinds of metadata added to its video track; `moov` begins
+/// with the box's own size and type. Chunks of the file that precede the box keep their places. Throws
+/// Error(unreadable_input), with the movie's name, if it is not such a box or has no video.
+std::string spherical_moov(const std::string& moov, const std::string& name);
+
+/// Adds both to the file of an equirectangular movie whose last box is "moov". Throws
+/// Error(unreadable_input), Error(unwritable_output).
+void mark_as_spherical(const std::string& path, const std::string& name);
 
 }  // namespace vegard::apps

@@ -1,4 +1,4 @@
-#include "apps/output/animation/spherical_video.h"
+#include "apps/output/animation/movie.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,5 @@
 // A movie of a panorama, taken apart: both of the ways in which it tells what it is, and nothing else
 // changed.
-#include "apps/output/animation/spherical_video.h"
 
 #include <gtest/gtest.h>
 
