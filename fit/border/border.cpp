@@ -12,6 +12,7 @@
 #include "fit/border/border_distance.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/scene/table/value_check.h"
 #include "sim/view/camera/camera.h"
 
@@ -25,13 +26,6 @@ constexpr double kFarthestFootDeg = 40.0;     // below the peak
 constexpr std::size_t kMaxTraces = 20;
 constexpr double kEdge_rows = 3.0;    // what smoothing makes of a sharp edge, from 75 to 25 %
 constexpr double kGroundLight = 0.5;  // of the dark part of the sky
-
-double border_quantile(std::vector<double> values, double share) {
-  if (values.empty()) return sim::kNaN;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// Sums of the light around one place of the picture.
 struct BorderSample {
@@ -189,7 +183,7 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
       d.push_back(rough[i].second);
     noise.brightness.push_back(rough[b * rough.size() / bins].first);
     // Brighter pixels are no less noisy: a bin of equal codes is one that the file has rounded.
-    least = std::max(least, kMadToSigma * border_quantile(d, 0.5) / std::sqrt(1.5));
+    least = std::max(least, kMadToSigma * sim::quantile(d, 0.5) / std::sqrt(1.5));
     noise.sigma.push_back(least);
   }
   const double dark = rough[rough.size() / 2].first;
@@ -205,7 +199,7 @@ BorderNoise border_noise(const SkyCells& cells, const std::vector<double>& smoot
   // Smoothing reduces no noise by more than it reduces white noise.
   const double rows = std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg);
   double scale = std::sqrt(6.0 / 16.0 / (2.0 * std::sqrt(sim::kPi) * rows));
-  if (!ratio.empty()) scale = std::max(scale, kMadToSigma * border_quantile(ratio, 0.5) / std::sqrt(1.5));
+  if (!ratio.empty()) scale = std::max(scale, kMadToSigma * sim::quantile(ratio, 0.5) / std::sqrt(1.5));
   for (double& s : noise.sigma) s = std::max(s * scale, 1e-9);
   return noise;
 }
@@ -571,11 +565,11 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
                     settings.lowest_elevation_deg, settings.highest_elevation_deg));
     return border;
   }
-  work.least = 0.05 * (border_quantile(all, 0.995) - border_quantile(all, 0.2));
+  work.least = 0.05 * (sim::quantile(all, 0.995) - sim::quantile(all, 0.2));
   std::vector<double> whole;
   for (const double v : work.whole)
     if (std::isfinite(v)) whole.push_back(v);
-  work.dark_sky = kGroundLight * border_quantile(std::move(whole), 0.25);
+  work.dark_sky = kGroundLight * sim::quantile(whole, 0.25);
   const int aside = static_cast<int>(15.0 / cells.azimuth_step_deg);
   for (int c = 0; c < cells.columns; ++c) {
     std::vector<double> near;
@@ -584,7 +578,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
         const double v = work.at((k + cells.columns) % cells.columns, r);
         if (std::isfinite(v)) near.push_back(v);
       }
-    work.floor.push_back(border_quantile(std::move(near), 0.1));
+    work.floor.push_back(sim::quantile(near, 0.1));
   }
   std::vector<std::vector<BorderCandidate>> candidates = border_candidates(work, settings);
   border.traces = link_border(candidates, settings);

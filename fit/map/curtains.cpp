@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/light/height_profile.h"
 #include "sim/light/tables/emission_tables.h"
 
@@ -375,8 +376,7 @@ class CurtainFinder {
       heights.push_back(field_.smooth[i]);
     }
     if (order.empty()) return order;
-    std::sort(heights.begin(), heights.end());
-    brightest_ = heights[heights.size() - 1 - heights.size() / 100];
+    brightest_ = sim::nth_value(heights, heights.size() - 1 - heights.size() / 100);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return field_.smooth[a] > field_.smooth[b]; });
     return order;

@@ -9,6 +9,7 @@
 #include "fit/photo/grey_light.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dense_solvers.h"
+#include "sim/base/number/quantile.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
@@ -22,12 +23,6 @@ constexpr double kTownHeight_deg = 8.0;
 constexpr double kClipped =
     0.9;  // of the file's white: what is not usable above was clipped, or masked there
 constexpr double kSpread_px = 2.0;  // of what was clipped
-
-double nth(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * (values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 }  // namespace
 
@@ -195,7 +190,7 @@ void MapObservation::estimate_noise(const Photo& photo, const MapObservationOpti
         variances.push_back(found[i].second);
         mean += found[i].first / (last - first);
       }
-      const double bound = 2.0 * nth(variances, 0.5);
+      const double bound = 2.0 * sim::quantile(variances, 0.5);
       double sum = 0.0;
       int below = 0;
       for (const double v : variances)
@@ -283,7 +278,7 @@ void MapObservation::factor_sky() {
       sky_inverse_[c].assign(static_cast<std::size_t>(sky_terms_) * sky_terms_, 0.0);
       continue;
     }
-    const double dark = std::max(nth(light, 0.1), 1e-9);
+    const double dark = std::max(sim::quantile(light, 0.1), 1e-9);
     for (int i = 0; i < sky_terms_; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
     const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd inverse = sim::inverse_of(full);

@@ -6,19 +6,13 @@
 #include <fmt/format.h>
 
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr double kGoodChi2 = 2.0, kBadChi2 = 4.0;
 constexpr double kBorderInView = 0.5;  // share of the light
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::string range_text(const std::vector<double>& values, const std::string& unit) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -79,8 +73,8 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
   }
   const bool errors = !result.replicates.empty();
   const std::string no_errors = "no error bars were asked for";
-  const double of_distance = median(distance_error), of_energy = median(energy_error),
-               of_flux = median(flux_error);
+  const double of_distance = sim::median(distance_error), of_energy = sim::median(energy_error),
+               of_flux = sim::median(flux_error);
   verdicts.push_back(
       {"distance of the curtains", errors ? trust_of(Quantity::distance, 1.0, of_distance) : Trust::doubtful,
        range_text(distance, "km"),

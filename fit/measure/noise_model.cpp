@@ -8,6 +8,7 @@
 
 #include "fit/measure/profile.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -37,12 +38,8 @@ std::array<double, 3> sky_level(const Profile& profile) {
   std::array<std::vector<double>, 3> values;
   for_values(profile, [&](std::size_t i, int c) { values[c].push_back(profile.mean[i]); });
   std::array<double, 3> level{0.0, 0.0, 0.0};
-  for (int c = 0; c < 3; ++c) {
-    if (values[c].empty()) continue;
-    const auto at = values[c].begin() + static_cast<std::ptrdiff_t>(kSkyPercentile * (values[c].size() - 1));
-    std::nth_element(values[c].begin(), at, values[c].end());
-    level[c] = *at;
-  }
+  for (int c = 0; c < 3; ++c)
+    if (!values[c].empty()) level[c] = sim::quantile(values[c], kSkyPercentile);
   return level;
 }
 
@@ -124,12 +121,7 @@ std::vector<double> cell_variances(const sim::Scene& scene, const Photo& photo, 
     for (int x = run.begin; x < run.end; ++x)
       if (const double sum = nine_about(photo, x, run.y, channel); !std::isnan(sum))
         sizes.push_back(std::abs(sum));
-  double of_pixel = 0.0;
-  if (!sizes.empty()) {
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    of_pixel = std::pow(*middle / kMedian, 2) / kSquares;
-  }
+  const double of_pixel = std::pow(sim::median(sizes) / kMedian, 2) / kSquares;
   const bool of_sensor = scene.fit.photo_noise == sim::PhotoNoise::sensor;
   std::vector<double> variances(grid.bins(), 0.0);
   for (std::size_t b = 0; b < grid.bins(); ++b) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/base/error.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -23,9 +24,7 @@ double reach_s(const std::vector<const FrameHead*>& timed) {
     apart.push_back(timed[i]->time->seconds - timed[i - 1]->time->seconds);
   constexpr double kOfOne_s = 1.0;
   if (apart.empty()) return std::max(kOfOne_s, timed.front()->exposure_s.value_or(0.0));
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  return std::max(kOfOne_s, *middle);
+  return std::max(kOfOne_s, sim::median(apart));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/photo/mask/plane.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::fit {
@@ -29,7 +30,7 @@ float darkness_of(const Plane& shown) {
       std::vector<float> corner;
       for (int y = top; y < top + side; ++y)
         for (int x = left; x < left + side; ++x) corner.push_back(shown.at(x, y));
-      darkest = std::min(darkest, median(corner));
+      darkest = std::min(darkest, sim::median(corner));
     }
   return darkest;
 }
@@ -66,7 +67,7 @@ void boundary_points(const Plane& shown, double x0, double y0, int ray, float da
                last = fall.begin() + std::min(size, r + kStep_px + 1);
     if (std::max_element(first, last) != fall.begin() + r) continue;
     std::vector<float> beyond(light.begin() + r + kStep_px / 2, light.end());
-    if (median(beyond) > dark + kDark) continue;
+    if (sim::median(beyond) > dark + kDark) continue;
     points.push_back({x0 + (r - 0.5) * dx, y0 + (r - 0.5) * dy, ray});
   }
 }

@@ -7,6 +7,7 @@
 #include "fit/photo/mask/circle.h"
 #include "fit/photo/mask/horizon.h"
 #include "fit/photo/mask/plane.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -126,10 +127,7 @@ void climb(const Plane& shown, std::vector<int>& path) {
         ground.push_back(shown.at(u, y));
     }
     if (sky.empty() || ground.empty()) continue;
-    const auto darker =
-        sky.begin() + static_cast<std::ptrdiff_t>(kDarkerPart * static_cast<double>(sky.size() - 1));
-    std::nth_element(sky.begin(), darker, sky.end());
-    const float above = *darker, under = median(ground);
+    const float above = sim::quantile(sky, kDarkerPart), under = sim::median(ground);
     if (above - under < kSkylineEdge * (above + under)) continue;
     const int highest = std::max(0, line[x] - kSkylineHighest);
     for (int y = line[x] - 1; y >= highest && path[x] - y <= kGap; --y)
@@ -204,7 +202,7 @@ std::optional<HorizonFound> find_horizon(const Photo& photo) {
   std::vector<float> contrasts;
   for (const float across : line->across) contrasts.push_back(std::abs(across));
   found.seen = line->seen;
-  found.contrast = median(contrasts);
+  found.contrast = sim::median(contrasts);
   climb(small, line->row);
   const Plane full = shown_brightness(light);
   for (int x = 0; x < full.width; ++x) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/photo/mask/plane.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -35,7 +36,7 @@ float median_two_away(const Plane& light, int x, int y) {
       if (std::max(std::abs(u - x), std::abs(v - y)) == 2 && u >= 0 && v >= 0 && u < light.width &&
           v < light.height)
         ring.push_back(light.at(u, v));
-  return median(ring);
+  return sim::median(ring);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "sim/base/number/quantile.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
@@ -25,11 +26,9 @@ float brightening(const Photo& photo) {
   constexpr float kMaskDark = 0.1f, kShown = 0.6f;
   std::vector<float> light = photo.linear.data;
   if (light.empty()) return 1.0f;
-  const auto place =
-      light.begin() + static_cast<std::ptrdiff_t>(0.995 * static_cast<double>(light.size() - 1));
-  std::nth_element(light.begin(), place, light.end());
-  if (!(*place > 0.0f) || (!photo.floating && *place > kMaskDark)) return 1.0f;
-  return kShown / *place;
+  const float bright = sim::quantile(light, 0.995);
+  if (!(bright > 0.0f) || (!photo.floating && bright > kMaskDark)) return 1.0f;
+  return kShown / bright;
 }
 
 }  // namespace

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/quantile.h"
+
 namespace vegard::fit {
 namespace {
 
 constexpr double kEvenOffset = 0.002;
-
-float quantile(std::vector<float>& values, double share) {
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 }  // namespace
 
@@ -48,11 +43,9 @@ Plane binned(const Plane& plane, int factor) {
 
 double white_of(const Plane& light) {
   if (light.value.empty()) return 1.0;
-  std::vector<float> sorted = light.value;
-  const auto place =
-      sorted.begin() + static_cast<std::ptrdiff_t>(0.999 * static_cast<double>(sorted.size() - 1));
-  std::nth_element(sorted.begin(), place, sorted.end());
-  return *place > 0.0f ? *place : 1.0;
+  std::vector<float> values = light.value;
+  const float bright = sim::quantile(values, 0.999);
+  return bright > 0.0f ? bright : 1.0;
 }
 
 Plane shown_brightness(const Plane& light) {
@@ -75,13 +68,6 @@ double even_noise_slope(double light, double white) {
   return 0.5 / (white * std::sqrt(std::max(0.0, light / white) + kEvenOffset));
 }
 
-float median(std::vector<float>& values) {
-  if (values.empty()) return 0.0f;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 LocalNoise::LocalNoise(const Plane& values, const Plane& level, const std::function<double(double)>& floor) {
   // The last tile of a row takes what is left over, so that none is too small for a median.
   columns_ = std::max(1, values.width / kTile_px);
@@ -98,12 +84,12 @@ LocalNoise::LocalNoise(const Plane& values, const Plane& level, const std::funct
           sample.push_back(values.at(x, y));
           levels.push_back(level.at(x, y));
         }
-      const float middle = fit::median(sample);
-      const float upper = quantile(sample, 0.8413), far = quantile(sample, 0.9772);
+      const float middle = sim::median(sample);
+      const float upper = sim::quantile(sample, 0.8413), far = sim::quantile(sample, 0.9772);
       for (float& value : sample) value = std::abs(value - middle);
-      const double spread = std::max({1.4826f * fit::median(sample), upper - middle, 0.5f * (far - middle)});
+      const double spread = std::max({1.4826f * sim::median(sample), upper - middle, 0.5f * (far - middle)});
       median_.push_back(middle);
-      sigma_.push_back(static_cast<float>(std::max(spread, floor(fit::median(levels)))));
+      sigma_.push_back(static_cast<float>(std::max(spread, floor(sim::median(levels)))));
     }
 }
 

@@ -48,9 +48,6 @@ double even_noise_slope(double light, double white);
 /// Returns the light that one pixel in a thousand exceeds; 1 if that is not above 0.
 double white_of(const Plane& light);
 
-/// Returns the median of the values (the upper of two), which are reordered; 0 for no values.
-float median(std::vector<float>& values);
-
 /// Medians and robust standard deviations σ of the tiles of a plane, interpolated between the tiles' centres.
 /// σ is the larger of 1.4826 × the median of |value − median|, which is the standard deviation for a normal
 /// distribution and is insensitive to outliers in less than half of a tile (Hampel 1974, J. Am. Stat. Assoc.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "fit/photo/mask/plane.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -124,7 +125,7 @@ double radius_of(const Plane& tops, const Shape& star, float usual, float sigma,
       if (ring < rings.size()) rings[ring].push_back(tops.at(x, y));
     }
   for (int r = 1; r < largest_px; ++r)
-    if (rings[r].empty() || median(rings[r]) - usual < sigma) return r + 0.5;
+    if (rings[r].empty() || sim::median(rings[r]) - usual < sigma) return r + 0.5;
   return largest_px;
 }
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "fit/photo/mask/plane.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -65,9 +66,7 @@ std::vector<Letter> letters_of(const std::array<Plane, 3>& colours, const Plane&
     for (int y = letter.box.y; y < letter.bottom(); ++y)
       for (int x = letter.box.x; x < letter.right(); ++x)
         if (labels.at<int>(y, x) == label) stands.push_back(strokes.at<float>(y, x));
-    const auto high = stands.begin() + static_cast<std::ptrdiff_t>(0.8 * (stands.size() - 1));
-    std::nth_element(stands.begin(), high, stands.end());
-    letter.contrast = *high;
+    letter.contrast = sim::quantile(stands, 0.8);
     if (steepest(shown, labels, label, letter.box) < kSharpness * letter.contrast) continue;
     std::array<double, 3> sum{};
     int pixels = 0;
@@ -105,7 +104,7 @@ bool is_line(const std::vector<Letter>& line, int fewest) {
     bottoms.push_back(static_cast<float>(letter.bottom()));
     heights.push_back(static_cast<float>(letter.box.height));
   }
-  const float tolerance = std::max(1.0f, 0.1f * median(heights)), baseline = median(bottoms);
+  const float tolerance = std::max(1.0f, 0.1f * sim::median(heights)), baseline = sim::median(bottoms);
   const auto on = std::count_if(bottoms.begin(), bottoms.end(),
                                 [&](float bottom) { return std::abs(bottom - baseline) <= tolerance; });
   return static_cast<double>(on) >= kOnBaseline * static_cast<double>(line.size());

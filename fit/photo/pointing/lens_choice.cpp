@@ -8,6 +8,7 @@
 
 #include "fit/photo/pointing/starting_camera.h"
 #include "sim/base/number/dense_solvers.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace {
@@ -242,9 +243,7 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& 
     if (used.empty() || used[i] != 0) distances.push_back(left[i].norm());
   const int n = 2 * static_cast<int>(distances.size());
   if (n <= free_numbers) return std::numeric_limits<double>::infinity();
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return distances[distances.size() / 2] / kMedianOfRayleigh *
-         std::sqrt(static_cast<double>(n) / (n - free_numbers));
+  return sim::median(distances) / kMedianOfRayleigh * std::sqrt(static_cast<double>(n) / (n - free_numbers));
 }
 
 double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber>& free,

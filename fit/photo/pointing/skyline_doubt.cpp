@@ -7,6 +7,7 @@
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/star_finder.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
@@ -30,10 +31,7 @@ double roughness_px(const std::vector<SkylineColumn>& line, std::size_t reach) {
     if (line[i + reach].x_px - line[i - reach].x_px > 2.5 * static_cast<double>(reach)) continue;  // a gap
     off.push_back(std::abs(line[i].y_px - 0.5 * (line[i - reach].y_px + line[i + reach].y_px)));
   }
-  if (off.empty()) return 0.0;
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return *middle;
+  return sim::median(off);
 }
 
 void count_stars_below(const std::vector<SkylineColumn>& line, const sim::Camera& camera, const Photo& photo,

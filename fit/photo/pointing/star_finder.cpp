@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/quantile.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -77,9 +79,9 @@ class Finder {
         if (square >= kInner * kInner && square <= kOuter * kOuter)
           ring_.push_back(smooth_[at(x + dx, y + dy)]);
       }
-    const double ground = median(ring_);
+    const double ground = sim::median(ring_);
     for (double& value : ring_) value = std::abs(value - ground);
-    const double sigma = kSigmaOfMad * median(ring_);
+    const double sigma = kSigmaOfMad * sim::median(ring_);
     const double height = smooth_[at(x, y)] - ground;
     if (!(height > 0.0) || height < settings_.min_signal * sigma) return false;
     star.signal = sigma > 0.0 ? height / sigma : 1e9;
@@ -119,11 +121,6 @@ class Finder {
     star.x_px = cx;
     star.y_px = cy;
     return true;
-  }
-
-  static double median(std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
   }
 
   int width_, height_;

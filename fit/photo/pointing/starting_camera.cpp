@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/quantile.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -114,8 +116,7 @@ CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector
   std::vector<double> ratios;
   const std::vector<Pair> pairs = wide_pairs(stars, ratios);
   if (pairs.empty()) return best;
-  std::nth_element(ratios.begin(), ratios.begin() + ratios.size() / 2, ratios.end());
-  const double ratio = ratios[ratios.size() / 2];
+  const double ratio = sim::median(ratios);
   std::vector<StarSighting> scored;
   const std::size_t stride = (stars.size() + kMaxScored - 1) / kMaxScored;
   for (std::size_t i = 0; i < stars.size(); i += stride) scored.push_back(stars[i]);

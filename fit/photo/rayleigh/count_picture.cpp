@@ -12,6 +12,7 @@
 #include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/photo_metadata.h"
 #include "sim/base/error.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/version.h"
@@ -176,8 +177,7 @@ RayleighPicture rayleigh_picture(const CountPicture& counts, const RayleighFilte
     known.push_back(rayleighs);
   }
   if (known.empty()) return picture;
-  std::nth_element(known.begin(), known.begin() + known.size() / 2, known.end());
-  picture.median = known[known.size() / 2];
+  picture.median = sim::median(known);
   picture.least = *std::min_element(known.begin(), known.end());
   picture.most = *std::max_element(known.begin(), known.end());
   return picture;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/number/quantile.h"
+
 namespace vegard::fit {
 namespace {
 
@@ -50,17 +52,13 @@ class FactorSolver {
     return static_cast<int>(std::count(used_.begin(), used_.end(), 1)) - (is_depth_held_ ? 1 : 2);
   }
 
-  static double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  }
-
   /// The median of the bright half at a usual extinction, and what lies far off it.
   void begin() {
     std::vector<double> signal;
     for (const FactorDatum& star : stars_)
       signal.push_back(star.sigma > 0.0 ? star.rate_per_rayleigh / star.sigma : 0.0);
-    const double bright = signal.empty() ? 0.0 : std::min(median(signal), 20.0);
+    std::vector<double> reordered = signal;
+    const double bright = std::min(sim::median(reordered), 20.0);
     std::vector<double> logs;
     for (std::size_t i = 0; i < stars_.size(); ++i)
       if (stars_[i].rate_per_rayleigh > 0.0 && signal[i] >= bright)
@@ -69,10 +67,10 @@ class FactorSolver {
       std::fill(used_.begin(), used_.end(), 0);
       return;
     }
-    a_ = median(logs);
+    a_ = sim::median(logs);
     for (double& value : logs) value = std::abs(value - a_);
     constexpr double kMinScatter = 0.05;
-    scatter_ = std::max(kSigmaOfMedian * median(logs), kMinScatter);
+    scatter_ = std::max(kSigmaOfMedian * sim::median(logs), kMinScatter);
     for (std::size_t i = 0; i < stars_.size(); ++i) used_[i] = is_near(i) ? 1 : 0;
   }
 

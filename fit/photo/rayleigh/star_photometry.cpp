@@ -9,6 +9,7 @@
 #include "fit/photo/pointing/star_finder.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/air.h"
@@ -91,12 +92,7 @@ void move_to_points(std::vector<PlacedStar>& stars, const CountPicture& picture)
     dx.push_back(own[i]->x_px - stars[i].x_px);
     dy.push_back(own[i]->y_px - stars[i].y_px);
   }
-  const auto median = [](std::vector<double>& values) {
-    if (values.empty()) return 0.0;
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
-  };
-  const double shift_x = median(dx), shift_y = median(dy);
+  const double shift_x = sim::median(dx), shift_y = sim::median(dy);
   for (std::size_t i = 0; i < stars.size(); ++i) {
     stars[i].x_px = own[i] != nullptr ? own[i]->x_px : stars[i].x_px + shift_x;
     stars[i].y_px = own[i] != nullptr ? own[i]->y_px : stars[i].y_px + shift_y;
@@ -112,12 +108,6 @@ bool tell_extinction(const std::vector<FactorDatum>& data) {
       std::minmax_element(data.begin(), data.end(),
                           [](const FactorDatum& a, const FactorDatum& b) { return a.airmass < b.airmass; });
   return ends.second->airmass - ends.first->airmass >= kMinSpan;
-}
-
-double middle_value(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -251,7 +241,7 @@ StarFactor StarPhotometer::answer(const std::string& name) const {
     answer.extinction_error = kMagnitudesPerDepth * fit->depth_error * student_68(fit->degrees_of_freedom);
   // The value of one or two stars may be noise.
   constexpr std::size_t kEnoughBright = 3;
-  if (outside.size() >= kEnoughBright) answer.light_outside = middle_value(outside);
+  if (outside.size() >= kEnoughBright) answer.light_outside = sim::median(outside);
   constexpr double kMuchOutside = 0.03;
   if (answer.light_outside > kMuchOutside)
     answer.notes.push_back(

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/utc_time.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/moon.h"
@@ -28,13 +29,6 @@ using SkyDirection = std::array<double, 3>;
 
 double cosine_between(const SkyDirection& a, const SkyDirection& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/// Returns the quantile at a share of the values, without interpolation.
-double value_at_share(std::vector<double> values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
 }
 
 /// Light of cells and its residual above the smooth sky; only cells of sky count.
@@ -182,7 +176,7 @@ void add_colours(const CellLight& light, FrameFeatures& features) {
   residuals.reserve(light.sky.size());
   for (const std::size_t i : light.sky) residuals.push_back(light.residual[i]);
   constexpr double kBright = 0.9, kMiddle = 0.5;
-  const double bright = value_at_share(residuals, kBright), middle = value_at_share(residuals, kMiddle);
+  const double bright = sim::quantile(residuals, kBright), middle = sim::quantile(residuals, kMiddle);
   std::array<double, 3> top{}, below{};
   double tops = 0.0, belows = 0.0;
   for (const std::size_t i : light.sky) {
@@ -229,7 +223,7 @@ double count_points(const Photo& photo, const FilterCells& cells) {
   for (int n = 0; n < area; n += 11)
     heights.push_back(std::abs(height(kOff + n % (w - 2 * kOff), kOff + n / (w - 2 * kOff))));
   const double step = std::max(file_step(photo), 1e-6);
-  const double noise = std::max(kOfMad * value_at_share(heights, 0.5), 0.5 * std::sqrt(step) / 16.0);
+  const double noise = std::max(kOfMad * sim::quantile(heights, 0.5), 0.5 * std::sqrt(step) / 16.0);
   const auto least = static_cast<float>(kSigmas * noise);
   double points = 0.0;
   for (int y = kOff; y + kOff < h; ++y)
@@ -273,7 +267,7 @@ void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirect
       }
     constexpr std::size_t kMinOfRing = 8;
     if (!is_top || ring.size() < kMinOfRing) continue;
-    const double peak = light.log_grey[i] - value_at_share(std::move(ring), kOfRing);
+    const double peak = light.log_grey[i] - sim::quantile(ring, kOfRing);
     const bool is_moon = moon[2] > 0.0 && cosine_between(cells.enu[i], moon) > of_moon;
     double& of = is_moon ? at_moon : elsewhere;
     of = std::max(of, peak);
@@ -389,8 +383,8 @@ FrameFeatures frame_features(const Photo& photo, const sim::Scene& scene, const 
     logs.push_back(light.log_grey[i]);
     squares += light.residual[i] * light.residual[i];
   }
-  feature(features, FrameFeature::brightness) = value_at_share(logs, 0.5);
-  feature(features, FrameFeature::contrast) = value_at_share(logs, 0.95) - value_at_share(logs, 0.05);
+  feature(features, FrameFeature::brightness) = sim::quantile(logs, 0.5);
+  feature(features, FrameFeature::contrast) = sim::quantile(logs, 0.95) - sim::quantile(logs, 0.05);
   feature(features, FrameFeature::structure) = std::sqrt(squares / static_cast<double>(light.sky.size()));
   const std::vector<double> angles = meridian_angles(cells, scene.field.declination_deg);
   feature(features, FrameFeature::banded) = banded_share(light, angles);

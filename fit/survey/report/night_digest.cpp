@@ -8,6 +8,7 @@
 #include "fit/border/border_distance.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/utc_time.h"
 
 namespace vegard::fit {
@@ -201,10 +202,8 @@ std::vector<FollowedPoint> points_of(const NightDigest& digest, FollowedKind kin
 
 double share_of_numbers(std::vector<double> numbers, double share) {
   if (numbers.empty()) return sim::kNaN;
-  const auto at = numbers.begin() +
-                  static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(numbers.size() - 1)));
-  std::nth_element(numbers.begin(), at, numbers.end());
-  return *at;
+  const long place = std::lround(share * static_cast<double>(numbers.size() - 1));
+  return sim::nth_value(numbers, static_cast<std::size_t>(place));
 }
 
 int night_boundary_s(const std::vector<int>& frames_of_step) {

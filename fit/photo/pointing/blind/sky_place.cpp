@@ -11,6 +11,7 @@
 #include "fit/photo/pointing/blind/equatorial_sky.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/planets.h"
 #include "sim/view/sky/star_place.h"
@@ -167,8 +168,7 @@ std::vector<SeenPlanet> planets_in(const PictureStars& stars, const Frame& frame
   std::vector<double> fluxes;
   for (const StarMatch& one : stars.recognition.best.matches)
     fluxes.push_back(stars.recognition.points[one.point].flux);
-  std::sort(fluxes.begin(), fluxes.end());
-  const double min_flux = fluxes.empty() ? 0.0 : fluxes[fluxes.size() / 2];
+  const double min_flux = sim::median(fluxes);
   std::vector<SeenPlanet> planets;
   for (const sim::Planet planet : sim::kPlanets) {
     const Eigen::Vector3d v =
