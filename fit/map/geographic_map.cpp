@@ -148,16 +148,21 @@ GeographicGrid grid_over(const std::vector<PrecipitationPlanes>& maps, EarthFram
       }
   }
   if (!(west <= east))
-    sim::refuse_key(sim::ErrorKind::usage, "MAP", "the maps have no valid cell", "a map with light in it");
+    throw sim::Error(sim::ErrorKind::usage, "the maps have no valid cell")
+        .key("MAP")
+        .expected("a map with light in it");
   // Cells about square in the middle, and no pole inside of one.
   const double middle = std::min(std::abs(0.5 * (south + north)), 85.0) * sim::kRadiansPerDegree;
   const double longitude_step = step_deg / std::cos(middle);
   const double cells = ((north - south) / step_deg + 2.0) * ((east - west) / longitude_step + 2.0);
   if (!(cells <= kMaxGridCells))
-    sim::refuse_key(sim::ErrorKind::usage, "--step-deg", "the grid would have more than 4194304 cells",
-                    "a larger step");
+    throw sim::Error(sim::ErrorKind::usage, "the grid would have more than 4194304 cells")
+        .key("--step-deg")
+        .expected("a larger step");
   if (!(north - south >= step_deg && east - west >= longitude_step))
-    sim::refuse_key(sim::ErrorKind::usage, "--step-deg", "the map is smaller than a step", "a smaller step");
+    throw sim::Error(sim::ErrorKind::usage, "the map is smaller than a step")
+        .key("--step-deg")
+        .expected("a smaller step");
   GeographicGrid grid{frame, steps_between(west, east, longitude_step),
                       steps_between(south, north, step_deg)};
   // A map over a pole: each longitude once, and no centre of a cell beyond the pole.

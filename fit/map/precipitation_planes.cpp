@@ -55,7 +55,7 @@ class PlanesReader {
 
  private:
   [[noreturn]] void refuse(const std::string& problem, const std::string& expected) const {
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file_, problem, expected);
+    throw sim::unreadable(file_, problem).expected(expected);
   }
 
   std::string text(const std::string& keyword) const {

@@ -27,45 +27,53 @@ constexpr double kMinStep_deg = 1e-4;
 void check_tangent_steps(const DirectionSectors& sectors) {
   const TangentSteps& steps = *sectors.tangent;
   if (!sectors.observer_km)
-    sim::refuse_key(
-        sim::ErrorKind::usage, "--tangent-step", "the observer is not known to be above the air",
-        "a scene whose site.altitude_m is at least " + sim::short_number(1e3 * sim::kLimbObserverKm));
+    throw sim::Error(sim::ErrorKind::usage, "the observer is not known to be above the air")
+        .key("--tangent-step")
+        .expected("a scene whose site.altitude_m is at least " +
+                  sim::short_number(1e3 * sim::kLimbObserverKm));
   if (!(steps.step_km > 0.0))
-    sim::refuse_key(sim::ErrorKind::usage, "--tangent-step",
-                    sim::short_number(steps.step_km) + " km is no step", "more than 0");
+    throw sim::Error(sim::ErrorKind::usage, sim::short_number(steps.step_km) + " km is no step")
+        .key("--tangent-step")
+        .expected("more than 0");
   if (!(steps.lowest_km >= -kDeepestKm && steps.highest_km > steps.lowest_km &&
         steps.highest_km <= *sectors.observer_km))
-    sim::refuse_key(sim::ErrorKind::usage, "--tangent-range",
-                    sim::short_number(steps.lowest_km) + " to " + sim::short_number(steps.highest_km) +
-                        " km holds no limb",
-                    "growing, from -" + sim::short_number(kDeepestKm) + " to at most " +
-                        sim::short_number(*sectors.observer_km) + ", where the observer is");
+    throw sim::Error(sim::ErrorKind::usage, sim::short_number(steps.lowest_km) + " to " +
+                                                sim::short_number(steps.highest_km) + " km holds no limb")
+        .key("--tangent-range")
+        .expected("growing, from -" + sim::short_number(kDeepestKm) + " to at most " +
+                  sim::short_number(*sectors.observer_km) + ", where the observer is");
   if ((steps.highest_km - steps.lowest_km) / steps.step_km > kDirectionMaxSteps)
-    sim::refuse_key(sim::ErrorKind::usage, "--tangent-step",
-                    "more than " + std::to_string(kDirectionMaxSteps) + " steps", "larger steps");
+    throw sim::Error(sim::ErrorKind::usage, "more than " + std::to_string(kDirectionMaxSteps) + " steps")
+        .key("--tangent-step")
+        .expected("larger steps");
 }
 
 void check_sectors(const DirectionSectors& sectors) {
   if (sectors.azimuths_deg.empty())
-    sim::refuse_key(sim::ErrorKind::usage, "--azimuths", "no direction is asked for", "azimuths in degrees");
+    throw sim::Error(sim::ErrorKind::usage, "no direction is asked for")
+        .key("--azimuths")
+        .expected("azimuths in degrees");
   for (const double azimuth : sectors.azimuths_deg)
     if (!std::isfinite(azimuth))
-      sim::refuse_key(sim::ErrorKind::usage, "--azimuths", "an azimuth is no number", "azimuths in degrees");
+      throw sim::Error(sim::ErrorKind::usage, "an azimuth is no number")
+          .key("--azimuths")
+          .expected("azimuths in degrees");
   if (sectors.tangent) check_tangent_steps(sectors);
   if (!(sectors.step_deg >= kMinStep_deg && sectors.step_deg <= kDirectionZenithDeg))
-    sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
-                    sim::short_number(sectors.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+    throw sim::Error(sim::ErrorKind::usage, sim::short_number(sectors.step_deg) + "\u00b0 is no step")
+        .key("--elevation-step")
+        .expected("0.0001 to 90");
   if (!(sectors.lowest_deg >= -kDirectionZenithDeg && sectors.lowest_deg < kDirectionZenithDeg))
-    sim::refuse_key(sim::ErrorKind::usage, "--lowest",
-                    sim::short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at",
-                    "-90 to below 90");
+    throw sim::Error(sim::ErrorKind::usage,
+                     sim::short_number(sectors.lowest_deg) + "\u00b0 is no elevation to begin at")
+        .key("--lowest")
+        .expected("-90 to below 90");
   const double spacing = min_spacing_deg(sectors.azimuths_deg);
   if (!(sectors.width_deg > 0.0 && sectors.width_deg <= spacing + kRounding))
-    sim::refuse_key(
-        sim::ErrorKind::usage, "--azimuth-width",
-        "sectors of " + sim::short_number(sectors.width_deg) + "\u00b0 " +
-            (sectors.width_deg > 0.0 ? "would overlap" : "hold nothing"),
-        "more than 0, at most " + sim::short_number(spacing) + ", the distance of the nearest two");
+    throw sim::Error(sim::ErrorKind::usage, "sectors of " + sim::short_number(sectors.width_deg) + "\u00b0 " +
+                                                (sectors.width_deg > 0.0 ? "would overlap" : "hold nothing"))
+        .key("--azimuth-width")
+        .expected("more than 0, at most " + sim::short_number(spacing) + ", the distance of the nearest two");
 }
 
 int position_count(const DirectionSectors& sectors) {
@@ -89,7 +97,9 @@ double steps_up(const DirectionSectors& sectors, double elevation_deg) {
 
 DirectionSectors even_sectors(int count) {
   if (count < 1 || count > 360)
-    sim::refuse_key(sim::ErrorKind::usage, "--directions", std::to_string(count) + " directions", "1 to 360");
+    throw sim::Error(sim::ErrorKind::usage, std::to_string(count) + " directions")
+        .key("--directions")
+        .expected("1 to 360");
   DirectionSectors sectors;
   for (int k = 0; k < count; ++k) sectors.azimuths_deg.push_back(360.0 * k / count);
   sectors.width_deg = 360.0 / count;
@@ -145,8 +155,9 @@ BinGrid direction_bins(const sim::DirectionMap& map, const Region& region, const
       },
       grid);
   if (grid.runs.empty())
-    sim::refuse_key(sim::ErrorKind::usage, "--azimuths", "no pixel looks into any of the sectors",
-                    "directions that the picture shows");
+    throw sim::Error(sim::ErrorKind::usage, "no pixel looks into any of the sectors")
+        .key("--azimuths")
+        .expected("directions that the picture shows");
   grid.narrowest_px = region.width;
   for (const BinGrid::Run& run : grid.runs)
     grid.narrowest_px = std::min(grid.narrowest_px, run.end - run.begin);

@@ -67,17 +67,20 @@ void add_picture(const Photo& photo, double time, Keogram& keogram) {
   }
   const std::string& first = keogram.columns.empty() ? photo.file_name : keogram.columns.front().file_name;
   if (photo.linear.width != keogram.picture_width_px || photo.linear.height != keogram.picture_height_px)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, photo.file_name,
-                     "the picture has " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels",
-                     sim::size_text(keogram.picture_width_px, keogram.picture_height_px) + ", as " + first);
+    throw sim::unreadable(
+        photo.file_name,
+        "the picture has " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels")
+        .expected(sim::size_text(keogram.picture_width_px, keogram.picture_height_px) + ", as " + first);
   if (photo.decoding != keogram.decoding)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, photo.file_name, "its light is " + photo.decoding,
-                     keogram.decoding + ", as that of " + first, "pictures of one kind make a keogram");
+    throw sim::unreadable(photo.file_name, "its light is " + photo.decoding)
+        .expected(keogram.decoding + ", as that of " + first)
+        .hint("pictures of one kind make a keogram");
   if (!keogram.columns.empty() && !(time > keogram.columns.back().time))
-    sim::refuse_file(sim::ErrorKind::usage, photo.file_name,
-                     "it has the time " + time_text(keogram, time) + ", which " +
-                         keogram.columns.back().file_name + " has",
-                     "a time of its own for each picture", "--times FILE.csv says when each was taken");
+    throw sim::Error(sim::ErrorKind::usage, "it has the time " + time_text(keogram, time) + ", which " +
+                                                keogram.columns.back().file_name + " has")
+        .file(photo.file_name)
+        .expected("a time of its own for each picture")
+        .hint("--times FILE.csv says when each was taken");
   const Profile profile = extract_profile(photo, keogram.line.grid);
   keogram.columns.push_back(
       {time, photo.file_name, photo.sha256, profile.mean, profile.standard_error, profile.count});

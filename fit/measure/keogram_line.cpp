@@ -77,9 +77,10 @@ double usual_step(const Span& trial) {
 
 KeogramLine column_line(const Region& region, int width_px) {
   if (width_px < 0 || width_px > region.width)
-    sim::refuse_key(sim::ErrorKind::usage, "--width",
-                    "a strip of " + std::to_string(width_px) + " columns is not in the region",
-                    "1 to " + std::to_string(region.width) + " px");
+    throw sim::Error(sim::ErrorKind::usage,
+                     "a strip of " + std::to_string(width_px) + " columns is not in the region")
+        .key("--width")
+        .expected("1 to " + std::to_string(region.width) + " px");
   const int width = width_px == 0 ? region.width : width_px;
   BinGrid grid;
   grid.region = {region.x + (region.width - width) / 2, region.y, width, region.height};
@@ -99,13 +100,15 @@ KeogramLine column_line(const Region& region, int width_px) {
 KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
                           const MeridianOptions& options) {
   if (!std::isfinite(options.azimuth_deg))
-    sim::refuse_key(sim::ErrorKind::usage, "--azimuth", "the azimuth is no number", "degrees");
+    throw sim::Error(sim::ErrorKind::usage, "the azimuth is no number").key("--azimuth").expected("degrees");
   if (options.width_deg && !(*options.width_deg > 0.0 && *options.width_deg <= 180.0))
-    sim::refuse_key(sim::ErrorKind::usage, "--width",
-                    sim::short_number(*options.width_deg) + "\u00b0 is no width", "more than 0, at most 180");
+    throw sim::Error(sim::ErrorKind::usage, sim::short_number(*options.width_deg) + "\u00b0 is no width")
+        .key("--width")
+        .expected("more than 0, at most 180");
   if (options.step_deg && !(*options.step_deg >= 1e-4 && *options.step_deg <= kKeogramZenithDeg))
-    sim::refuse_key(sim::ErrorKind::usage, "--elevation-step",
-                    sim::short_number(*options.step_deg) + "\u00b0 is no step", "0.0001 to 90");
+    throw sim::Error(sim::ErrorKind::usage, sim::short_number(*options.step_deg) + "\u00b0 is no step")
+        .key("--elevation-step")
+        .expected("0.0001 to 90");
 
   KeogramLine line;
   line.of_directions = true;
@@ -121,10 +124,10 @@ KeogramLine meridian_line(const sim::DirectionMap& map, const Region& region,
   line.width = options.width_deg.value_or(2.0 * line.step);
   const Span span = span_of(map, region, line.azimuth_deg, 0.5 * line.width);
   if (span.pixels == 0.0)
-    sim::refuse_key(sim::ErrorKind::usage, "--azimuth",
-                    "the picture shows nothing of the vertical plane at azimuth " +
-                        sim::short_number(options.azimuth_deg) + "\u00b0",
-                    "a direction that it does show");
+    throw sim::Error(sim::ErrorKind::usage, "the picture shows nothing of the vertical plane at azimuth " +
+                                                sim::short_number(options.azimuth_deg) + "\u00b0")
+        .key("--azimuth")
+        .expected("a direction that it does show");
 
   const double first = std::floor(span.min / line.step), end = std::floor(span.max / line.step) + 1.0;
   BinGrid grid;

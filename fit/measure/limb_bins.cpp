@@ -22,17 +22,24 @@ constexpr int kLimbPositionsEachSide = 1;  ///< whose noise is pooled
 BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
   const sim::Fit& fit = scene.fit;
   if (!scene.sun.shown)
-    sim::refuse_scene_key(scene.file, "sun.shown", "there is no Sun that profiles could lead away from",
-                          "true", "or another fit.profile_along");
+    throw sim::Error(sim::ErrorKind::scene, "there is no Sun that profiles could lead away from")
+        .file(scene.file)
+        .key("sun.shown")
+        .expected("true")
+        .hint("or another fit.profile_along");
   if (!(fit.limb_lowest < fit.limb_highest))
-    sim::refuse_scene_key(scene.file, "fit.limb_lowest", "limb_lowest is not below limb_highest",
-                          "limb_lowest below limb_highest");
+    throw sim::Error(sim::ErrorKind::scene, "limb_lowest is not below limb_highest")
+        .file(scene.file)
+        .key("fit.limb_lowest")
+        .expected("limb_lowest below limb_highest");
   const double steps = std::ceil((fit.limb_highest - fit.limb_lowest) / fit.limb_step - 1e-9);
   constexpr double kMaxPositions = 10000.0;
   if (steps < kLimbMinPositions || steps > kMaxPositions)
-    sim::refuse_scene_key(scene.file, "fit.limb_step",
-                          sim::short_number(steps) + " steps lie between limb_lowest and limb_highest",
-                          std::to_string(kLimbMinPositions) + " to " + sim::short_number(kMaxPositions, 5));
+    throw sim::Error(sim::ErrorKind::scene,
+                     sim::short_number(steps) + " steps lie between limb_lowest and limb_highest")
+        .file(scene.file)
+        .key("fit.limb_step")
+        .expected(std::to_string(kLimbMinPositions) + " to " + sim::short_number(kMaxPositions, 5));
   BinGrid grid;
   grid.region = region;
   grid.groups = fit.bands;
@@ -61,11 +68,13 @@ BinGrid limb_bins(const sim::Scene& scene, const Region& region) {
       },
       grid);
   if (grid.runs.empty())
-    sim::refuse_scene_key(scene.file, "sun.azimuth_deg",
-                          "no pixel of the region is " + sim::short_number(fit.limb_lowest) + " to " +
-                              sim::short_number(fit.limb_highest) + " radii from the Sun's middle",
-                          "the Sun in view",
-                          "check sun.azimuth_deg, sun.elevation_deg and where the camera points");
+    throw sim::Error(sim::ErrorKind::scene,
+                     "no pixel of the region is " + sim::short_number(fit.limb_lowest) + " to " +
+                         sim::short_number(fit.limb_highest) + " radii from the Sun's middle")
+        .file(scene.file)
+        .key("sun.azimuth_deg")
+        .expected("the Sun in view")
+        .hint("check sun.azimuth_deg, sun.elevation_deg and where the camera points");
   const double radius_rad = std::asin(scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km);
   grid.position_px =
       fit.limb_step * radius_rad / sim::kRadiansPerDegree * sim::pixels_per_degree(scene.camera);

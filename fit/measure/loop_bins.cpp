@@ -21,14 +21,18 @@ constexpr int kLoopPositionsEachSide = 4;  ///< whose noise is pooled: bins are 
 void check_points(const sim::Scene& scene) {
   const std::vector<double>&x = scene.fit.guide_x_px, &y = scene.fit.guide_y_px;
   if (x.size() < kLoopMinPoints)
-    sim::refuse_scene_key(
-        scene.file, "fit.guide_x_px", std::to_string(x.size()) + " guide points are drawn along the loop",
-        "three or more", "read their pixels off the photograph, from one foot to the other");
+    throw sim::Error(sim::ErrorKind::scene,
+                     std::to_string(x.size()) + " guide points are drawn along the loop")
+        .file(scene.file)
+        .key("fit.guide_x_px")
+        .expected("three or more")
+        .hint("read their pixels off the photograph, from one foot to the other");
   if (x.size() != y.size())
-    sim::refuse_scene_key(
-        scene.file, "fit.guide_y_px",
-        std::to_string(y.size()) + " places down for " + std::to_string(x.size()) + " places across",
-        "as many of guide_y_px as of guide_x_px");
+    throw sim::Error(sim::ErrorKind::scene, std::to_string(y.size()) + " places down for " +
+                                                std::to_string(x.size()) + " places across")
+        .file(scene.file)
+        .key("fit.guide_y_px")
+        .expected("as many of guide_y_px as of guide_x_px");
   const auto text = [&](std::size_t i) {
     return "point " + std::to_string(i) + " at (" + sim::short_number(x[i]) + ", " + sim::short_number(y[i]) +
            ")";
@@ -37,13 +41,16 @@ void check_points(const sim::Scene& scene) {
     const bool is_across = x[i] >= 0.0 && x[i] <= scene.camera.width,
                is_down = y[i] >= 0.0 && y[i] <= scene.camera.height;
     if (!is_across || !is_down)
-      sim::refuse_scene_key(scene.file, is_across ? "fit.guide_y_px" : "fit.guide_x_px",
-                            text(i) + " lies outside of the picture",
-                            "pixels of the photograph, " + std::to_string(scene.camera.width) + " x " +
-                                std::to_string(scene.camera.height));
+      throw sim::Error(sim::ErrorKind::scene, text(i) + " lies outside of the picture")
+          .file(scene.file)
+          .key(is_across ? "fit.guide_y_px" : "fit.guide_x_px")
+          .expected("pixels of the photograph, " + std::to_string(scene.camera.width) + " x " +
+                    std::to_string(scene.camera.height));
     if (i > 0 && x[i] == x[i - 1] && y[i] == y[i - 1])
-      sim::refuse_scene_key(scene.file, "fit.guide_x_px", text(i) + " is the one before it",
-                            "points apart from each other");
+      throw sim::Error(sim::ErrorKind::scene, text(i) + " is the one before it")
+          .file(scene.file)
+          .key("fit.guide_x_px")
+          .expected("points apart from each other");
   }
 }
 
@@ -80,17 +87,20 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
   grid.groups = fit.bands;
   grid.positions = static_cast<int>(std::lround(2.0 * fit.guide_half_width_px / fit.guide_cell_px));
   if (grid.positions < kLoopMinPositions)
-    sim::refuse_scene_key(scene.file, "fit.guide_half_width_px",
-                          std::to_string(grid.positions) + " cells of " +
-                              sim::short_number(fit.guide_cell_px) + " px lie across the loop",
-                          "at least " + std::to_string(kLoopMinPositions),
-                          "a wider profile, or smaller fit.guide_cell_px");
+    throw sim::Error(sim::ErrorKind::scene, std::to_string(grid.positions) + " cells of " +
+                                                sim::short_number(fit.guide_cell_px) +
+                                                " px lie across the loop")
+        .file(scene.file)
+        .key("fit.guide_half_width_px")
+        .expected("at least " + std::to_string(kLoopMinPositions))
+        .hint("a wider profile, or smaller fit.guide_cell_px");
   const GuideCurve curve(fit.guide_x_px, fit.guide_y_px);
   if (curve.length_px() < fit.bands)
-    sim::refuse_scene_key(scene.file, "fit.bands",
-                          std::to_string(fit.bands) + " bands do not fit onto a curve of " +
-                              sim::short_number(curve.length_px()) + " px",
-                          "bands of a pixel or more");
+    throw sim::Error(sim::ErrorKind::scene, std::to_string(fit.bands) + " bands do not fit onto a curve of " +
+                                                sim::short_number(curve.length_px()) + " px")
+        .file(scene.file)
+        .key("fit.bands")
+        .expected("bands of a pixel or more");
   grid.along = {"distance across the loop", "px", -fit.guide_half_width_px, fit.guide_cell_px};
   grid.across = {"distance along the loop", "px", 0.0, curve.length_px() / fit.bands};
   grid.pooled = kLoopPositionsEachSide;
@@ -111,9 +121,11 @@ BinGrid loop_bins(const sim::Scene& scene, const Region& region) {
       },
       grid);
   if (grid.runs.empty())
-    sim::refuse_scene_key(scene.file, "fit.roi_px",
-                          "no pixel of the region is near the curve through the guide points",
-                          "a region that the loop is in");
+    throw sim::Error(sim::ErrorKind::scene,
+                     "no pixel of the region is near the curve through the guide points")
+        .file(scene.file)
+        .key("fit.roi_px")
+        .expected("a region that the loop is in");
   return grid;
 }
 

@@ -18,10 +18,8 @@ sim::PictureFile read_named(const sim::Scene& scene, const std::string& key, con
   try {
     return sim::read_picture(beside_scene(scene, name));
   } catch (const sim::Error& error) {
-    sim::ErrorDetails details = error.details();
-    details.key = key;
-    if (details.hint.empty()) details.hint = "its name is relative to the scene's file";
-    throw sim::Error(error.kind(), details);
+    const std::string& hint = error.details().hint;
+    throw sim::Error(error).key(key).hint(hint.empty() ? "its name is relative to the scene's file" : hint);
   }
 }
 

@@ -41,11 +41,7 @@ std::string header_line(const JournalSubject& subject) {
 }
 
 sim::Error refused(const std::string& file, const std::string& problem, const std::string& hint) {
-  sim::ErrorDetails details;
-  details.file = file;
-  details.problem = problem;
-  details.hint = hint;
-  return sim::Error(sim::ErrorKind::existing_output, details);
+  return sim::Error(sim::ErrorKind::existing_output, problem).file(file).hint(hint);
 }
 
 /// In what two headers differ, in words.

@@ -237,10 +237,9 @@ void WholeDirectory::fill(const std::function<void()>& write) {
     write();
     commit();
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    if (details.file.compare(0, temporary_.size(), temporary_) == 0)
-      details.file.replace(0, temporary_.size(), named_);
-    throw Error(error.kind(), details);
+    const std::string& file = error.details().file;
+    if (file.compare(0, temporary_.size(), temporary_) != 0) throw;
+    throw Error(error).file(named_ + file.substr(temporary_.size()));
   }
 }
 
