@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "fit/photo/photo.h"
-#include "fit/photo/pointing/blind/local_stars.h"
+#include "fit/photo/pointing/blind/sky_place.h"
 #include "fit/photo/pointing/blind/star_doubts.h"
 #include "fit/photo/pointing/calibration.h"
 #include "fit/photo/pointing/lens_form.h"

@@ -10,7 +10,6 @@
 #include "fit/measurement/calibration_request.h"
 #include "fit/measurement/words.h"
 #include "fit/photo/photo.h"
-#include "fit/photo/pointing/blind/local_stars.h"
 #include "fit/photo/pointing/blind/sky_place.h"
 #include "fit/photo/pointing/scene_camera.h"
 

@@ -16,7 +16,7 @@
 #include "fit/photo/frames/frame_name.h"
 #include "fit/photo/mask/mask_picture.h"
 #include "fit/photo/picture_field_of_view.h"
-#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/scene_photos.h"
 #include "fit/ready_scene.h"
 #include "fit/report/border/border_run.h"

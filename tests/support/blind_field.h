@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "fit/photo/pointing/blind/equatorial_sky.h"
 #include "fit/photo/pointing/blind/star_recognition.h"
+#include "fit/photo/pointing/catalogue_sky.h"
 #include "tests/support/star_field.h"
 
 namespace vegard::tests {

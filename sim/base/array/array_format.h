@@ -1,6 +1,7 @@
 // The formats of files of arrays. A new one is a .cpp of this folder and a row of kArrayFormats.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -37,5 +38,10 @@ const ArrayFormat* array_format_of(const std::string& path);
 /// Opens a file of any of the formats; or `bytes`, if given, which must outlive the result, with `name` for
 /// messages.
 std::unique_ptr<ArrayFile> open_array_file(const std::string& name, std::string_view bytes = {});
+
+/// Returns a file that open() opens in the child process. `name` and `format` as in ArrayFile; `library` for
+/// messages.
+std::unique_ptr<ArrayFile> guarded(const std::string& name, const char* format, const char* library,
+                                   std::function<std::unique_ptr<ArrayFile>()> open);
 
 }  // namespace vegard::sim

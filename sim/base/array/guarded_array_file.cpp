@@ -1,8 +1,7 @@
-#include "sim/base/array/guarded_array_file.h"
-
 #include <cstring>
 #include <utility>
 
+#include "sim/base/array/array_format.h"
 #include "sim/base/error.h"
 #include "sim/base/file/child_worker.h"
 

@@ -14,7 +14,6 @@
 #include <cstring>
 #include <utility>
 
-#include "sim/base/array/guarded_array_file.h"
 #include "sim/base/error.h"
 
 namespace vegard::sim {

@@ -13,7 +13,6 @@
 #include <memory>
 #include <utility>
 
-#include "sim/base/array/guarded_array_file.h"
 #include "sim/base/error.h"
 
 namespace vegard::sim {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <complex>
 
-#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/catalogue_sky.h"
+
 
 namespace vegard::fit {
 namespace {

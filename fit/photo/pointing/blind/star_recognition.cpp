@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fit/photo/pointing/blind/asterisms.h"
-#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/catalogue_sky.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "fit/photo/mask/faulty_pixels.h"
 #include "fit/photo/mask/polygon.h"
-#include "fit/photo/mask/saturated.h"
 #include "tests/support/made_sky.h"
 
 namespace vegard::fit::pixel_set_test {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/catalogue_sky.h"
 
 namespace vegard::tests::asterisms_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fit/photo/pointing/blind/equatorial_sky.h"
+#include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/sky_camera.h"
 #include "fit/photo/pointing/star_table.h"
 #include "sim/view/sky/star_place.h"

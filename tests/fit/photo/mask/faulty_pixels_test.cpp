@@ -1,4 +1,4 @@
-#include "fit/photo/mask/hot_pixels.h"
+#include "fit/photo/mask/faulty_pixels.h"
 
 #include <gtest/gtest.h>
 

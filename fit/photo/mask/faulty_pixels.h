@@ -1,4 +1,5 @@
-// Single pixels that a sensor shows too bright (hot) or too dark (dead).
+// Pixels of a photograph without a valid value: clipped at the largest code or not finite, or single ones
+// that the sensor shows too bright (hot) or too dark (dead).
 #pragma once
 
 #include "fit/photo/mask/pixel_set.h"
@@ -20,5 +21,14 @@ struct HotPixelSettings {
 /// outermost rows and columns are not examined. Demosaicing and JPEG spread a hot pixel over its neighbours,
 /// so that it is taken for a star.
 PixelSet hot_pixels(const Photo& photo, const HotPixelSettings& settings = {});
+
+struct SaturationSettings {
+  /// The distance from a clipped pixel within which light is not trusted: charge blooms, optics scatter, and
+  /// JPEG rings within its blocks.
+  int border_px = 2;
+};
+
+/// Returns the pixels with at least one channel that is not usable (fit/photo/photo.h), grown by the border.
+PixelSet saturated_pixels(const Photo& photo, const SaturationSettings& settings = {});
 
 }  // namespace vegard::fit

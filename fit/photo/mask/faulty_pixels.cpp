@@ -1,4 +1,4 @@
-#include "fit/photo/mask/hot_pixels.h"
+#include "fit/photo/mask/faulty_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -61,6 +61,13 @@ PixelSet hot_pixels(const Photo& photo, const HotPixelSettings& settings) {
       }
   }
   return set;
+}
+
+PixelSet saturated_pixels(const Photo& photo, const SaturationSettings& settings) {
+  PixelSet set(photo.linear.width, photo.linear.height);
+  for (std::size_t i = 0; i < set.in.size(); ++i)
+    set.in[i] = !photo.usable[3 * i] || !photo.usable[3 * i + 1] || !photo.usable[3 * i + 2];
+  return grown(set, settings.border_px);
 }
 
 }  // namespace vegard::fit
