@@ -1,4 +1,4 @@
-#include "fit/curtain_fit.h"
+#include "fit/fit.h"
 
 #include <algorithm>
 #include <cassert>
@@ -17,6 +17,16 @@
 #include "fit/search/journal.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
+
+// Refines the curtains of a map in a fit by beams: `vegard fit --from-map`.
+//
+// Each curtain becomes a sheet along a curve (fit/map/curtain_sheets.h). All sheets are first fitted together
+// by a descent with exact derivatives that starts from the map. Then the fit tries to leave out curves, the
+// weakest first, and to add curtains that are below the map's brightness limit, the strongest first. After
+// each change all other parameters are fitted again, and the change is kept if it lowers the BIC
+// (fit/answer/information_criteria.h). After an addition, the fit tries again to leave out the curves that
+// the new one may replace. Two rejected changes in a row end a round. All these models are compared with the
+// same values and the same sigma.
 
 namespace vegard::fit {
 namespace {

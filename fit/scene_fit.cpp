@@ -1,9 +1,7 @@
 #include "fit/scene_fit.h"
 
-#include "fit/curtain_fit.h"
 #include "fit/fit.h"
 #include "fit/stability.h"
-#include "fit/transfer_curve_fit.h"
 
 namespace vegard::fit {
 namespace {

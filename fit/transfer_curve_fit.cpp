@@ -1,4 +1,4 @@
-#include "fit/transfer_curve_fit.h"
+#include "fit/fit.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +19,15 @@
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/curve_search.h"
+
+// Fits a scene together with the unknown transfer curve of its photograph.
+//
+// A change of the curve changes the data themselves, so the curve cannot be one more parameter of the fit; it
+// is searched for outside of it. First comes a whole search with the curve taken as sRGB. Then the curve's
+// one or two numbers are searched (sim/base/number/curve_search.h) by the likelihood of the file's numbers
+// (fit/measure/unknown_curve.h); for each trial curve all other parameters are fitted by a descent from the
+// answer at the nearest earlier trial. The final answer is computed with the curve that was found. The
+// likelihood is divided by the number of correlated residuals per independent one, as for error bars.
 
 namespace vegard::fit {
 namespace {

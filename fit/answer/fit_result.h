@@ -19,7 +19,7 @@
 
 namespace vegard::fit {
 
-/// A step in the refinement of a map's curtains: one of the models that were compared (fit/curtain_fit.h).
+/// A step in the refinement of a map's curtains: one of the models that were compared (fit/curtain_fit.cpp).
 struct CurtainStep {
   enum class Change { start, drop, add } change = Change::start;
   std::string curve;  ///< the sheet that was left out or added; empty for the start
@@ -69,7 +69,7 @@ struct TiedNumber {
   std::optional<double> sigma;  ///< to first order; none if it depends on a number without an error bar
 };
 
-/// A transfer curve that was unknown, found together with the scene (fit/transfer_curve_fit.h): exponents
+/// A transfer curve that was unknown, found together with the scene (fit/transfer_curve_fit.cpp): exponents
 /// over sRGB's light (sim/view/sensor/tone_curve.h).
 struct FittedTransferCurve {
   struct Exponent {

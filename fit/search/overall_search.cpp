@@ -1,4 +1,4 @@
-#include "fit/search/overall_search.h"
+#include "fit/search/coarse_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "fit/parameters/volume_starts.h"
-#include "fit/search/overall_search.h"
+#include "fit/search/coarse_search.h"
 #include "fit/search/sine_search.h"
 
 namespace vegard::fit {

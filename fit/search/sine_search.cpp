@@ -6,7 +6,7 @@
 
 #include "fit/parameters/parameter_map.h"
 #include "fit/parameters/volume_starts.h"
-#include "fit/search/overall_search.h"
+#include "fit/search/coarse_search.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dense_solvers.h"
 #include "sim/scene/table/parameter_id.h"

@@ -1,5 +1,4 @@
 // Curtains refined by beams: which curves stay, go and come. A made picture of two curves, seed 11.
-#include "fit/curtain_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/fit.h"
 #include "fit/report/table/curve_steps_table.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/file/scene_toml.h"

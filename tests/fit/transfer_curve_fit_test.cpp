@@ -1,11 +1,11 @@
 // A scene and the transfer curve of its photograph, found together.
-#include "fit/transfer_curve_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 
+#include "fit/fit.h"
 #include "fit/report/table/result_json.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/rendered_photo.h"

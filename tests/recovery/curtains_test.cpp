@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/curtain_fit.h"
+#include "fit/fit.h"
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/map_raster.h"

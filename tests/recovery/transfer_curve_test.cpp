@@ -6,7 +6,7 @@
 #include <functional>
 #include <iostream>
 
-#include "fit/transfer_curve_fit.h"
+#include "fit/fit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/rendered_photo.h"
 #include "tests/support/source_folder.h"

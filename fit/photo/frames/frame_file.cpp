@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "fit/photo/frames/frame_store.h"
-#include "fit/photo/frames/open_frame_store.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/text.h"

@@ -38,4 +38,17 @@ class FrameStore {
   virtual std::string word_kind() const = 0;
 };
 
+/// Opens a file, or bytes in memory, which must outlive the store (`name` is then for messages only). Returns
+/// null for a file of another kind, or one that cannot be read. Throws sim::Error(unreadable_input) for a
+/// file that is damaged or has no frames.
+std::unique_ptr<FrameStore> frame_store(const std::string& name, std::string_view bytes = {});
+
+/// True if the file is of a kind that frame_store() opens.
+bool has_frame_store(const std::string& file);
+
+/// Opens a tar; the parameters are those of frame_store(). Files whose names end with .png are frames, all
+/// others are ignored. Throws sim::Error(unreadable_input) for a tar that is damaged or has no PNG. Only the
+/// sizes of the PNGs are read before picture() is called.
+std::unique_ptr<FrameStore> tar_frames(const std::string& name, std::string_view bytes = {});
+
 }  // namespace vegard::fit

@@ -1,7 +1,6 @@
-#include "fit/photo/frames/open_frame_store.h"
+#include "fit/photo/frames/frame_store.h"
 
 #include "fit/photo/frames/array_frames.h"
-#include "fit/photo/frames/tar_frames.h"
 #include "sim/base/array/array_format.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/tar_file.h"

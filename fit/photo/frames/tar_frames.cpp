@@ -1,4 +1,4 @@
-#include "fit/photo/frames/tar_frames.h"
+#include "fit/photo/frames/frame_store.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,6 +9,10 @@
 #include "sim/base/file/byte_stream.h"
 #include "sim/base/file/tar_file.h"
 #include "sim/base/text.h"
+
+// Frames in a tar, in which TREx's cameras store a minute of colour frames (*.png.tar): PNGs whose names give
+// time, site, camera and exposure (imager_words.h). Frames are ordered by time; those without a time come
+// first, ordered by name.
 
 namespace vegard::fit {
 namespace {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "fit/photo/pointing/starting_camera.h"
 #include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/quantile.h"
 

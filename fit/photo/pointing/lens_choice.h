@@ -75,4 +75,13 @@ StarSet stars_kept(const std::vector<Eigen::Vector2d>& left, double sigma_px);
 /// Returns the standard deviation of one coordinate by the median distance.
 double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& used, int free_numbers);
 
+/// Returns the best camera with this lens model without any terms, mirrored or not; CameraFit::good is false
+/// if no star is near its place.
+CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector<StarSighting>& stars,
+                          const Frame& frame);
+
+/// Returns the sum over stars of min(r^2, (a twentieth of the stars' extent)^2) in px^2, by which starts are
+/// compared.
+double truncated_sum(const SkyCamera& camera, const std::vector<StarSighting>& stars);
+
 }  // namespace vegard::fit

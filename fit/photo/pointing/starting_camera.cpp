@@ -1,10 +1,17 @@
-#include "fit/photo/pointing/starting_camera.h"
+#include "fit/photo/pointing/lens_choice.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/base/number/quantile.h"
+
+// Finds a camera to start from if nothing but the stars is known.
+//
+// A lens with a scale and a centre turns the pixels of two stars into two directions in the camera, and one
+// rotation takes these to the stars' directions in the sky. All pairs of well separated stars, scales around
+// the pair's own ratio of pixels to angle, and centres around the frame's middle are tried in a fixed order;
+// the cameras that map the most stars to their places are refined with a robust loss.
 
 namespace vegard::fit {
 namespace {

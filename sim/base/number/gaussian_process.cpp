@@ -6,7 +6,6 @@
 
 #include "sim/base/number/distributions.h"
 
-
 namespace vegard::sim {
 namespace {
 
@@ -52,8 +51,8 @@ std::uint32_t word(std::int64_t index) { return static_cast<std::uint32_t>(index
 
 }  // namespace
 
-GaussianProcess::GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_t address, double width,
-                                 double instant, double lifetime)
+GaussianGrid::GaussianGrid(std::uint64_t seed, Stream stream, std::uint32_t address, double width,
+                           double instant, double lifetime)
     : seed_(seed),
       stream_(stream),
       address_(address),
@@ -90,15 +89,6 @@ double GaussianProcess::at(double place) {
   for (int k = 0; k < kernel.count; ++k) sum += kernel.weight[k] * node(kernel.first + k);
   return sum;
 }
-
-GaussianField::GaussianField(std::uint64_t seed, Stream stream, std::uint32_t address, double width,
-                             double instant, double lifetime)
-    : seed_(seed),
-      stream_(stream),
-      address_(address),
-      per_width_(kNodesPerWidth / width),
-      time_(lifetime > 0.0 ? instant * kNodesPerWidth / lifetime : 0.0),
-      lasts_(lifetime <= 0.0) {}
 
 double GaussianField::fresh_node(std::int64_t i, std::int64_t j) const {
   // Two rows of a field are as independent as two addresses.

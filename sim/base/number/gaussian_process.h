@@ -15,13 +15,25 @@
 
 namespace vegard::sim {
 
-/// The process along one coordinate at one instant. `lifetime` is the full width at half maximum of its
-/// autocorrelation in time; 0: constant in time. It caches nodes, so an object must only be used by one
-/// thread.
-class GaussianProcess {
+/// The grid of a process at one instant. `lifetime` is the full width at half maximum of its autocorrelation
+/// in time; 0: constant in time.
+class GaussianGrid {
  public:
-  GaussianProcess(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,
-                  double lifetime);
+  GaussianGrid(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,
+               double lifetime);
+
+ protected:
+  std::uint64_t seed_;
+  Stream stream_;
+  std::uint32_t address_;
+  double per_width_, time_;
+  bool lasts_;
+};
+
+/// The process along one coordinate. It caches nodes, so an object must only be used by one thread.
+class GaussianProcess : private GaussianGrid {
+ public:
+  using GaussianGrid::GaussianGrid;
 
   /// Caches the nodes between two positions when they are first used; other nodes are computed each time.
   void remember(double first, double last);
@@ -32,31 +44,20 @@ class GaussianProcess {
   double node(std::int64_t index);
   double fresh_node(std::int64_t index) const;
 
-  std::uint64_t seed_;
-  Stream stream_;
-  std::uint32_t address_;
-  double per_width_, time_;
-  bool lasts_;
   std::int64_t first_ = 0;
   std::vector<double> nodes_;  ///< from first_ on; NaN: not yet computed
 };
 
 /// The same in two dimensions, with the same width in both.
-class GaussianField {
+class GaussianField : private GaussianGrid {
  public:
-  GaussianField(std::uint64_t seed, Stream stream, std::uint32_t address, double width, double instant,
-                double lifetime);
+  using GaussianGrid::GaussianGrid;
 
   double at(double x, double y);
 
  private:
   double fresh_node(std::int64_t i, std::int64_t j) const;
 
-  std::uint64_t seed_;
-  Stream stream_;
-  std::uint32_t address_;
-  double per_width_, time_;
-  bool lasts_;
   std::unordered_map<std::uint64_t, double> nodes_;
 };
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "fit/map/curtains.h"
-#include "fit/map/map_numbers.h"
 #include "fit/map/map_verdicts.h"
 #include "sim/render/ground/sight_lines.h"
 #include "sim/scene/file/scene_toml.h"

@@ -7,7 +7,6 @@
 
 #include "fit/photo/pointing/catalogue_sky.h"
 
-
 namespace vegard::fit {
 namespace {
 

@@ -1,11 +1,11 @@
 // Frames out of a tar of PNGs, written by Python's tarfile (tests/data/imagers/make.py).
-#include "fit/photo/frames/tar_frames.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
 #include "fit/photo/frames/frame_file.h"
+#include "fit/photo/frames/frame_store.h"
 #include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
