@@ -63,10 +63,9 @@ class CurtainFit {
     first_ = observations_of(start);
     best_ = settled(start, "curves of the map", kShareOfStart);
     if (!is_overdetermined(best_.fitted))
-      throw sim::Error(sim::ErrorKind::unreadable_input,
-                       fmt::format("only {} usable values for the {} numbers of {}", best_.fitted.values,
-                                   best_.fitted.parameters, best_.fitted.name))
-          .file(photos_.front().file_name)
+      throw sim::unreadable(photos_.front().file_name,
+                            fmt::format("only {} usable values for the {} numbers of {}", best_.fitted.values,
+                                        best_.fitted.parameters, best_.fitted.name))
           .key("fit.bands")
           .expected("more values than unknowns")
           .hint("more bands, a larger region, or a map with fewer curtains");

@@ -22,8 +22,8 @@
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
-#include "fit/uncertainty/uncertainty.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
+#include "fit/uncertainty/uncertainty.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/value_check.h"
 
@@ -241,9 +241,8 @@ class FitRun {
       residuals_ += o.full->residuals();
     }
     if (residuals_ > unknowns_) return;
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     "only " + std::to_string(residuals_) + " usable values in the region of interest")
-        .file(observations_.front().photo->file_name)
+    throw sim::unreadable(observations_.front().photo->file_name,
+                          "only " + std::to_string(residuals_) + " usable values in the region of interest")
         .key("fit.roi_px")
         .expected("more than " + std::to_string(unknowns_))
         .hint("is everything masked or clipped?");

@@ -164,9 +164,8 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
                       std::sqrt(relative * (1.0 + 1.0 / kRealisations) + 4.0 * model_error * model_error)});
   }
   if (bands_.empty())
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     "noise makes up more than half of the power of the light in all rings of wavenumber")
-        .file(photo.file_name)
+    throw sim::unreadable(
+        photo.file_name, "noise makes up more than half of the power of the light in all rings of wavenumber")
         .key("fit.granulation_weight")
         .expected("granules that stand out of the noise")
         .hint("a region (fit.roi_px) where they do, or fit.granulation_weight = 0");

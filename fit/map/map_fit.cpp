@@ -626,8 +626,7 @@ void Mapping::require_light(std::vector<MapObservation>& pictures, const std::ve
   if (stopped() ||
       (start[0] != 0.0f && !(dark - chi2 < kMinGain * static_cast<double>(all_values(pictures)))))
     return;
-  throw sim::Error(sim::ErrorKind::unreadable_input, "no light is above the noise and the sky")
-      .file(photos_.front().file_name)
+  throw sim::unreadable(photos_.front().file_name, "no light is above the noise and the sky")
       .expected("a photograph with aurora")
       .hint("check the mask and fit.roi_px; a smooth sky explains all of the picture");
 }

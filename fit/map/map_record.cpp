@@ -26,10 +26,7 @@ constexpr double kFarthestPoint_km = 3000.0;  // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
 [[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
-      .file(file)
-      .expected("a directory that vegard map wrote")
-      .hint(hint);
+  throw sim::unreadable(file, problem).expected("a directory that vegard map wrote").hint(hint);
 }
 
 std::string bytes_of_map(const std::string& file) {

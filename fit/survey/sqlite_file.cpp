@@ -195,10 +195,9 @@ void SqliteFile::fail(int code, const std::string& words) const {
     case SQLITE_PERM:
       if (writes_)
         throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: " + words).file(name_);
-      throw sim::Error(sim::ErrorKind::unreadable_input, "cannot be read: " + words).file(name_);
+      throw sim::unreadable(name_, "cannot be read: " + words);
     default:
-      throw sim::Error(sim::ErrorKind::unreadable_input, "is a damaged database, or none: " + words)
-          .file(name_);
+      throw sim::unreadable(name_, "is a damaged database, or none: " + words);
   }
 }
 

@@ -310,7 +310,7 @@ void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
   }
   if (!eye.mask.empty())
     if (const std::string problem = sim::why_no_input(eye.mask); !problem.empty())
-      throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(eye.mask).expected("a mask");
+      throw sim::unreadable(eye.mask, problem).expected("a mask");
 }
 
 std::string eye_sha256(const SurveyEye& eye, const std::string& decoding) {

@@ -44,8 +44,7 @@ std::optional<double> time_in_name(const std::string& name) {
 double time_of_name(const std::string& frame, const std::string& file, int line) {
   const std::string name = fs::path(frame_reference(frame).file).filename().string();
   if (const auto seconds = time_in_name(name)) return *seconds;
-  throw sim::Error(sim::ErrorKind::unreadable_input, "the name of '" + name + "' has no time")
-      .file(file)
+  throw sim::unreadable(file, "the name of '" + name + "' has no time")
       .line(line)
       .expected("a date and a time, as in 20190301_221000.png, taken for UTC")
       .hint("a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out");
@@ -69,9 +68,8 @@ struct Mention {
 double time_of_frame(const FrameHead& frame, bool is_only, const std::string& name, const Mention& mention) {
   if (frame.time) return frame.time->seconds;
   if (is_only) return time_of_name(name, mention.file, mention.line);
-  throw sim::Error(sim::ErrorKind::unreadable_input, "frame " + std::to_string(frame.number) + " of '" +
-                                                         fs::path(name).filename().string() + "' has no time")
-      .file(mention.file)
+  throw sim::unreadable(mention.file, "frame " + std::to_string(frame.number) + " of '" +
+                                          fs::path(name).filename().string() + "' has no time")
       .line(mention.line)
       .expected("the words of an imager, #\"Image request start\"")
       .hint("a list (.txt) with lines FILE#NUMBER TIME says when each was taken");
@@ -165,8 +163,7 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
     if (has_ending(file, camera.endings) && !entry->is_directory(of_entry))
       found.push_back(fs::path(entry->path()).lexically_relative(place).generic_string());
   }
-  if (error)
-    throw sim::Error(sim::ErrorKind::unreadable_input, "cannot be read: " + error.message()).file(place);
+  if (error) throw sim::unreadable(place, "cannot be read: " + error.message());
   std::sort(found.begin(), found.end());
   std::string names;
   for (const std::string& file : found) {
@@ -222,8 +219,7 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
     } else {
       const std::string problem = sim::why_no_input(frame_reference(place).file);
       if (!problem.empty())
-        throw sim::Error(sim::ErrorKind::unreadable_input, problem)
-            .file(place)
+        throw sim::unreadable(place, problem)
             .expected("a folder, a list (.txt) or a frame")
             .hint("named by " + survey.file);
       if (!take_frames_of_file(survey, name, {place, 0}, all))

@@ -125,8 +125,7 @@ Inventory take_stock(std::vector<std::string> names) {
     found.plan = {plan.name, plan.sha256};
     const auto [known, is_new] = stock.plans.emplace(found.plan, plan);
     if (!is_new && !is_same_plan(known->second, plan))
-      throw sim::Error(sim::ErrorKind::unreadable_input, "has another plan than others of the same hash")
-          .file(name);
+      throw sim::unreadable(name, "has another plan than others of the same hash");
     for (const SurveyReader::Origin& origin : survey.reader.origins()) {
       found.origins.push_back(origin.versions);
       stock.versions.push_back(origin.versions);
@@ -135,8 +134,7 @@ Inventory take_stock(std::vector<std::string> names) {
     for (const AnsweredBlock& block : found.blocks)
       if (block.block >= plan.blocks || block.first_frame + block.frames > plan.frames ||
           block.done > block.frames)
-        throw sim::Error(sim::ErrorKind::unreadable_input, "has a block that its plan does not have")
-            .file(name);
+        throw sim::unreadable(name, "has a block that its plan does not have");
     all.push_back(std::move(found));
   }
   sort_once(stock.versions);
@@ -182,10 +180,8 @@ const BlockSource& chosen_source(std::vector<BlockSource>& sources, const Invent
                             sources[i].block.frames == first.block.frames;
     if (!same_place || digest_of(a.reader, first.block, sources[i].block.done) !=
                            digest_of(b.reader, sources[i].block, sources[i].block.done))
-      throw sim::Error(sim::ErrorKind::unreadable_input,
-                       "has other answers than '" + name + "' for frames of block " +
-                           std::to_string(first.block.block) + ", of the same plan and version")
-          .file(other);
+      throw sim::unreadable(other, "has other answers than '" + name + "' for frames of block " +
+                                       std::to_string(first.block.block) + ", of the same plan and version");
   }
   return first;
 }
@@ -220,8 +216,7 @@ void write_merged(Inventory& stock, SqliteFile& file, SurveyMerge& merge) {
     int next = source.block.first_frame;
     at_hand.of(name).frames(next, next + source.block.done, [&](const FrameAnswer& answer) {
       if (answer.frame != next || answer.block != source.block.block)
-        throw sim::Error(sim::ErrorKind::unreadable_input, "lacks a frame in the middle of a block")
-            .file(name);
+        throw sim::unreadable(name, "lacks a frame in the middle of a block");
       FrameAnswer moved = answer;
       moved.frame += frame_offset;
       moved.block += block_offset;

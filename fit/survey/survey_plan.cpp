@@ -57,9 +57,7 @@ Json frame_json(const PlannedFrame& frame) {
 
 /// Throws an error about a file that is no plan.
 [[noreturn]] void refuse_plan(const std::string& file, const std::string& problem) {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
-      .file(file)
-      .expected("what vegard survey plan wrote");
+  throw sim::unreadable(file, problem).expected("what vegard survey plan wrote");
 }
 
 double finite_number(const Json& json) {

@@ -72,9 +72,7 @@ std::string creation_of(const TableOfSurvey& table) {
 }
 
 [[noreturn]] void refuse_database(const SqliteFile& file, const std::string& problem) {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
-      .file(file.name())
-      .expected("a database of vegard survey");
+  throw sim::unreadable(file.name(), problem).expected("a database of vegard survey");
 }
 
 /// Reads an int, which only a foreign database can exceed.
@@ -389,9 +387,7 @@ void ShardResults::add(const std::vector<FrameAnswer>& answers) {
     for (const FrameAnswer& answer : answers) {
       const PlannedBlock& planned = plan_.blocks.at(static_cast<std::size_t>(answer.block));
       const int before = answer.frame - planned.first_frame, there = done(answer.block);
-      if (there < before)
-        throw sim::Error(sim::ErrorKind::unreadable_input, "has lost frames while it was written to")
-            .file(file_.name());
+      if (there < before) throw sim::unreadable(file_.name(), "has lost frames while it was written to");
       if (there > before) {
         ++others;
         continue;

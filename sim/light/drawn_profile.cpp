@@ -24,7 +24,7 @@ namespace {
 const std::string kDrawnAltitude = "altitude_km";
 
 Error table_error(const CsvTable& table, const std::string& problem) {
-  return Error(ErrorKind::unreadable_input, problem).file(table.name);
+  return unreadable(table.name, problem);
 }
 
 /// Returns the wavelength that a column's name says, in nm or, above 2000, in angstrom.

@@ -205,9 +205,8 @@ void check_profiles(const Scene& scene) {
     of_unit_flux(scene.emission.lines, scene, sheet);
     if (!has_given_brightness(sheet)) continue;
     if (column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km).rayleigh > 0.0) continue;
-    throw Error(ErrorKind::unreadable_input,
-                "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached")
-        .file(table_place(scene, sheet.profile_file))
+    throw unreadable(table_place(scene, sheet.profile_file),
+                     "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached")
         .expected("a column of 557.7 nm that is not all zeros")
         .hint("brightness_kilorayleigh (and ibc) is that of this line");
   }

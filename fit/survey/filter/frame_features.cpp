@@ -344,19 +344,15 @@ FilterCells filter_cells(const sim::Scene& scene, const std::vector<std::uint8_t
     cells.sky[i] = 1;
     any = true;
   }
-  if (!any)
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     "the camera sees no sky above 5 degrees that its mask leaves")
-        .file(scene.file);
+  if (!any) throw sim::unreadable(scene.file, "the camera sees no sky above 5 degrees that its mask leaves");
   return cells;
 }
 
 FrameFeatures frame_features(const Photo& photo, const sim::Scene& scene, const FilterCells& cells,
                              double utc_s) {
   if (photo.linear.width != scene.camera.width || photo.linear.height != scene.camera.height)
-    throw sim::Error(sim::ErrorKind::unreadable_input,
-                     "is of " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels")
-        .file(photo.file_name)
+    throw sim::unreadable(photo.file_name,
+                          "is of " + sim::size_text(photo.linear.width, photo.linear.height) + " pixels")
         .expected(sim::size_text(scene.camera.width, scene.camera.height) + ", the camera's");
   FrameFeatures features{};
   constexpr double kUnixEpoch = 2440587.5, kSecondsPerDay = 86400.0;

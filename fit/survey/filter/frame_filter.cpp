@@ -1,9 +1,9 @@
 #include "fit/survey/filter/frame_filter.h"
 
-#include "sim/base/data_folders.h"
-#include "sim/base/error.h"
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include "sim/base/data_folders.h"
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 
@@ -34,9 +34,7 @@ constexpr double kLikelierThanNot = 0.5;
 constexpr int kMaxNodes = 100000;
 
 [[noreturn]] void refuse_trees(const std::string& file, const std::string& problem) {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem)
-      .file(file)
-      .expected("what scripts/learn_filter.py writes");
+  throw sim::unreadable(file, problem).expected("what scripts/learn_filter.py writes");
 }
 
 int feature_of(const std::string& name, const std::string& file) {

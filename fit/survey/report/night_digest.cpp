@@ -225,8 +225,7 @@ SurveyNights survey_nights(const SqliteFile& database) {
   while (times.step()) {
     const double time_s = times.number(0);
     if (!(std::abs(time_s) < kNoTime_s))
-      throw sim::Error(sim::ErrorKind::unreadable_input, "has a frame of no time")
-          .file(database.name())
+      throw sim::unreadable(database.name(), "has a frame of no time")
           .expected("a database of vegard survey");
     const double second = second_of_day(time_s);
     ++frames_of_step[static_cast<std::size_t>(

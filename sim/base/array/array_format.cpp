@@ -23,7 +23,7 @@ std::unique_ptr<ArrayFile> open_array_file(const std::string& name, std::string_
   std::string known;
   for (const ArrayFormat& one : kArrayFormats)
     if (one.has_pictures) known += (known.empty() ? "" : ", ") + std::string(one.name);
-  throw Error(ErrorKind::unreadable_input, "this is no file of arrays").file(name).expected(known);
+  throw unreadable(name, "this is no file of arrays").expected(known);
 }
 
 }  // namespace vegard::sim

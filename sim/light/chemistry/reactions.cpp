@@ -65,8 +65,7 @@ void Reactions::read(const std::string& csv, const std::string& name, bool may_a
   constexpr double kRounding = 1e-9;
   if (std::abs(value(Reaction::np_to_nop) + value(Reaction::np_to_o2p) + value(Reaction::np_to_op) - 1.0) >
       kRounding)
-    throw Error(ErrorKind::unreadable_input, "the shares of N+ + O2, numbers 82 to 84, do not add up to 1")
-        .file(name)
+    throw unreadable(name, "the shares of N+ + O2, numbers 82 to 84, do not add up to 1")
         .expected("all three in the table, with a sum of 1");
 }
 

@@ -67,8 +67,8 @@ CaseLight light_of(const Case& which, const TableRequest& request, const Degrada
   const AuroralRun run = auroral_run(all, air, incident_flux(spectrum, all.grid, which.flux_mw_m2),
                                      PitchAngles::isotropic, request.reactions);
   if (std::abs(run.rates.budget.missing_share()) > kMaxMissingShare)
-    throw Error(ErrorKind::unreadable_input, "the energy of the electrons does not balance in this air")
-        .file(request.air_file.empty() ? request.air_name : request.air_file)
+    throw unreadable(request.air_file.empty() ? request.air_name : request.air_file,
+                     "the energy of the electrons does not balance in this air")
         .expected("densities that fall off smoothly, to where electrons pass freely at the top");
   CaseLight light;
   const auto add = [&](const std::string& name, const std::vector<double>& rate) {
@@ -190,10 +190,9 @@ std::vector<double> made_altitudes_km() {
 MadeTables make_tables(const TableRequest& request, int threads,
                        const std::function<void(std::size_t, std::size_t)>& progress) {
   if (request.air.altitude_km.front() > kFirstKm || request.air.altitude_km.back() < kLastKm)
-    throw Error(ErrorKind::unreadable_input, "the air reaches from " +
-                                                 number("%g", request.air.altitude_km.front()) + " to " +
-                                                 number("%g km", request.air.altitude_km.back()))
-        .file(request.air_file)
+    throw unreadable(request.air_file, "the air reaches from " +
+                                           number("%g", request.air.altitude_km.front()) + " to " +
+                                           number("%g km", request.air.altitude_km.back()))
         .expected("a table from 80 km or below to 640 km or above, as emission tables have it");
   std::vector<Case> cases;
   for (const double oxygen : request.oxygen_factors) {

@@ -113,10 +113,9 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
   table.n_cm3 = optional_column("nN4S", 0.0, kLargest);
   table.electron_temperature_k = optional_column("Te_K", 1.0, 1e5);
   if (table.altitude_km.front() > kMaxBottomKm || table.altitude_km.back() < kMinTopKm)
-    throw Error(ErrorKind::unreadable_input,
-                "the air reaches from " + std::to_string(static_cast<int>(table.altitude_km.front())) +
-                    " to " + std::to_string(static_cast<int>(table.altitude_km.back())) + " km")
-        .file(name)
+    throw unreadable(name, "the air reaches from " +
+                               std::to_string(static_cast<int>(table.altitude_km.front())) + " to " +
+                               std::to_string(static_cast<int>(table.altitude_km.back())) + " km")
         .expected("a table that begins at 100 km or below and ends at 300 km or above")
         .hint("electrons of some keV stop near 100 km and begin to above 300 km");
   for (std::size_t r = 0; r < csv.rows(); ++r)

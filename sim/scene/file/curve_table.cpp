@@ -19,7 +19,7 @@ constexpr double kMinBrightness = 1e-6;  // of point_brightness
 
 [[noreturn]] void fail_in_table(const std::string& problem, const std::string& file,
                                 const std::string& expected, int line = 0) {
-  throw Error(ErrorKind::unreadable_input, problem).file(file).line(line).expected(expected);
+  throw unreadable(file, problem).line(line).expected(expected);
 }
 
 /// The table with no other columns: what stands in those need be no number. Lines stay where they are; one

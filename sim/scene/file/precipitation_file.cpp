@@ -64,7 +64,7 @@ class MapReader {
 
  private:
   [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
-    throw Error(ErrorKind::unreadable_input, "'" + place_ + "': " + problem).file(place_).expected(expected);
+    throw unreadable(place_, "'" + place_ + "': " + problem).expected(expected);
   }
 
   std::string text(const std::string& keyword) const {

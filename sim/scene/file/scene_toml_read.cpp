@@ -229,8 +229,7 @@ class SceneReader {
     const std::string place = table_place(scene_, name);
     const InputFile input = read_input(place);
     if (!input.problem.empty())
-      throw Error(ErrorKind::unreadable_input, "'" + place + "': " + input.problem)
-          .file(where.file)
+      throw unreadable(where.file, "'" + place + "': " + input.problem)
           .line(where.line)
           .key(where.key)
           .expected("a CSV file")

@@ -79,7 +79,7 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   const std::string key = "volume." + volume.name + ".file";
   const auto refuse = [&](const std::string& problem, const std::string& expected,
                           const std::string& hint = {}) {
-    throw Error(ErrorKind::unreadable_input, problem).file(out.place).key(key).expected(expected).hint(hint);
+    throw unreadable(out.place, problem).key(key).expected(expected).hint(hint);
   };
   const bool by_density = !volume.density_rayleigh.empty();
   std::vector<std::string> wanted;

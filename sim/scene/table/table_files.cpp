@@ -35,8 +35,7 @@ void for_each_table_key(Scene& scene, const Use& use) {
 std::string read_text(const Scene& scene, const TableFile& table) {
   const std::string place = table_place(scene, table.name);
   const auto fail = [&](const std::string& problem, const std::string& expected) {
-    throw Error(ErrorKind::unreadable_input, "'" + place + "': " + problem)
-        .file(scene.file)
+    throw unreadable(scene.file, "'" + place + "': " + problem)
         .line(line_of(scene, table.path))
         .key(table.path)
         .expected(expected)

@@ -53,9 +53,8 @@ DirectionMap direction_map(const Camera& camera) {
 DirectionMap direction_map(const Image& azimuth, const Image& elevation, const std::string& azimuth_name,
                            const std::string& elevation_name) {
   if (azimuth.width != elevation.width || azimuth.height != elevation.height)
-    throw Error(ErrorKind::unreadable_input,
-                "the map of elevations has " + size_text(elevation.width, elevation.height) + " pixels")
-        .file(elevation_name)
+    throw unreadable(elevation_name,
+                     "the map of elevations has " + size_text(elevation.width, elevation.height) + " pixels")
         .expected(size_text(azimuth.width, azimuth.height) + ", as the map of azimuths, " + azimuth_name);
   DirectionMap map = empty_map(azimuth.width, azimuth.height);
   double largest = 0.0;
@@ -70,13 +69,11 @@ DirectionMap direction_map(const Image& azimuth, const Image& elevation, const s
       map.elevation_deg[map.index(x, y)] = static_cast<float>(el);
     }
   if (!any)
-    throw Error(ErrorKind::unreadable_input, "no pixel of the maps looks anywhere")
-        .file(elevation_name)
+    throw unreadable(elevation_name, "no pixel of the maps looks anywhere")
         .expected("azimuths and elevations in degrees");
   // Less than a quarter turn in all is a narrow field near north, if it is not in radians.
   if (largest > kMinInRadians && largest <= kLargestRadian)
-    throw Error(ErrorKind::unreadable_input, "no angle in the maps is above 2 pi: they seem to be in radians")
-        .file(azimuth_name)
+    throw unreadable(azimuth_name, "no angle in the maps is above 2 pi: they seem to be in radians")
         .expected("degrees");
   return map;
 }

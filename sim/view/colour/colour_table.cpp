@@ -54,9 +54,7 @@ ColourTable::ColourTable(const Scene& scene) {
   for (int c = 0; c < 3; ++c) rgb_[c] = csv.column(kTableChannels[c]);
   for (const bool first : {true, false})
     if ((first ? grey_.front() : grey_.back()) != (first ? 0.0 : 1.0))
-      throw Error(ErrorKind::unreadable_input,
-                  first ? "the table begins above black" : "the table ends below white")
-          .file(place)
+      throw unreadable(place, first ? "the table begins above black" : "the table ends below white")
           .line(first ? csv.lines.front() : csv.lines.back())
           .key("sensor.colour_table")
           .expected("rows from grey 0 to grey 1");

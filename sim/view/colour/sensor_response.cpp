@@ -49,8 +49,7 @@ ChannelTable channels_of(const Scene& scene) {
   }
   const double green = channels.at(kGreenNm)[1];
   if (!(green > 0.0))
-    throw Error(ErrorKind::unreadable_input, "the green channel has no response at 557.7 nm")
-        .file(table.name)
+    throw unreadable(table.name, "the green channel has no response at 557.7 nm")
         .key("sensor.response")
         .expected("one above 0: it sets the scale of the gain");
   const double scale = colour_matching(kGreenNm)[1] / green;

@@ -96,8 +96,7 @@ void ToneCurve::be_table(const std::string& text, const std::string& file) {
   kind_ = Kind::file, name_ = file.substr(file.rfind('/') + 1);
   const CsvTable table = read_csv_table(text, file);
   const auto refuse = [&](const std::string& problem) {
-    throw Error(ErrorKind::unreadable_input, problem)
-        .file(file)
+    throw unreadable(file, problem)
         .line(table.lines.front())
         .key("linear")
         .expected("rows from linear 0 to linear 1");
