@@ -32,7 +32,8 @@ CPP
   compile vegard_sim sim/scene/structs/scene.cpp sim/scene/rows/fit.cpp
   compile vegard_fit fit/compare/statistics.cpp fit/compare/comparison.cpp
   link
-  "$work/vegard" params | grep -q 'dummy_weight' || fail "$kind: it has no key"
+  "$work/vegard" params >"$work/words"
+  grep -q 'dummy_weight' "$work/words" || fail "$kind: it has no key"
   fit_small --set fit.dummy_weight=2
   tr -d ' \n' <"$work/run/result.json" | grep -q '{"name":"dummy","weight":2.0,"residuals":1,"chi2":0.25}' ||
     fail "$kind: the result does not have it"
