@@ -46,8 +46,9 @@ void raise(const sim::Error& error) {
 
 void require_within(const char* argument, double value, double min, double max) {
   if (value >= min && value <= max) return;
-  sim::refuse_key(sim::ErrorKind::usage, argument, sim::short_real_text(value) + " is out of range",
-                  "a number from " + sim::short_real_text(min) + " to " + sim::short_real_text(max));
+  throw sim::Error(sim::ErrorKind::usage, sim::short_real_text(value) + " is out of range")
+      .key(argument)
+      .expected("a number from " + sim::short_real_text(min) + " to " + sim::short_real_text(max));
 }
 
 void require_threads(int threads) { require_within("threads", threads, 0.0, 1024.0); }

@@ -261,9 +261,10 @@ std::vector<std::shared_ptr<const fit::Photo>> photographs_given(const sim::Scen
   }
   const std::size_t named = scene.fit.photos.size(), wanted = std::max<std::size_t>(1, named);
   if (photos.size() != wanted)
-    sim::refuse_key(
-        sim::ErrorKind::usage, "photo", "there are " + std::to_string(photos.size()) + " photographs",
-        named == 0 ? "one" : std::to_string(named) + ", those of the scene's [[fit.photo]] in their order");
+    throw sim::Error(sim::ErrorKind::usage, "there are " + std::to_string(photos.size()) + " photographs")
+        .key("photo")
+        .expected(named == 0 ? "one"
+                             : std::to_string(named) + ", those of the scene's [[fit.photo]] in their order");
   return photos;
 }
 

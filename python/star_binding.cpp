@@ -44,7 +44,7 @@ struct StarRequest {
 };
 
 [[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  sim::refuse_key(sim::ErrorKind::usage, key, problem, expected);
+  throw sim::Error(sim::ErrorKind::usage, problem).key(key).expected(expected);
 }
 
 /// A table's columns as the text of one. Numbers come back to the last bit.
@@ -113,16 +113,16 @@ std::vector<fit::StarSighting> recognised(const StarRequest& request, const fit:
   finder.min_signal = request.min_signal;
   const fit::PictureStars picture = fit::recognise_picture(request.photo->linear, finder, usable);
   if (!picture.recognition.found)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, request.photo->file_name,
-                     fit::words_of(picture.recognition), "a picture whose stars are recognised");
+    throw sim::unreadable(request.photo->file_name, fit::words_of(picture.recognition))
+        .expected("a picture whose stars are recognised");
   const fit::LocalStars local =
       fit::local_stars(picture, frame, *request.sky.observer, *request.sky.julian_date, request.faintest,
                        request.min_elevation_deg);
   if (local.elsewhere)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, request.photo->file_name,
-                     "the time or the site is not this picture's: " + std::to_string(local.below_horizon) +
-                         " of its " + std::to_string(local.recognised) +
-                         " recognised stars were below the horizon there then");
+    throw sim::unreadable(
+        request.photo->file_name,
+        "the time or the site is not this picture's: " + std::to_string(local.below_horizon) + " of its " +
+            std::to_string(local.recognised) + " recognised stars were below the horizon there then");
   if (!lens.model || *lens.model == local.camera.model) lens.start = local.camera;
   return local.stars;
 }

@@ -244,17 +244,15 @@ int invert_line_maps(const InvertRequest& request) {
   const auto take = [&](const std::string& file, double line_nm, std::vector<float>& values) {
     sim::Image plane = brightness_plane(file, line_nm);
     if (static_cast<long long>(plane.width) * plane.height > kMaxMapPixels)
-      sim::refuse_file(sim::ErrorKind::unreadable_input, file,
-                       "it has " + sim::size_text(plane.width, plane.height) + " pixels",
-                       fmt::format("{} at most in all", kMaxMapPixels));
+      throw sim::unreadable(file, "it has " + sim::size_text(plane.width, plane.height) + " pixels")
+          .expected(fmt::format("{} at most in all", kMaxMapPixels));
     if (width == 0) {
       width = plane.width;
       height = plane.height;
     }
     if (plane.width != width || plane.height != height)
-      sim::refuse_file(sim::ErrorKind::unreadable_input, file,
-                       "it has " + sim::size_text(plane.width, plane.height) + " pixels",
-                       sim::size_text(width, height) + ", as " + map_files.front());
+      throw sim::unreadable(file, "it has " + sim::size_text(plane.width, plane.height) + " pixels")
+          .expected(sim::size_text(width, height) + ", as " + map_files.front());
     values = std::move(plane.data);
   };
   for (std::size_t l = 0; l < lines_nm.size(); ++l) {

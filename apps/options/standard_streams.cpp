@@ -134,8 +134,9 @@ void finish_output() {
   // Some file systems report a full disk only when a file is closed.
   if (std::fclose(stdout) != 0) keep_failure();
   if (first_failure == 0) return;
-  sim::refuse_file(sim::ErrorKind::unwritable_output, "the standard output",
-                   "cannot be written: " + std::generic_category().message(first_failure));
+  throw sim::Error(sim::ErrorKind::unwritable_output,
+                   "cannot be written: " + std::generic_category().message(first_failure))
+      .file("the standard output");
 }
 
 }  // namespace vegard::apps

@@ -70,21 +70,6 @@ Error&& Error::line(int number) && {
   return std::move(*this);
 }
 
-void refuse_file(ErrorKind kind, const std::string& file, const std::string& problem,
-                 const std::string& expected, const std::string& hint) {
-  throw Error(kind, problem).file(file).expected(expected).hint(hint);
-}
-
-void refuse_key(ErrorKind kind, const std::string& key, const std::string& problem,
-                const std::string& expected, const std::string& hint) {
-  throw Error(kind, problem).key(key).expected(expected).hint(hint);
-}
-
-void refuse_scene_key(const std::string& file, const std::string& key, const std::string& problem,
-                      const std::string& expected, const std::string& hint) {
-  throw Error(ErrorKind::scene, problem).file(file).key(key).expected(expected).hint(hint);
-}
-
 Error unreadable(const std::string& file, const std::string& problem) {
   return Error(ErrorKind::unreadable_input, problem).file(file);
 }

@@ -55,19 +55,6 @@ class Error : public std::exception {
   std::string text_;
 };
 
-/// Throws Error about a file.
-[[noreturn]] void refuse_file(ErrorKind kind, const std::string& file, const std::string& problem,
-                              const std::string& expected = {}, const std::string& hint = {});
-
-/// Throws Error about a key or an option.
-[[noreturn]] void refuse_key(ErrorKind kind, const std::string& key, const std::string& problem,
-                             const std::string& expected = {}, const std::string& hint = {});
-
-/// Throws Error(scene) about a key of the scene in `file`.
-[[noreturn]] void refuse_scene_key(const std::string& file, const std::string& key,
-                                   const std::string& problem, const std::string& expected = {},
-                                   const std::string& hint = {});
-
 /// Returns Error(unreadable_input) about a file; truncated() and damaged() begin with "the file is truncated:
 /// " or "the file is damaged: ", and hint at kCopyAgain.
 Error unreadable(const std::string& file, const std::string& problem);

@@ -47,8 +47,8 @@ sim::IncidentSpectrum table_spectrum(const std::string& file) {
   double most = 0.0;
   for (const double flux : spectrum.table_flux) most = flux > most ? flux : most;
   if (table.rows() < 2 || most <= 0.0)
-    sim::refuse_file(sim::ErrorKind::unreadable_input, file, "the table has no electrons",
-                     "two rows or more, a flux above 0 in one of them");
+    throw sim::unreadable(file, "the table has no electrons")
+        .expected("two rows or more, a flux above 0 in one of them");
   return spectrum;
 }
 
@@ -105,10 +105,11 @@ sim::PitchAngles pitch_angles_of(const ElectronOptions& options) {
 
 void require_balance(const ElectronOptions& request, double missing_share) {
   if (air_file(request.atmosphere).empty() || std::abs(missing_share) <= sim::kMaxMissingShare) return;
-  sim::refuse_file(sim::ErrorKind::unreadable_input, request.atmosphere,
-                   fmt::format("the energy of the electrons does not balance in this air, {:.0f} % of it",
-                               100.0 * std::abs(missing_share)),
-                   "densities that fall off smoothly, to where electrons pass freely at the top");
+  throw sim::unreadable(
+      request.atmosphere,
+      fmt::format("the energy of the electrons does not balance in this air, {:.0f} % of it",
+                  100.0 * std::abs(missing_share)))
+      .expected("densities that fall off smoothly, to where electrons pass freely at the top");
 }
 
 std::vector<Option> add_electron_options(const Command& command, ElectronOptions& options) {

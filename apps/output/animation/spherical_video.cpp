@@ -20,7 +20,7 @@ constexpr unsigned char kSphericalUuid[16] = {0xff, 0xcc, 0x82, 0x63, 0xf8, 0x55
                                               0x88, 0x14, 0x58, 0x7a, 0x02, 0x52, 0x1f, 0xdd};
 
 [[noreturn]] void refuse_movie(const std::string& name, const std::string& problem) {
-  sim::refuse_file(sim::ErrorKind::unreadable_input, name, problem, "an MP4 movie");
+  throw sim::unreadable(name, problem).expected("an MP4 movie");
 }
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
@@ -179,7 +179,9 @@ void mark_as_spherical(const std::string& path, const std::string& name) {
       file.write(told.data(), static_cast<std::streamsize>(told.size()));
       file.flush();
       if (file) return;
-      sim::refuse_file(sim::ErrorKind::unwritable_output, name, "cannot be written", {}, "is the disk full?");
+      throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written")
+          .file(name)
+          .hint("is the disk full?");
     }
     at += size;
   }

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fit/answer/trust.h"
-#include "fit/map/precipitation_planes.h"
 #include "fit/map/map_record.h"
+#include "fit/map/precipitation_planes.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/report/netcdf/record_json.h"
 #include "sim/base/error.h"
@@ -156,8 +156,7 @@ void add_verdicts(const RecordOfRun& json, NetcdfDataset& dataset) {
 NetcdfDataset map_dataset(const std::string& directory) {
   const RecordOfRun json = read_record(directory + "/map.json", "the directory of a map");
   if (record_text(json, "kind") != "vegard map")
-    sim::refuse_file(sim::ErrorKind::unreadable_input, directory + "/map.json", "is no map's",
-                     "the directory of a map");
+    throw sim::unreadable(directory + "/map.json", "is no map's").expected("the directory of a map");
   const PrecipitationPlanes map = read_precipitation_planes(directory);
   NetcdfDataset dataset("a map of precipitation", "vegard " + record_text(json, "version"));
   dataset.attribute("command", record_text(json, "command"));

@@ -106,9 +106,13 @@ std::string base_name(std::string directory) {
 ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame frame, double step_deg,
                          double flux_factor, std::optional<double> time_s) {
   if (flux_factor < 0.0 || !std::isfinite(flux_factor))
-    sim::refuse_key(sim::ErrorKind::usage, "--flux-factor", "fluxes cannot be negative", "a number above 0");
+    throw sim::Error(sim::ErrorKind::usage, "fluxes cannot be negative")
+        .key("--flux-factor")
+        .expected("a number above 0");
   if (time_s && directories.size() != 1)
-    sim::refuse_key(sim::ErrorKind::usage, "--time", "several maps have a time each", "one map with it");
+    throw sim::Error(sim::ErrorKind::usage, "several maps have a time each")
+        .key("--time")
+        .expected("one map with it");
   struct Dated {
     PrecipitationPlanes map;
     std::string name;
@@ -118,13 +122,14 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
     Dated one{read_precipitation_planes(directory), base_name(directory)};
     if (time_s) one.map.time_s = time_s;
     if (!one.map.time_s)
-      sim::refuse_file(sim::ErrorKind::unreadable_input, directory, "this map says no time",
-                       "a map of a scene with site.time_utc", "--time says it of a single map");
+      throw sim::unreadable(directory, "this map says no time")
+          .expected("a map of a scene with site.time_utc")
+          .hint("--time says it of a single map");
     if (!one.map.flux_is_absolute && flux_factor == 0.0)
-      sim::refuse_file(sim::ErrorKind::unreadable_input, directory,
-                       "its energy flux is right up to a factor only, since the sensor is not calibrated",
-                       "a map with FLUXCAL = 'absolute'",
-                       "--flux-factor F says that factor, if it is known from elsewhere");
+      throw sim::unreadable(
+          directory, "its energy flux is right up to a factor only, since the sensor is not calibrated")
+          .expected("a map with FLUXCAL = 'absolute'")
+          .hint("--flux-factor F says that factor, if it is known from elsewhere");
     if (flux_factor > 0.0) scale_flux(one.map, flux_factor);
     dated.push_back(std::move(one));
   }
@@ -134,9 +139,9 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
   std::vector<PrecipitationPlanes> maps;
   for (Dated& one : dated) {
     if (!inputs.times_s.empty() && !(*one.map.time_s > inputs.times_s.back()))
-      sim::refuse_key(sim::ErrorKind::usage, "MAP",
-                      "two maps are of the time " + sim::utc_text(*one.map.time_s),
-                      "a time of its own for each map");
+      throw sim::Error(sim::ErrorKind::usage, "two maps are of the time " + sim::utc_text(*one.map.time_s))
+          .key("MAP")
+          .expected("a time of its own for each map");
     inputs.times_s.push_back(*one.map.time_s);
     inputs.names.push_back(one.name);
     maps.push_back(std::move(one.map));

@@ -9,7 +9,7 @@ namespace vegard::fit {
 
 RecordOfRun read_record(const std::string& file, const std::string& expected) {
   RecordOfRun json = RecordOfRun::parse(sim::input_bytes(file, expected, kMaxResultBytes), nullptr, false);
-  if (!json.is_object()) sim::refuse_file(sim::ErrorKind::unreadable_input, file, "is no JSON", expected);
+  if (!json.is_object()) throw sim::unreadable(file, "is no JSON").expected(expected);
   return json;
 }
 

@@ -53,8 +53,8 @@ class RunDataset {
 
   NetcdfDataset build() {
     if (record_text(json_, "verdict").empty() || !json_.contains("parameters"))
-      sim::refuse_file(sim::ErrorKind::unreadable_input, directory_ + "/result.json", "is no result of a run",
-                       "the directory of a run");
+      throw sim::unreadable(directory_ + "/result.json", "is no result of a run")
+          .expected("the directory of a run");
     take_words();
     take_verdict();
     take_parameters();
@@ -266,8 +266,7 @@ std::vector<SequenceRow> read_sequence_rows(const std::string& directory) {
        entry.increment(error))
     if (entry->path().extension() == ".json") files.push_back(entry->path().string());
   if (files.empty())
-    sim::refuse_file(sim::ErrorKind::unreadable_input, directory, "has no frame that is done",
-                     "the directory of a sequence");
+    throw sim::unreadable(directory, "has no frame that is done").expected("the directory of a sequence");
   std::sort(files.begin(), files.end());
   std::vector<SequenceRow> rows;
   for (const std::string& file : files)
@@ -286,9 +285,8 @@ NetcdfDataset dataset_of(const std::string& path) {
   if (fs::exists(path + "/result.json", error)) return run_dataset(path);
   if (fs::exists(path + "/map.json", error)) return map_dataset(path);
   if (fs::exists(path + "/sequence.json", error)) return sequence_dataset(read_sequence_rows(path));
-  sim::refuse_file(sim::ErrorKind::unreadable_input, path,
-                   "has no result.json, map.json or sequence.json of vegard's",
-                   "the directory of a run, a map or a sequence");
+  throw sim::unreadable(path, "has no result.json, map.json or sequence.json of vegard's")
+      .expected("the directory of a run, a map or a sequence");
 }
 
 }  // namespace vegard::fit

@@ -83,8 +83,8 @@ std::vector<std::string> keys_of(const TextTable& table) {
   if (first == "band" && table.has(row)) return {"band", row};
   if (first == "sheet" && table.has("altitude_km")) return {"sheet", "altitude_km"};
   if (first == "azimuth_deg" && table.has("elevation_deg")) return {"azimuth_deg", "elevation_deg"};
-  sim::refuse_file(sim::ErrorKind::unreadable_input, table.name, "this table is none of those that are known",
-                   "a table that vegard profile or vegard keogram wrote, or a run's profiles.csv");
+  throw sim::unreadable(table.name, "this table is none of those that are known")
+      .expected("a table that vegard profile or vegard keogram wrote, or a run's profiles.csv");
 }
 
 class TableWriter {
@@ -142,8 +142,8 @@ class TableWriter {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const std::optional<double> read = sim::utc_seconds(places[i]);
       if (!read)
-        sim::refuse_file(sim::ErrorKind::unreadable_input, table_.name, "'" + places[i] + "' is no time",
-                         "ISO 8601, as a comment of the table says");
+        throw sim::unreadable(table_.name, "'" + places[i] + "' is no time")
+            .expected("ISO 8601, as a comment of the table says");
       seconds.push_back(*read);
     }
     dataset_

@@ -23,8 +23,7 @@ std::string answer(std::string_view request) {
   if (request == "hang")
     for (volatile int i = 0;; i = 1 - i) {
     }
-  if (request == "refuse")
-    refuse_file(ErrorKind::unreadable_input, "x", "this is bad", "better", "try again");
+  if (request == "refuse") throw unreadable("x", "this is bad").expected("better").hint("try again");
   if (request == "much") return std::string(2000, 'x');
   if (request == "memory") {
     std::vector<char> room(std::size_t{1} << 32, 'x');
