@@ -179,7 +179,7 @@ int run_describe(const DescribeRequest& options) {
     const fit::FrameIndex& index = *frames;
     if (index.frames.size() > 1) {
       // A scene is of one moment.
-      if (!options.output.empty()) fit::refuse_without_frame(index.frames, options.photo);
+      if (!options.output.empty()) throw fit::no_frame_chosen(index.frames, options.photo);
       answer_with(frames_description_json(name, index));
       say_result(frames_description_text(name, index));
       return good;

@@ -14,9 +14,8 @@ namespace {
 
 constexpr std::size_t kChannels = 3;
 
-[[noreturn]] void refuse_filter(const std::string& problem, const std::string& expected,
-                                const std::string& hint = {}) {
-  throw sim::Error(sim::ErrorKind::usage, problem).key("--line").expected(expected).hint(hint);
+sim::Error bad_filter(const std::string& problem) {
+  return sim::Error(sim::ErrorKind::usage, problem).key("--line");
 }
 
 std::string nm_text(double wavelength_nm) { return sim::short_number(wavelength_nm, 5) + " nm"; }
@@ -29,8 +28,9 @@ std::size_t channel_of(double wavelength_nm, const std::vector<double>& lines_nm
     if (std::abs(lines_nm[i] - wavelength_nm) <= kSame_nm) return i;
     known += (known.empty() ? "" : ", ") + nm_text(lines_nm[i]);
   }
-  refuse_filter("the scene has no line at " + nm_text(wavelength_nm) + " among its first three", known,
-                "name the line in emission.lines");
+  throw bad_filter("the scene has no line at " + nm_text(wavelength_nm) + " among its first three")
+      .expected(known)
+      .hint("name the line in emission.lines");
 }
 
 void check_grey(const Photo& photo, const std::string& file) {
@@ -54,14 +54,14 @@ FilterFile filter_file(const std::string& text) {
   const double wavelength_nm = std::strtod(text.c_str(), &end);
   if (end == text.c_str() || *end != '=' || end[1] == '\0' ||
       !(wavelength_nm > 100.0 && wavelength_nm < 10000.0))
-    refuse_filter("'" + text + "' is no filter and file", "NM=FILE, 557.7=a.fits");
+    throw bad_filter("'" + text + "' is no filter and file").expected("NM=FILE, 557.7=a.fits");
   return {wavelength_nm, end + 1};
 }
 
 Photo read_filters(const std::vector<FilterFile>& files, const std::vector<double>& lines_nm,
                    const Decoding& decoding, const sim::Scene* scene) {
   if (files.empty() || files.size() > kChannels)
-    refuse_filter(std::to_string(files.size()) + " filters are given", "one to three");
+    throw bad_filter(std::to_string(files.size()) + " filters are given").expected("one to three");
   Photo stack;
   std::string checksums;
   std::vector<PhotoPart> part_of_channel(kChannels);
@@ -69,7 +69,8 @@ Photo read_filters(const std::vector<FilterFile>& files, const std::vector<doubl
     const FilterFile& filter = files[i];
     const std::size_t channel = lines_nm.empty() ? i : channel_of(filter.wavelength_nm, lines_nm);
     if (part_of_channel[channel].wavelength_nm > 0.0)
-      refuse_filter("two files are given for " + nm_text(filter.wavelength_nm), "one file per filter");
+      throw bad_filter("two files are given for " + nm_text(filter.wavelength_nm))
+          .expected("one file per filter");
     const Photo photo = read_photo(filter.file, decoding, scene);
     check_grey(photo, filter.file);
     if (i == 0) {

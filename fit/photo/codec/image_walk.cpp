@@ -32,8 +32,8 @@ int checked_orientation(std::uint64_t value) {
   return value >= 1 && value <= 8 ? static_cast<int>(value) : 1;
 }
 
-[[noreturn]] void throw_unsupported(const std::string& file, const std::string& kind) {
-  throw sim::unreadable(file, kind + " is not read")
+sim::Error unsupported_picture(const std::string& file, const std::string& kind) {
+  return sim::unreadable(file, kind + " is not read")
       .expected("8 or 16 bits, or a TIFF of 32-bit floats, grey or RGB")
       .hint("save it again as a plain PNG or TIFF");
 }
@@ -46,20 +46,21 @@ void check_kind(const TiffDirectory& directory, ImageFile& image, const std::str
   image.bits = bits && !bits->empty() ? static_cast<int>(std::min<std::uint64_t>(bits->front(), 1000)) : 1;
   image.floating = format == 3;
   if (bits && std::adjacent_find(bits->begin(), bits->end(), std::not_equal_to<>()) != bits->end())
-    throw_unsupported(file, "a TIFF with channels of different depth");
+    throw unsupported_picture(file, "a TIFF with channels of different depth");
   if (!(image.floating ? image.bits == 32 : format == 1 && (image.bits == 8 || image.bits == 16)))
-    throw_unsupported(file, "a TIFF of " + std::to_string(image.bits) + "-bit " +
-                                (image.floating ? "floats"
-                                 : format == 1  ? "integers"
-                                                : "signed or odd numbers"));
+    throw unsupported_picture(file, "a TIFF of " + std::to_string(image.bits) + "-bit " +
+                                        (image.floating ? "floats"
+                                         : format == 1  ? "integers"
+                                                        : "signed or odd numbers"));
   if (samples != 1 && samples != 3 && samples != 4)
-    throw_unsupported(file, "a TIFF of " + std::to_string(samples) + " samples per pixel");
+    throw unsupported_picture(file, "a TIFF of " + std::to_string(samples) + " samples per pixel");
   // libtiff's own conversion, which OpenCV uses for 8 bits, also does palettes and YCbCr.
   const bool plain = photometric == 1 || photometric == 2;
   const bool converted = image.bits == 8 && (photometric == 3 || photometric == 6);
-  if (!plain && !converted) throw_unsupported(file, "a TIFF that is neither grey from black up nor RGB");
+  if (!plain && !converted)
+    throw unsupported_picture(file, "a TIFF that is neither grey from black up nor RGB");
   if (image.bits != 8 && samples > 1 && directory.value(kPlanar, 1) != 1)
-    throw_unsupported(file, "a TIFF of more than 8 bits with its channels in separate planes");
+    throw unsupported_picture(file, "a TIFF of more than 8 bits with its channels in separate planes");
   constexpr std::uint64_t kUnassociatedAlpha = 2;
   image.colour_times_alpha =
       image.bits == 8 && samples == 4 && directory.value(kExtraSamples, 0) == kUnassociatedAlpha;
@@ -153,7 +154,7 @@ ImageFile walk_jpeg(std::string_view bytes, const std::string& file) {
     }
   }
   if (!frame_seen || !scan_seen) throw sim::damaged(file, "a JPEG without a picture in it");
-  if (image.bits != 8) throw_unsupported(file, "a JPEG of " + std::to_string(image.bits) + " bits");
+  if (image.bits != 8) throw unsupported_picture(file, "a JPEG of " + std::to_string(image.bits) + " bits");
   image.block_error = block_error(frame, steps);
   return image;
 }

@@ -65,8 +65,8 @@ struct JpegRows::Decoder {
     return static_cast<int>(info.output_scanline - before);
   }
 
-  [[noreturn]] void refuse() const {
-    throw sim::unreadable(file, "the image cannot be decoded")
+  sim::Error undecodable() const {
+    return sim::unreadable(file, "the image cannot be decoded")
         .expected("a sound JPEG")
         .hint("open it in an image viewer and save it again");
   }
@@ -76,7 +76,7 @@ JpegRows::JpegRows(std::string_view bytes, const std::string& file) : decoder_(s
   decoder_->file = file;
   if (decoder_->start(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) return;
   jpeg_destroy_decompress(&decoder_->info);
-  decoder_->refuse();
+  throw decoder_->undecodable();
 }
 
 JpegRows::~JpegRows() { jpeg_destroy_decompress(&decoder_->info); }
@@ -87,7 +87,7 @@ int JpegRows::channels() const { return decoder_->channels; }
 
 int JpegRows::next_rows(int count, std::uint8_t* to) {
   const int rows = decoder_->read(count, to);
-  if (rows < 0) decoder_->refuse();
+  if (rows < 0) throw decoder_->undecodable();
   if (decoder_->damaged) throw sim::damaged(decoder_->file, "its compressed data are not sound");
   return rows;
 }

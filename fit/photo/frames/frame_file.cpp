@@ -47,22 +47,22 @@ FrameReader::FrameReader(std::unique_ptr<FrameStore> store, std::string name)
   head_.number = -1;
 }
 
-void FrameReader::refuse(const std::string& problem, const std::string& hint) const {
-  throw sim::unreadable(name_, "its frame " + std::to_string(head_.number) + " " + problem).hint(hint);
+sim::Error FrameReader::bad_frame(const std::string& problem) const {
+  return sim::unreadable(name_, "its frame " + std::to_string(head_.number) + " " + problem);
 }
 
-void FrameReader::refuse_cut(std::uint64_t there) const {
+sim::Error FrameReader::cut_frame(std::uint64_t there) const {
   const std::string whose =
       head_.number == 0 ? "its header" : "the header of its frame " + std::to_string(head_.number);
-  throw sim::truncated(name_, whose + " promises " + std::to_string(head_.bytes - pnm_.data) +
-                                  " bytes of pixels and " + std::to_string(there) + " are there");
+  return sim::truncated(name_, whose + " promises " + std::to_string(head_.bytes - pnm_.data) +
+                                   " bytes of pixels and " + std::to_string(there) + " are there");
 }
 
 bool FrameReader::next() {
   if (store_ != nullptr) return next_of_store();
   if (pixels_ > 0) {
     const std::uint64_t there = stream_->skip(pixels_);
-    if (there < pixels_) refuse_cut(there);
+    if (there < pixels_) throw cut_frame(there);
     pixels_ = 0;
   }
   const std::string_view kind = stream_->look(kKindBytes);
@@ -93,7 +93,7 @@ void FrameReader::read_header() {
     if (begun.size() < size || has_whole_header(begun)) break;
   }
   if (begun.size() == kMaxFrameHeaderBytes && !has_whole_header(begun))
-    refuse("has a header of more than " + std::to_string(kMaxFrameHeaderBytes / 1024) + " kB");
+    throw bad_frame("has a header of more than " + std::to_string(kMaxFrameHeaderBytes / 1024) + " kB");
   const std::string of_frame = head_.number == 0 ? name_ : name_ + "#" + std::to_string(head_.number);
   pnm_ = pnm_header(begun, of_frame);
   sim::check_pixel_limit(pnm_.width, pnm_.height, of_frame);
@@ -150,17 +150,17 @@ void FrameReader::place_among_others() {
 void FrameReader::check_against_others() const {
   const std::string own_size = pixels_text(head_.width_px, head_.height_px);
   if (head_.width_px != first_width_px_ || head_.height_px != first_height_px_)
-    refuse("has " + own_size + ", the first " + pixels_text(first_width_px_, first_height_px_),
-           "cut the file up by the size of its frames");
-  if (channels_ != first_channels_) refuse("has other colours than the first");
+    throw bad_frame("has " + own_size + ", the first " + pixels_text(first_width_px_, first_height_px_))
+        .hint("cut the file up by the size of its frames");
+  if (channels_ != first_channels_) throw bad_frame("has other colours than the first");
   const std::string contradicted = contradicted_size(own_, head_.width_px, head_.height_px);
   if (!contradicted.empty())
-    refuse("has " + own_size + ", and " + contradicted,
-           "its words belong to another picture, or its size is wrong");
+    throw bad_frame("has " + own_size + ", and " + contradicted)
+        .hint("its words belong to another picture, or its size is wrong");
   if (head_.time && latest_ && head_.time->seconds < latest_->seconds)
-    refuse("is out of order: it was taken at " + head_.time->utc + ", frame " +
-               std::to_string(latest_number_) + " before it at " + latest_->utc,
-           "cut the file up where its clock goes back");
+    throw bad_frame("is out of order: it was taken at " + head_.time->utc + ", frame " +
+                    std::to_string(latest_number_) + " before it at " + latest_->utc)
+        .hint("cut the file up where its clock goes back");
 }
 
 ImagerWords FrameReader::words() const { return head_.number == 0 ? own_ : with_words_of_file(own_, first_); }
@@ -178,7 +178,7 @@ std::string FrameReader::take() {
     frame.reserve(header + static_cast<std::size_t>(std::min<std::uint64_t>(head_.bytes, 2 * at + count)));
     frame.resize(at + count);
     const std::size_t got = stream_->read(frame.data() + at, count);
-    if (got < count) refuse_cut(at + got - header);
+    if (got < count) throw cut_frame(at + got - header);
     pixels_ -= count;
   }
   return frame;

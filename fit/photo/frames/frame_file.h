@@ -17,6 +17,7 @@
 #include "fit/photo/codec/pnm_header.h"
 #include "fit/photo/frames/frame_store.h"
 #include "fit/photo/frames/imager_words.h"
+#include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
 
 namespace vegard::fit {
@@ -67,8 +68,8 @@ class FrameReader {
   bool next_of_store();
   void place_among_others();
   void check_against_others() const;
-  [[noreturn]] void refuse(const std::string& problem, const std::string& hint = {}) const;
-  [[noreturn]] void refuse_cut(std::uint64_t there) const;
+  sim::Error bad_frame(const std::string& problem) const;
+  sim::Error cut_frame(std::uint64_t there) const;
 
   std::unique_ptr<FrameStore> store_;
   std::optional<sim::ByteStream> stream_;  ///< none if there is a store_

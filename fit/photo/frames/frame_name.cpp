@@ -89,8 +89,8 @@ std::string numbers_text(std::size_t frames) {
   return frames == 1 ? "#0" : "#0 to #" + std::to_string(frames - 1);
 }
 
-void refuse_without_frame(const std::vector<FrameHead>& frames, const std::string& file) {
-  throw sim::Error(sim::ErrorKind::usage, "there is more than one picture in it: " + frames_text(frames))
+sim::Error no_frame_chosen(const std::vector<FrameHead>& frames, const std::string& file) {
+  return sim::Error(sim::ErrorKind::usage, "there is more than one picture in it: " + frames_text(frames))
       .file(file)
       .expected(numbers_text(frames.size()) + " behind its name")
       .hint("or the time behind it, or --at; vegard describe lists them");

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "fit/photo/frames/frame_file.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 
@@ -44,7 +45,7 @@ std::string frames_text(const std::vector<FrameHead>& frames);
 /// Returns the names of that many frames: "#0 to #19".
 std::string numbers_text(std::size_t frames);
 
-/// Throws sim::Error(usage), which asks the user to choose one of the frames.
-[[noreturn]] void refuse_without_frame(const std::vector<FrameHead>& frames, const std::string& file);
+/// Returns sim::Error(usage), which asks the user to choose one of the frames.
+sim::Error no_frame_chosen(const std::vector<FrameHead>& frames, const std::string& file);
 
 }  // namespace vegard::fit

@@ -61,13 +61,10 @@ std::optional<std::string> unpacked_fits(const std::string& file) {
   return bytes;
 }
 
-[[noreturn]] void refuse_choice(const std::string& file, const std::string& problem,
-                                const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::usage, problem).file(file).expected(expected);
-}
-
-[[noreturn]] void refuse_number(const std::string& file, int number, std::size_t frames) {
-  refuse_choice(file, "there is no frame " + std::to_string(number) + " in it", numbers_text(frames));
+sim::Error no_such_frame(const std::string& file, int number, std::size_t frames) {
+  return sim::Error(sim::ErrorKind::usage, "there is no frame " + std::to_string(number) + " in it")
+      .file(file)
+      .expected(numbers_text(frames));
 }
 
 /// Frames of a file, and the one among them that is wanted.
@@ -97,7 +94,7 @@ Chosen go_through(const FrameName& wanted) {
     chosen.picture.bytes = reader.take();
   }
   if (wanted.utc_s) frame_at(chosen.heads, *wanted.utc_s, wanted.file);
-  if (!chosen.picture.frame) refuse_number(wanted.file, *wanted.number, chosen.heads.size());
+  if (!chosen.picture.frame) throw no_such_frame(wanted.file, *wanted.number, chosen.heads.size());
   return chosen;
 }
 
@@ -117,15 +114,16 @@ PictureBytes read_picture_bytes(const std::string& name) {
       picture.bytes = bytes_of_file(wanted.file);
     }
     if (wanted.is_chosen())
-      refuse_choice(wanted.file, "there are no frames in it to choose from",
-                    "its name without a frame's number or time");
+      throw sim::Error(sim::ErrorKind::usage, "there are no frames in it to choose from")
+          .file(wanted.file)
+          .expected("its name without a frame's number or time");
     return picture;
   }
   Chosen chosen = go_through(wanted);
   PictureBytes picture = std::move(chosen.picture);
   picture.name = wanted.file;
   if (chosen.heads.size() > 1) {
-    if (!wanted.is_chosen()) refuse_without_frame(chosen.heads, wanted.file);
+    if (!wanted.is_chosen()) throw no_frame_chosen(chosen.heads, wanted.file);
     picture.name = name_of_frame(wanted.file, picture.frame->number);
   } else if (!chosen.is_plain) {
     picture.file_sha256 = sim::sha256_of_file(wanted.file);
@@ -195,7 +193,7 @@ std::vector<NamedPicture> pictures_in(const std::string& name) {
         {frames.size() > 1 ? name_of_frame(wanted.file, frame.number) : wanted.file, frame.time});
   if (!wanted.is_chosen()) return pictures;
   const int number = wanted.number ? *wanted.number : frame_at(frames, *wanted.utc_s, wanted.file);
-  if (number >= static_cast<int>(frames.size())) refuse_number(wanted.file, number, frames.size());
+  if (number >= static_cast<int>(frames.size())) throw no_such_frame(wanted.file, number, frames.size());
   return {pictures[number]};
 }
 

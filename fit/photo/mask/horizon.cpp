@@ -9,8 +9,8 @@
 namespace vegard::fit {
 namespace {
 
-[[noreturn]] void refuse_line(const std::string& key, const std::string& problem) {
-  throw sim::Error(sim::ErrorKind::usage, problem)
+sim::Error bad_drawn_line(const std::string& key, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::usage, problem)
       .key(key)
       .expected("at least two points x,y at different x");
 }
@@ -18,11 +18,11 @@ namespace {
 }  // namespace
 
 Horizon drawn_horizon(std::vector<PicturePoint> points, int width, const std::string& key) {
-  if (points.size() < 2) refuse_line(key, "a line has at least two points");
+  if (points.size() < 2) throw bad_drawn_line(key, "a line has at least two points");
   std::sort(points.begin(), points.end(),
             [](const PicturePoint& a, const PicturePoint& b) { return a.x_px < b.x_px; });
   for (std::size_t i = 1; i < points.size(); ++i)
-    if (points[i].x_px == points[i - 1].x_px) refuse_line(key, "two points are at one x");
+    if (points[i].x_px == points[i - 1].x_px) throw bad_drawn_line(key, "two points are at one x");
   Horizon horizon;
   std::size_t piece = 1;
   for (int column = 0; column < width; ++column) {

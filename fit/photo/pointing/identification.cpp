@@ -80,14 +80,6 @@ double agreement(const SkyCamera& camera, const Frame& frame, const std::vector<
 
 constexpr double kMaxCameras = 2e6;  // some minutes
 
-[[noreturn]] void refuse_search(double cameras) {
-  throw sim::Error(sim::ErrorKind::usage,
-                   "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried")
-      .key("--twist, --shift, --scale")
-      .expected("at most " + sim::short_number(kMaxCameras, 2))
-      .hint("say better where the camera points: --centre, or a narrower search");
-}
-
 SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,
                    const PointGrid& grid, const IdentificationSettings& settings) {
   SkyCamera best = rough;
@@ -96,7 +88,12 @@ SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector
   const int shifts = static_cast<int>(std::ceil(settings.shift_px / kSearchWidth_px));
   const int scales = static_cast<int>(std::ceil(settings.scale_share / kScaleStep));
   const double cameras = (2.0 * twists + 1.0) * (2.0 * scales + 1.0) * std::pow(2.0 * shifts + 1.0, 2);
-  if (cameras > kMaxCameras) refuse_search(cameras);
+  if (cameras > kMaxCameras)
+    throw sim::Error(sim::ErrorKind::usage,
+                     "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried")
+        .key("--twist, --shift, --scale")
+        .expected("at most " + sim::short_number(kMaxCameras, 2))
+        .hint("say better where the camera points: --centre, or a narrower search");
   for (int twist = -twists; twist <= twists; ++twist) {
     SkyCamera turned = rough;
     turned.numbers[turn_about_forward] = twist * kTwistStep_deg * sim::kRadiansPerDegree;

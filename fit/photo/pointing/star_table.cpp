@@ -34,7 +34,7 @@ class Reader {
       else
         star();
     }
-    if (columns_.empty()) fail("an empty table", "names of columns in the first line");
+    if (columns_.empty()) throw bad_line("an empty table").expected("names of columns in the first line");
     return stars_;
   }
 
@@ -54,9 +54,8 @@ class Reader {
     return cells;
   }
 
-  [[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& key = {},
-                         const std::string& hint = {}) const {
-    throw sim::unreadable(name_, problem).line(line_).key(key).expected(expected).hint(hint);
+  sim::Error bad_line(const std::string& problem) const {
+    return sim::unreadable(name_, problem).line(line_);
   }
 
   bool has(const char* column) const { return columns_.count(column) != 0; }
@@ -64,13 +63,14 @@ class Reader {
   void header() {
     for (std::size_t i = 0; i < cells_.size(); ++i)
       if (!columns_.emplace(cells_[i], i).second)
-        fail("two columns are called '" + cells_[i] + "'", "one of each");
-    if (!has("x_px") || !has("y_px")) fail("no columns x_px and y_px", "where each star was seen");
+        throw bad_line("two columns are called '" + cells_[i] + "'").expected("one of each");
+    if (!has("x_px") || !has("y_px"))
+      throw bad_line("no columns x_px and y_px").expected("where each star was seen");
     if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) return;
     if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return require_sky(sky_, name_);
     if (has("star")) return require_sky(sky_, name_);
-    fail("no columns that say where the stars are",
-         "azimuth_deg and elevation_deg or zenith_deg; ra_deg or ra_hours, and dec_deg; or star");
+    throw bad_line("no columns that say where the stars are")
+        .expected("azimuth_deg and elevation_deg or zenith_deg; ra_deg or ra_hours, and dec_deg; or star");
   }
 
   const std::string& text(const char* column) const { return cells_[columns_.at(column)]; }
@@ -81,17 +81,18 @@ class Reader {
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-      fail("'" + text(column) + "' is no number", "a number", column);
+      throw bad_line("'" + text(column) + "' is no number").expected("a number").key(column);
     if (value < least || value > most)
-      fail(text(column) + " is out of range",
-           std::to_string(static_cast<int>(least)) + " to " + std::to_string(static_cast<int>(most)), column);
+      throw bad_line(text(column) + " is out of range")
+          .expected(std::to_string(static_cast<int>(least)) + " to " + std::to_string(static_cast<int>(most)))
+          .key(column);
     return value;
   }
 
   void star() {
     if (cells_.size() != columns_.size())
-      fail(std::to_string(cells_.size()) + " cells",
-           std::to_string(columns_.size()) + ", as in the first line");
+      throw bad_line(std::to_string(cells_.size()) + " cells")
+          .expected(std::to_string(columns_.size()) + ", as in the first line");
     StarSighting star;
     star.line = line_;
     star.x_px = number("x_px", -1e6, 1e6) + shift_px_;
@@ -124,9 +125,10 @@ class Reader {
       for (const sim::BrightStar& one : sim::bright_stars())
         for (const std::string& name : {one.name, one.designation})
           if (!name.empty()) names.push_back(name);
-      fail("no star '" + text("star") + "' in the table of bright stars",
-           "a name, a designation such as \"alf Lyr\", \"HIP 91262\" or \"HD 172167\"", "star",
-           sim::nearest_hint(text("star"), names));
+      throw bad_line("no star '" + text("star") + "' in the table of bright stars")
+          .expected("a name, a designation such as \"alf Lyr\", \"HIP 91262\" or \"HD 172167\"")
+          .key("star")
+          .hint(sim::nearest_hint(text("star"), names));
     }
     star.name = known->label();
     if (std::isnan(star.magnitude)) star.magnitude = known->magnitude;

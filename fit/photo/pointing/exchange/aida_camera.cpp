@@ -20,9 +20,8 @@ constexpr std::size_t kMaxAidaCameras = 100000;
 constexpr double kFarthestOffAxis_deg = 85.0;
 constexpr int kAidaGridAcross = 40;
 
-[[noreturn]] void refuse_line(const std::string& file, int line, const std::string& problem,
-                              const std::string& expected) {
-  throw sim::unreadable(file, problem).line(line).expected(expected);
+sim::Error bad_camera_line(const std::string& file, int line, const std::string& problem) {
+  return sim::unreadable(file, problem).line(line);
 }
 
 std::vector<double> numbers_of_line(std::string_view line, const std::string& file, int line_number) {
@@ -36,7 +35,8 @@ std::vector<double> numbers_of_line(std::string_view line, const std::string& fi
     double value = 0.0;
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(value))
-      refuse_line(file, line_number, "'" + std::string(word) + "' is no number", "fifteen numbers in a line");
+      throw bad_camera_line(file, line_number, "'" + std::string(word) + "' is no number")
+          .expected("fifteen numbers in a line");
     numbers.push_back(value);
     at = end;
   }
@@ -45,8 +45,8 @@ std::vector<double> numbers_of_line(std::string_view line, const std::string& fi
 
 AidaCamera camera_of_line(const std::vector<double>& n, const std::string& file, int line) {
   if (n.size() != kNumbersOfLine)
-    refuse_line(file, line, std::to_string(n.size()) + " numbers",
-                "fifteen numbers in a line, as AIDA has them");
+    throw bad_camera_line(file, line, std::to_string(n.size()) + " numbers")
+        .expected("fifteen numbers in a line, as AIDA has them");
   AidaCamera camera;
   camera.station = n[0];
   camera.azimuth_deg = n[1];
@@ -56,15 +56,16 @@ AidaCamera camera_of_line(const std::vector<double>& n, const std::string& file,
   camera.line = line;
   const bool is_known = n[5] == 12.0 || (n[5] >= 1.0 && n[5] <= 5.0 && n[5] == std::floor(n[5]));
   if (!is_known)
-    refuse_line(file, line, fmt::format("the lens's model {:g} is not read", n[5]), "1 to 5, or 12");
+    throw bad_camera_line(file, line, fmt::format("the lens's model {:g} is not read", n[5]))
+        .expected("1 to 5, or 12");
   camera.model = static_cast<int>(n[5]);
   std::copy(n.begin() + 6, n.begin() + 14, camera.numbers.begin());
   if (camera.numbers[0] == 0.0 || camera.numbers[1] == 0.0)
-    refuse_line(file, line, "a focal width is 0", "numbers other than 0");
+    throw bad_camera_line(file, line, "a focal width is 0").expected("numbers other than 0");
   const double a = camera.numbers[7];
   if ((camera.model == 2 || camera.model == 4 || camera.model == 5) && !(std::abs(a) > 1e-6))
-    refuse_line(file, line, fmt::format("the lens's number {:g} is none of its model's", a),
-                "a number other than 0");
+    throw bad_camera_line(file, line, fmt::format("the lens's number {:g} is none of its model's", a))
+        .expected("a number other than 0");
   return camera;
 }
 
@@ -262,9 +263,10 @@ std::vector<AidaCamera> read_aida_cameras(std::string_view text, const std::stri
     if (first == std::string_view::npos || line[first] == '%') continue;
     cameras.push_back(camera_of_line(numbers_of_line(line, file, line_number), file, line_number));
     if (cameras.size() > kMaxAidaCameras)
-      refuse_line(file, line_number, "too many cameras", "at most 100000");
+      throw bad_camera_line(file, line_number, "too many cameras").expected("at most 100000");
   }
-  if (cameras.empty()) refuse_line(file, 0, "there is no camera in it", "fifteen numbers in a line");
+  if (cameras.empty())
+    throw bad_camera_line(file, 0, "there is no camera in it").expected("fifteen numbers in a line");
   return cameras;
 }
 

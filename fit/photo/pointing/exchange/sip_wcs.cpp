@@ -57,8 +57,8 @@ class WcsHeader {
   WcsHeader(std::string_view bytes, const std::string& file)
       : file_(file), keywords_(sim::read_fits_header(bytes, file)) {}
 
-  [[noreturn]] void refuse(const std::string& problem, const std::string& hint = {}) const {
-    throw sim::unreadable(file_, problem).expected("the .wcs file of solve-field").hint(hint);
+  sim::Error bad_header(const std::string& problem) const {
+    return sim::unreadable(file_, problem).expected("the .wcs file of solve-field");
   }
   std::string text(const std::string& key) const {
     const auto found = keywords_.find(key);
@@ -66,7 +66,7 @@ class WcsHeader {
   }
   double number(const std::string& key) const {
     const auto value = number_or_none(key);
-    if (!value) refuse(text(key).empty() ? "there is no " + key : key + " is '" + text(key) + "'");
+    if (!value) throw bad_header(text(key).empty() ? "there is no " + key : key + " is '" + text(key) + "'");
     return *value;
   }
   double number(const std::string& key, double if_absent) const {
@@ -93,7 +93,8 @@ SipPolynomial polynomial_of(const WcsHeader& header, const std::string& name) {
   SipPolynomial made;
   const double order = header.number(name + "_ORDER", 0.0);
   if (order != std::floor(order) || order < 0.0 || order > kMaxSipOrder)
-    header.refuse(name + "_ORDER is " + header.text(name + "_ORDER"), "orders up to 9 are read");
+    throw header.bad_header(name + "_ORDER is " + header.text(name + "_ORDER"))
+        .hint("orders up to 9 are read");
   made.order = static_cast<int>(order);
   if (made.order == 0) return made;
   for (int p = 0; p <= made.order; ++p)
@@ -107,7 +108,7 @@ SipPolynomial polynomial_of(const WcsHeader& header, const std::string& name) {
 int size_in(const WcsHeader& header, const char* key, const char* of_image) {
   const double size = header.number(key, header.number(of_image, 0.0));
   if (size != std::floor(size) || size < 0.0 || size > sim::longest_side_px)
-    header.refuse(std::string(key) + " is " + header.text(key));
+    throw header.bad_header(std::string(key) + " is " + header.text(key));
   return static_cast<int>(size);
 }
 
@@ -263,20 +264,23 @@ Eigen::Vector3d sky_of_pixel(const SipWcs& wcs, double x_px, double y_px) {
 SipWcs read_sip_wcs(std::string_view bytes, const std::string& file) {
   const WcsHeader header(bytes, file);
   const std::string first = header.text("CTYPE1"), second = header.text("CTYPE2");
-  if (first.empty()) header.refuse("there is no solution in this FITS header", "was the field solved?");
+  if (first.empty())
+    throw header.bad_header("there is no solution in this FITS header").hint("was the field solved?");
   if ((first != "RA---TAN" && first != "RA---TAN-SIP") || (second != "DEC--TAN" && second != "DEC--TAN-SIP"))
-    header.refuse("its axes are " + first + " and " + second, "RA---TAN-SIP and DEC--TAN-SIP are read");
+    throw header.bad_header("its axes are " + first + " and " + second)
+        .hint("RA---TAN-SIP and DEC--TAN-SIP are read");
   if (header.number("EQUINOX", 2000.0) != 2000.0)
-    header.refuse("its equinox is " + header.text("EQUINOX"), "2000 is read");
+    throw header.bad_header("its equinox is " + header.text("EQUINOX")).hint("2000 is read");
   SipWcs wcs;
   wcs.width_px = size_in(header, "IMAGEW", "NAXIS1");
   wcs.height_px = size_in(header, "IMAGEH", "NAXIS2");
   wcs.reference_px << header.number("CRPIX1"), header.number("CRPIX2");
   wcs.reference = {header.number("CRVAL1"), header.number("CRVAL2")};
-  if (std::abs(wcs.reference.declination_deg) > 90.0) header.refuse("CRVAL2 is " + header.text("CRVAL2"));
+  if (std::abs(wcs.reference.declination_deg) > 90.0)
+    throw header.bad_header("CRVAL2 is " + header.text("CRVAL2"));
   wcs.degrees_per_px << header.number("CD1_1"), header.number("CD1_2"), header.number("CD2_1"),
       header.number("CD2_2");
-  if (!(std::abs(wcs.degrees_per_px.determinant()) > 1e-20)) header.refuse("its CD matrix is none");
+  if (!(std::abs(wcs.degrees_per_px.determinant()) > 1e-20)) throw header.bad_header("its CD matrix is none");
   wcs.a = polynomial_of(header, "A");
   wcs.b = polynomial_of(header, "B");
   wcs.ap = polynomial_of(header, "AP");
@@ -358,14 +362,14 @@ SipFit sip_of_camera(const sim::Camera& camera, const sim::Observer& observer, d
                      double reach_deg) {
   const Eigen::Vector2d middle_px(0.5 * camera.width, 0.5 * camera.height);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  const auto refuse = [](const std::string& problem) {
-    throw sim::Error(sim::ErrorKind::scene, problem)
+  const auto unseen = [](const std::string& problem) {
+    return sim::Error(sim::ErrorKind::scene, problem)
         .key("camera")
         .expected("a picture of the sky")
         .hint("maps have all of it: -o MAPS.exr");
   };
   if (!sky_of_camera(camera, observer, julian_date, middle_px.x(), middle_px.y(), middle))
-    refuse("the middle of the picture looks at nothing above the horizon");
+    throw unseen("the middle of the picture looks at nothing above the horizon");
   const double nearest = std::cos(reach_deg * sim::kRadiansPerDegree);
   std::vector<SipPoint> points;
   int places = 0;
@@ -379,7 +383,7 @@ SipFit sip_of_camera(const sim::Camera& camera, const sim::Observer& observer, d
         points.push_back(point);
     }
   constexpr std::size_t kFewest = 120;  // twice the terms of the highest order
-  if (points.size() < kFewest) refuse("too little of the picture looks above the horizon within reach");
+  if (points.size() < kFewest) throw unseen("too little of the picture looks above the horizon within reach");
   SipFit best;
   for (int order = 2; order <= kMaxSipOrder; ++order) {
     SipFit fit;
