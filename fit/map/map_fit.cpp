@@ -53,9 +53,8 @@ std::vector<double> energy_nodes() {
   return energies;
 }
 
-[[noreturn]] void refuse(sim::ErrorKind kind, const sim::Scene& scene, const std::string& problem,
-                         const std::string& key, const std::string& expected, const std::string& hint) {
-  throw sim::Error(kind, problem).file(scene.file).key(key).expected(expected).hint(hint);
+sim::Error unfit_for_map(const sim::Scene& scene, const std::string& key, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::scene, problem).file(scene.file).key(key);
 }
 
 std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Photo>& photos) {
@@ -68,21 +67,22 @@ std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Pho
     const sim::Field& field = scenes[i].field;
     if (field.inclination_deg != scene.field.inclination_deg ||
         field.declination_deg != scene.field.declination_deg || field.model != scene.field.model)
-      refuse(sim::ErrorKind::scene, scene,
-             "the photograph " + scene.fit.photos[i].name + " sets a magnetic field of its own",
-             "fit.photo.set", "one field for the map, that of the scene",
-             "field.model = \"dipole\" has at each place what belongs there");
+      throw unfit_for_map(scene, "fit.photo.set",
+                          "the photograph " + scene.fit.photos[i].name + " sets a magnetic field of its own")
+          .expected("one field for the map, that of the scene")
+          .hint("field.model = \"dipole\" has at each place what belongs there");
     if (scenes[i].blur.model != sim::BlurModel::angle || scenes[i].blur.order != sim::BlurOrder::lines)
-      refuse(sim::ErrorKind::scene, scene, "a map blurs each line by its angle",
-             scenes[i].blur.model != sim::BlurModel::angle ? "blur.model" : "blur.order",
-             "blur.model = \"angle\" and blur.order = \"lines\"", "");
+      throw unfit_for_map(scene, scenes[i].blur.model != sim::BlurModel::angle ? "blur.model" : "blur.order",
+                          "a map blurs each line by its angle")
+          .expected("blur.model = \"angle\" and blur.order = \"lines\"");
     const sim::Camera& camera = scenes[i].camera;
     const sim::Image& picture = photos[i].linear;
     if (camera.width != picture.width || camera.height != picture.height)
-      refuse(sim::ErrorKind::scene, scene,
-             "the camera has " + sim::size_text(camera.width, camera.height) + " pixels, " +
-                 photos[i].file_name + " has " + sim::size_text(picture.width, picture.height),
-             "camera.width", "the photograph's size", "set camera.width and camera.height");
+      throw unfit_for_map(scene, "camera.width",
+                          "the camera has " + sim::size_text(camera.width, camera.height) + " pixels, " +
+                              photos[i].file_name + " has " + sim::size_text(picture.width, picture.height))
+          .expected("the photograph's size")
+          .hint("set camera.width and camera.height");
   }
   return scenes;
 }
@@ -298,10 +298,10 @@ std::vector<MapObservation> Mapping::pictures(int coarseness, const std::vector<
     }
     all.emplace_back(scenes[i], photos_[i], o);
     if (all.back().values() == 0)
-      refuse(sim::ErrorKind::scene, scene_,
-             "no usable pixel of " + photos_[i].file_name + " looks at the sky", "camera.elevation_deg",
-             "a camera that sees the sky above its horizon, and a mask that leaves it",
-             "check the camera's direction, the mask and fit.roi_px");
+      throw unfit_for_map(scene_, "camera.elevation_deg",
+                          "no usable pixel of " + photos_[i].file_name + " looks at the sky")
+          .expected("a camera that sees the sky above its horizon, and a mask that leaves it")
+          .hint("check the camera's direction, the mask and fit.roi_px");
   }
   return all;
 }
@@ -326,9 +326,9 @@ void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& 
     common = common || by > 1;
   }
   if (!common)
-    refuse(sim::ErrorKind::scene, scene_, "no part of the sky is seen from two of the stations", "fit.photo",
-           "stations whose pictures show a common volume between 80 and 640 km altitude",
-           "check the sites and the cameras' directions, or map each photograph by itself");
+    throw unfit_for_map(scene_, "fit.photo", "no part of the sky is seen from two of the stations")
+        .expected("stations whose pictures show a common volume between 80 and 640 km altitude")
+        .hint("check the sites and the cameras' directions, or map each photograph by itself");
   grid.keep(kept);
   look(pictures, grid);
 }
@@ -392,7 +392,7 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells,
   const StepOutput out = options_.journal != nullptr ? options_.journal->step(name, step) : step();
   const std::size_t size =
       out.count_of(out.number_at("size"), "size", static_cast<std::size_t>(cells) * kGroundEnergies);
-  if (size != static_cast<std::size_t>(cells) * kGroundEnergies) out.refuse("size");
+  if (size != static_cast<std::size_t>(cells) * kGroundEnergies) throw out.error_at("size");
   std::vector<float> map(size, 0.0f);
   const std::vector<double>& place = out.numbers_at("place");
   const std::vector<double>& value = out.numbers_at("value", place.size());
@@ -468,7 +468,7 @@ double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim
   const std::vector<double>& sparsity = trials.numbers_at("sparsity");
   const std::vector<double>& left = trials.numbers_at("left_out", sparsity.size());
   const std::vector<double>& error = trials.numbers_at("error", sparsity.size());
-  if (sparsity.empty()) trials.refuse("sparsity");
+  if (sparsity.empty()) throw trials.error_at("sparsity");
   std::size_t best = 0;
   for (std::size_t t = 0; t < left.size(); ++t) {
     result.trials.push_back({sparsity[t], left[t], error[t]});

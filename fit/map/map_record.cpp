@@ -25,28 +25,28 @@ constexpr std::size_t kMaxPoints = 1000;      // of a curtain, 5 km apart
 constexpr double kFarthestPoint_km = 3000.0;  // of a point, as in a scene
 constexpr double kSamePlace_deg = 1e-6;       // a tenth of a metre: what a scene's text may round
 
-[[noreturn]] void refuse_map(const std::string& file, const std::string& problem, const std::string& hint) {
-  throw sim::unreadable(file, problem).expected("a directory that vegard map wrote").hint(hint);
+sim::Error bad_map(const std::string& file, const std::string& problem) {
+  return sim::unreadable(file, problem).expected("a directory that vegard map wrote");
 }
 
 std::string bytes_of_map(const std::string& file) {
   const sim::InputFile text = sim::read_input(file, kMaxMapJson);
-  if (!text.problem.empty()) refuse_map(file, text.problem, "is that the directory of a map?");
+  if (!text.problem.empty()) throw bad_map(file, text.problem).hint("is that the directory of a map?");
   return text.bytes;
 }
 
 void check_written_by_us(const RecordJson& json, const std::string& file) {
   if (!json.is_object() || !json.contains("kind") || json["kind"] != "vegard map")
-    refuse_map(file, "is no map's", "is that the directory of a map?");
+    throw bad_map(file, "is no map's").hint("is that the directory of a map?");
   const auto version = json.find("version");
   const std::string wrote = version != json.end() && version->is_string() ? version->get<std::string>() : "?";
   const std::string again = "map the photograph again";
   if (wrote != sim::version())
-    refuse_map(file, "was written by vegard " + wrote + ", and this is " + sim::version(), again);
+    throw bad_map(file, "was written by vegard " + wrote + ", and this is " + sim::version()).hint(again);
   if (!json.contains("format") || json["format"] != kMapFormat)
-    refuse_map(file, "has another format than this vegard reads", again);
+    throw bad_map(file, "has another format than this vegard reads").hint(again);
   if (json.contains("interrupted") && json["interrupted"] == true)
-    refuse_map(file, "is of a map that was interrupted", "finish it first, with --resume");
+    throw bad_map(file, "is of a map that was interrupted").hint("finish it first, with --resume");
 }
 
 /// A whole number from 0 on. Throws RecordJson::exception for anything else.
@@ -92,7 +92,7 @@ double ends_apart_km(const Ridge& ridge) {
 std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& file, const std::string& stem,
                                    std::size_t count, const std::vector<int>& points) {
   std::vector<Ridge> ridges;
-  if (count > kMaxCurtains) refuse_map(file, "cannot have " + std::to_string(count) + " curtains", "");
+  if (count > kMaxCurtains) throw bad_map(file, "cannot have " + std::to_string(count) + " curtains");
   for (std::size_t c = 1; c <= count; ++c) {
     sim::Sheet sheet;
     sim::take_curtain(text, file, static_cast<int>(c), false, sheet);
@@ -108,14 +108,16 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
           !(p.energy_kev > 0.0) || !std::isfinite(p.energy_kev) || !(p.width_km > 0.0) ||
           !std::isfinite(p.width_km) || std::abs(p.foot_km.east) > kFarthestPoint_km ||
           std::abs(p.foot_km.north) > kFarthestPoint_km)
-        refuse_map(file, fmt::format("curtain {} has a point that is none", c), "map the photograph again");
+        throw bad_map(file, fmt::format("curtain {} has a point that is none", c))
+            .hint("map the photograph again");
     if (c <= points.size() && ridge.points.size() != static_cast<std::size_t>(points[c - 1]))
-      refuse_map(file, fmt::format("curtain {} has {} points of {}", c, ridge.points.size(), points[c - 1]),
-                 "map the photograph again");
+      throw bad_map(file,
+                    fmt::format("curtain {} has {} points of {}", c, ridge.points.size(), points[c - 1]))
+          .hint("map the photograph again");
     if (ridge.points.size() > kMaxPoints)
-      refuse_map(file,
-                 fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMaxPoints),
-                 "map the photograph again");
+      throw bad_map(
+          file, fmt::format("curtain {} has {} points, of at most {}", c, ridge.points.size(), kMaxPoints))
+          .hint("map the photograph again");
     // Too short for a curve, or closed to a ring.
     if (ends_apart_km(ridge) < kMinRidge_km) continue;
     ridges.push_back(std::move(ridge));
@@ -125,12 +127,9 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
 
 bool is_photograph(const InputFile& input) { return input.role.compare(0, 5, "photo") == 0; }
 
-[[noreturn]] void refuse_subject(const MapRecord& record, const sim::Scene& scene, const std::string& problem,
-                                 const std::string& key, const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene, "the map '" + record.directory + "' " + problem)
+sim::Error other_subject(const MapRecord& record, const sim::Scene& scene, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::scene, "the map '" + record.directory + "' " + problem)
       .file(scene.file)
-      .key(key)
-      .expected(expected)
       .hint("map this photograph first: vegard map");
 }
 
@@ -151,18 +150,18 @@ MapRecord read_map_record(const std::string& directory) {
       points.push_back(whole_number(curtain, "points"));
     faint = static_cast<std::size_t>(whole_number(json, "faint_curtains"));
   } catch (const RecordJson::exception&) {
-    refuse_map(file, "lacks what a fit of its curtains needs", "map the photograph again");
+    throw bad_map(file, "lacks what a fit of its curtains needs").hint("map the photograph again");
   }
-  const auto refuse_empty = [&] {
-    refuse_map(file, "holds no curtain to refine",
-               "what shines is no curtain, or too faint: see the map's report.html");
+  const auto empty = [&] {
+    return bad_map(file, "holds no curtain to refine")
+        .hint("what shines is no curtain, or too faint: see the map's report.html");
   };
-  if (points.empty()) refuse_empty();
+  if (points.empty()) throw empty();
   const std::string table = directory + "/" + kCurtainTable,
                     faint_table = directory + "/" + kFaintCurtainTable;
   const std::string rows = bytes_of_map(table), faint_rows = bytes_of_map(faint_table);
   record.curtains = ridges_of_table(rows, table, "curtain_", points.size(), points);
-  if (record.curtains.empty()) refuse_empty();
+  if (record.curtains.empty()) throw empty();
   record.faint = ridges_of_table(faint_rows, faint_table, "faint_", faint, {});
   record.sha256 = sim::sha256(sim::sha256(text) + sim::sha256(rows) + sim::sha256(faint_rows));
   return record;
@@ -178,36 +177,41 @@ void check_same_subject(const MapRecord& record, const sim::Scene& scene,
   };
   const std::vector<InputFile> mapped = photographs(record.inputs), asked = photographs(inputs);
   if (mapped.size() != asked.size())
-    refuse_subject(record, scene,
-                   fmt::format("is of {} photograph{}, and this fit of {}", mapped.size(),
-                               mapped.size() == 1 ? "" : "s", asked.size()),
-                   "fit.photo", "the photographs that were mapped");
+    throw other_subject(record, scene,
+                        fmt::format("is of {} photograph{}, and this fit of {}", mapped.size(),
+                                    mapped.size() == 1 ? "" : "s", asked.size()))
+        .key("fit.photo")
+        .expected("the photographs that were mapped");
   for (std::size_t i = 0; i < mapped.size(); ++i)
     if (mapped[i].role != asked[i].role || mapped[i].sha256 != asked[i].sha256)
-      refuse_subject(record, scene, "is of another photograph than " + asked[i].name, "",
-                     "the photograph that was mapped, " + mapped[i].name + ", byte by byte");
+      throw other_subject(record, scene, "is of another photograph than " + asked[i].name)
+          .expected("the photograph that was mapped, " + mapped[i].name + ", byte by byte");
   for (std::size_t i = 0; i < decodings.size() && i < record.decodings.size(); ++i)
     if (decodings[i] != record.decodings[i])
-      refuse_subject(record, scene, "was made with the decoding \"" + record.decodings[i] + "\"",
-                     "fit.decoding", "that decoding, and not \"" + decodings[i] + "\"");
+      throw other_subject(record, scene, "was made with the decoding \"" + record.decodings[i] + "\"")
+          .key("fit.decoding")
+          .expected("that decoding, and not \"" + decodings[i] + "\"");
   if (record.altitude_scale != 1.0)
-    refuse_subject(record, scene, "was made with an --altitude-scale, which a fit does not have", "",
-                   "a map with the altitudes of the tables");
+    throw other_subject(record, scene, "was made with an --altitude-scale, which a fit does not have")
+        .expected("a map with the altitudes of the tables");
   const std::vector<sim::PhotoEntry>& entries = scene.fit.photos;
   if (record.pictures.size() != std::max<std::size_t>(1, entries.size()))
-    refuse_subject(record, scene, "is of another number of stations", "fit.photo",
-                   "the photographs that were mapped");
+    throw other_subject(record, scene, "is of another number of stations")
+        .key("fit.photo")
+        .expected("the photographs that were mapped");
   for (std::size_t i = 0; i < record.pictures.size(); ++i) {
     const MapRecord::Picture& picture = record.pictures[i];
     const sim::Scene own = entries.empty() ? scene : sim::scene_of_photo(scene, entries[i]);
     if (std::abs(own.site.latitude_deg - picture.latitude_deg) > kSamePlace_deg ||
         std::abs(own.site.longitude_deg - picture.longitude_deg) > kSamePlace_deg)
-      refuse_subject(record, scene, "is of another site", "site.latitude_deg",
-                     sim::short_number(picture.latitude_deg, 8) +
-                         ", and site.longitude_deg = " + sim::short_number(picture.longitude_deg, 8));
+      throw other_subject(record, scene, "is of another site")
+          .key("site.latitude_deg")
+          .expected(sim::short_number(picture.latitude_deg, 8) +
+                    ", and site.longitude_deg = " + sim::short_number(picture.longitude_deg, 8));
     if (own.camera.width != picture.width_px || own.camera.height != picture.height_px)
-      refuse_subject(record, scene, "is of pictures of another size", "camera.width",
-                     fmt::format("{} x {} pixels", picture.width_px, picture.height_px));
+      throw other_subject(record, scene, "is of pictures of another size")
+          .key("camera.width")
+          .expected(fmt::format("{} x {} pixels", picture.width_px, picture.height_px));
   }
 }
 

@@ -25,24 +25,26 @@ class PlanesReader {
   PrecipitationPlanes read() const {
     const sim::Image& image = fits_.image;
     if (image.channels() != kPlanesOfMap)
-      refuse("it has " + std::to_string(image.channels()) + " planes", "the five of a map");
+      throw sim::unreadable(file_, "it has " + std::to_string(image.channels()) + " planes")
+          .expected("the five of a map");
     if (static_cast<long long>(image.width) * image.height > kMaxCellsOfMap)
-      refuse("it has more than 4194304 cells", "a map of vegard's");
+      throw sim::unreadable(file_, "it has more than 4194304 cells").expected("a map of vegard's");
     if (text("CTYPE1") != "EAST" || text("CTYPE2") != "NORTH")
-      refuse("its axes are not EAST and NORTH", "a map of vegard's");
+      throw sim::unreadable(file_, "its axes are not EAST and NORTH").expected("a map of vegard's");
     PrecipitationPlanes planes;
     planes.columns = image.width;
     planes.rows = image.height;
     planes.step_km = number("CDELT1");
     if (!(planes.step_km > 0.0) || number("CDELT2") != planes.step_km)
-      refuse("its cells are no squares", "CDELT1 and CDELT2 alike, above 0");
+      throw sim::unreadable(file_, "its cells are no squares").expected("CDELT1 and CDELT2 alike, above 0");
     planes.west_km = number("CRVAL1") + (1.0 - number("CRPIX1")) * planes.step_km;
     planes.south_km = number("CRVAL2") + (1.0 - number("CRPIX2")) * planes.step_km;
     planes.height_km = number("HEIGHTKM");
     planes.site.latitude_deg = number("SITELAT");
     planes.site.longitude_deg = number("SITELONG");
     if (!(std::abs(planes.site.latitude_deg) <= 90.0 && std::abs(planes.site.longitude_deg) <= 360.0))
-      refuse("its site is no place on the Earth", "SITELAT and SITELONG in degrees");
+      throw sim::unreadable(file_, "its site is no place on the Earth")
+          .expected("SITELAT and SITELONG in degrees");
     planes.flux_is_absolute = text("FLUXCAL") != "relative";
     planes.time_s = sim::utc_seconds(text("DATE-OBS"));
     int plane = 0;
@@ -54,10 +56,6 @@ class PlanesReader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& problem, const std::string& expected) const {
-    throw sim::unreadable(file_, problem).expected(expected);
-  }
-
   std::string text(const std::string& keyword) const {
     const auto found = fits_.keywords.find(keyword);
     return found == fits_.keywords.end() ? std::string() : found->second;
@@ -68,7 +66,7 @@ class PlanesReader {
     double value = 0.0;
     const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), value);
     if (error != std::errc() || end != words.data() + words.size() || !std::isfinite(value))
-      refuse("its header has no number " + keyword, "a map of vegard's");
+      throw sim::unreadable(file_, "its header has no number " + keyword).expected("a map of vegard's");
     return value;
   }
 

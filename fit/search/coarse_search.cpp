@@ -32,7 +32,7 @@ StepOutput output_of(const std::vector<Trial>& trials) {
 std::vector<Trial> trials_of(const StepOutput& output, std::size_t free) {
   std::vector<Trial> trials;
   for (const auto& [name, numbers] : output.numbers) {
-    if (numbers.size() != free + 1) output.refuse(name);
+    if (numbers.size() != free + 1) throw output.error_at(name);
     trials.push_back({Values(numbers.begin(), numbers.end() - 1), numbers.back()});
   }
   return trials;
@@ -192,7 +192,7 @@ std::vector<Trial> CoarseSearch::step(const std::string& name, std::size_t least
   const StepOutput output =
       recorded_step(options_.journal, name, free_.size(), log_, trace_, [&] { return output_of(work()); });
   std::vector<Trial> trials = trials_of(output, free_.size());
-  if (trials.size() < least) output.refuse("trial");
+  if (trials.size() < least) throw output.error_at("trial");
   return trials;
 }
 

@@ -8,9 +8,9 @@
 
 namespace vegard::fit {
 
-void StepOutput::refuse(const std::string& key) const {
-  throw sim::Error(sim::ErrorKind::existing_output,
-                   "a finished step of the fit does not have what belongs there")
+sim::Error StepOutput::error_at(const std::string& key) const {
+  return sim::Error(sim::ErrorKind::existing_output,
+                    "a finished step of the fit does not have what belongs there")
       .file(kept_in)
       .key(key)
       .hint("use --overwrite without --resume to begin again");
@@ -18,30 +18,31 @@ void StepOutput::refuse(const std::string& key) const {
 
 const std::vector<double>& StepOutput::numbers_at(const std::string& key) const {
   const auto found = numbers.find(key);
-  if (found == numbers.end()) refuse(key);
+  if (found == numbers.end()) throw error_at(key);
   return found->second;
 }
 
 const std::vector<double>& StepOutput::numbers_at(const std::string& key, std::size_t count) const {
   const std::vector<double>& found = numbers_at(key);
-  if (found.size() != count) refuse(key);
+  if (found.size() != count) throw error_at(key);
   return found;
 }
 
 const std::string& StepOutput::words_at(const std::string& key) const {
   const auto found = words.find(key);
-  if (found == words.end()) refuse(key);
+  if (found == words.end()) throw error_at(key);
   return found->second;
 }
 
 bool StepOutput::flag_at(const std::string& key) const {
   const auto found = flags.find(key);
-  if (found == flags.end()) refuse(key);
+  if (found == flags.end()) throw error_at(key);
   return found->second;
 }
 
 std::size_t StepOutput::count_of(double number, const std::string& key, std::size_t most) const {
-  if (!(number >= 0.0 && number <= static_cast<double>(most)) || number != std::floor(number)) refuse(key);
+  if (!(number >= 0.0 && number <= static_cast<double>(most)) || number != std::floor(number))
+    throw error_at(key);
   return static_cast<std::size_t>(number);
 }
 
@@ -70,9 +71,9 @@ StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t 
   StepOutput output = journal == nullptr ? with_counters() : journal->step(name, with_counters);
   if (!worked) {
     for (const TraceRow& row : output.trace)
-      if (row.values.size() != free) output.refuse("trace");
+      if (row.values.size() != free) throw output.error_at("trace");
     const std::size_t best = output.counters.best_values.size();
-    if (best != free && best != 0) output.refuse("books");
+    if (best != free && best != 0) throw output.error_at("books");
     trace.insert(trace.end(), output.trace.begin(), output.trace.end());
     log.residuals = output.counters.residuals;
     log.jacobians = output.counters.jacobians;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fit/search/descent.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 
@@ -39,10 +40,10 @@ struct StepOutput {
   double number_at(const std::string& key) const { return numbers_at(key, 1)[0]; }
   const std::string& words_at(const std::string& key) const;
   bool flag_at(const std::string& key) const;
-  /// Converts a number to a count. Throws like refuse() unless it is a whole number from 0 to `most`.
+  /// Converts a number to a count. Throws error_at() unless it is a whole number from 0 to `most`.
   std::size_t count_of(double number, const std::string& key, std::size_t most) const;
-  /// Throws sim::Error(existing_output) about the key.
-  [[noreturn]] void refuse(const std::string& key) const;
+  /// Returns sim::Error(existing_output) about the key.
+  sim::Error error_at(const std::string& key) const;
 };
 
 class Journal {
@@ -71,7 +72,7 @@ class NullJournal final : public Journal {
 /// not fill in the output's trace and counters. If the output comes from the journal, `log` and `trace` are
 /// updated as if `work` had been called. Nothing is stored once log.stop is set. If `journal` is null, `work`
 /// is always called. Points in the counters and the trace must have `free` numbers, otherwise this throws
-/// like StepOutput::refuse().
+/// StepOutput::error_at().
 StepOutput recorded_step(Journal* journal, const std::string& name, std::size_t free, EvaluationLog& log,
                          std::vector<TraceRow>& trace, const std::function<StepOutput()>& work);
 

@@ -151,7 +151,7 @@ void take(const StepOutput& output, std::size_t coordinates, const sim::Ensemble
   const auto count = [&](std::size_t which, std::size_t most) {
     return output.count_of(counts[which], "counts", most);
   };
-  if (counts[0] != static_cast<double>(coordinates)) output.refuse("counts");
+  if (counts[0] != static_cast<double>(coordinates)) throw output.error_at("counts");
   const int steps_before = std::max(0, state.step - options.burn_in);
   state.coordinates = coordinates;
   state.step = static_cast<int>(count(1, static_cast<std::size_t>(options.burn_in + options.steps)));
@@ -164,10 +164,10 @@ void take(const StepOutput& output, std::size_t coordinates, const sim::Ensemble
   if (output.whole && !state.no_start && coordinates > 0 &&
       (state.density.size() != walkers || state.next_walker != 0 ||
        state.step != options.burn_in + options.steps))
-    output.refuse("counts");
+    throw output.error_at("counts");
   state.place = output.numbers_at("place", coordinates * state.density.size());
   const int steps_added = std::max(0, state.step - options.burn_in) - steps_before;
-  if (steps_added < 0) output.refuse("counts");
+  if (steps_added < 0) throw output.error_at("counts");
   const std::vector<double>& added =
       output.numbers_at("chain", coordinates * walkers * static_cast<std::size_t>(steps_added));
   state.chain.insert(state.chain.end(), added.begin(), added.end());

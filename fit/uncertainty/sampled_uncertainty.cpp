@@ -118,7 +118,8 @@ Uncertainty uncertainty_of(const StepOutput& output, std::size_t free) {
   u.correlation = rows_of(output.numbers_at("correlation", free * free), free);
   u.covariance = rows_of(output.numbers_at("covariance", free * free), free);
   u.undetermined = rows_of(output.numbers_at("undetermined"), free);
-  if (free * u.undetermined.size() != output.numbers_at("undetermined").size()) output.refuse("undetermined");
+  if (free * u.undetermined.size() != output.numbers_at("undetermined").size())
+    throw output.error_at("undetermined");
   u.inflation = output.number_at("inflation");
   return u;
 }
