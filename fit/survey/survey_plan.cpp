@@ -55,9 +55,8 @@ Json frame_json(const PlannedFrame& frame) {
   return json;
 }
 
-/// Throws an error about a file that is no plan.
-[[noreturn]] void refuse_plan(const std::string& file, const std::string& problem) {
-  throw sim::unreadable(file, problem).expected("what vegard survey plan wrote");
+sim::Error bad_plan(const std::string& file, const std::string& problem) {
+  return sim::unreadable(file, problem).expected("what vegard survey plan wrote");
 }
 
 double finite_number(const Json& json) {
@@ -256,9 +255,9 @@ SurveyPlan plan_of_json(const std::string& text, const std::string& file) {
   try {
     const Json json = Json::parse(text);
     if (!json.is_object() || !json.contains("kind") || json.at("kind") != kPlanKind)
-      refuse_plan(file, "is no plan of a survey");
+      throw bad_plan(file, "is no plan of a survey");
     if (json.at("format") != kPlanFormat)
-      refuse_plan(file, "is a plan of another format, of another version of vegard");
+      throw bad_plan(file, "is a plan of another format, of another version of vegard");
     plan.version = json.at("version").get<std::string>();
     plan.name = json.at("name").get<std::string>();
     if (!is_plain_name(plan.name)) throw std::out_of_range("no name");
@@ -280,9 +279,9 @@ SurveyPlan plan_of_json(const std::string& text, const std::string& file) {
     }
     if (plan.blocks.empty()) throw std::out_of_range("no block");
   } catch (const nlohmann::json::exception&) {
-    refuse_plan(file, "is no plan of a survey, or a damaged one");
+    throw bad_plan(file, "is no plan of a survey, or a damaged one");
   } catch (const std::out_of_range&) {
-    refuse_plan(file, "is a damaged plan: it names what is not there");
+    throw bad_plan(file, "is a damaged plan: it names what is not there");
   }
   plan.file = file;
   plan.sha256 = sim::sha256(text);

@@ -71,15 +71,15 @@ std::string creation_of(const TableOfSurvey& table) {
   return std::string("CREATE TABLE ") + table.name + " " + table.columns;
 }
 
-[[noreturn]] void refuse_database(const SqliteFile& file, const std::string& problem) {
-  throw sim::unreadable(file.name(), problem).expected("a database of vegard survey");
+sim::Error bad_database(const SqliteFile& file, const std::string& problem) {
+  return sim::unreadable(file.name(), problem).expected("a database of vegard survey");
 }
 
 /// Reads an int, which only a foreign database can exceed.
 int small_number(const SqliteFile& file, const SqliteStatement& row, int column) {
   const std::int64_t number = row.integer(column);
   if (number < 0 || number > std::numeric_limits<int>::max())
-    refuse_database(file, "has a number that no survey has");
+    throw bad_database(file, "has a number that no survey has");
   return static_cast<int>(number);
 }
 
@@ -93,7 +93,7 @@ std::vector<double> values_of_text(const SqliteFile& file, const std::optional<s
   try {
     return nlohmann::json::parse(*text).get<std::vector<double>>();
   } catch (const nlohmann::json::exception&) {
-    refuse_database(file, "has free values that are none");
+    throw bad_database(file, "has free values that are none");
   }
 }
 
@@ -103,7 +103,7 @@ constexpr const char* kResultColumns =
 WorkAnswer work_of_row(const SqliteFile& file, const SqliteStatement& row) {
   WorkAnswer answer;
   const std::optional<SurveyWork> work = survey_work_of(row.text(0));
-  if (!work) refuse_database(file, "has a result of work that no survey does");
+  if (!work) throw bad_database(file, "has a result of work that no survey does");
   answer.work = *work;
   answer.verdict = row.text(1);
   answer.words = row.text_or_none(2);
@@ -117,7 +117,7 @@ WorkAnswer work_of_row(const SqliteFile& file, const SqliteStatement& row) {
 FrameStatus status_of(const SqliteFile& file, const std::string& name) {
   for (const FrameStatus status : kFrameStatuses)
     if (name == frame_status_name(status)) return status;
-  refuse_database(file, "has a frame of a status that there is none of");
+  throw bad_database(file, "has a frame of a status that there is none of");
 }
 
 SurveyVersions survey_versions() {
@@ -128,9 +128,9 @@ SurveyVersions survey_versions() {
 /// the tables of motion.
 void check_survey_tables(const SqliteFile& file) {
   if (file.integer("PRAGMA application_id") != kApplication)
-    refuse_database(file, "is no database of a survey");
+    throw bad_database(file, "is no database of a survey");
   if (file.integer("PRAGMA user_version") != kTablesFormat)
-    refuse_database(file, "is of another version of vegard, whose tables are others");
+    throw bad_database(file, "is of another version of vegard, whose tables are others");
   std::vector<TableOfSurvey> tables(kTables.begin(), kTables.end());
   if (has_motion(file)) tables.insert(tables.end(), kMotionTables.begin(), kMotionTables.end());
   std::sort(tables.begin(), tables.end(), [](const TableOfSurvey& a, const TableOfSurvey& b) {
@@ -143,7 +143,7 @@ void check_survey_tables(const SqliteFile& file) {
   rows.reset();
   if (i != tables.size() ||
       file.integer("SELECT count(*) FROM sqlite_schema") != static_cast<std::int64_t>(tables.size()))
-    refuse_database(file, "has other tables than a survey's");
+    throw bad_database(file, "has other tables than a survey's");
 }
 
 }  // namespace
@@ -240,10 +240,10 @@ SurveyReader::SurveyReader(const SqliteFile& file) : file_(file) {
     origin.versions = {origins.text(2), origins.text(3), origins.text(4), origins.text(5)};
     if (origin.plan == static_cast<int>(numbers.size()) ||
         origins.integer(0) != static_cast<std::int64_t>(origins_.size()) + 1)
-      refuse_database(file, "has an origin of no plan");
+      throw bad_database(file, "has an origin of no plan");
     origins_.push_back(origin);
   }
-  if (plans_.empty() || origins_.empty()) refuse_database(file, "has no plan");
+  if (plans_.empty() || origins_.empty()) throw bad_database(file, "has no plan");
 }
 
 std::vector<AnsweredBlock> SurveyReader::blocks() const {
@@ -260,7 +260,7 @@ std::vector<AnsweredBlock> SurveyReader::blocks() const {
         found.empty() || block.first_frame >= found.back().first_frame + found.back().frames;
     if (block.origin < 1 || block.origin > static_cast<int>(origins_.size()) || !is_after ||
         block.frames > std::numeric_limits<int>::max() - block.first_frame)
-      refuse_database(file_, "has a block that no plan has");
+      throw bad_database(file_, "has a block that no plan has");
     done.bind_all(block.first_frame, block.first_frame + block.frames, block.block);
     done.step();
     block.done = small_number(file_, done, 0);
@@ -289,7 +289,7 @@ void SurveyReader::frames(int first, int end,
     answer.camera = frames.text(2);
     answer.file = frames.text(3);
     answer.time_s = frames.number(4);
-    if (!(std::abs(answer.time_s) < 1e12)) refuse_database(file_, "has a frame of no time");
+    if (!(std::abs(answer.time_s) < 1e12)) throw bad_database(file_, "has a frame of no time");
     answer.status = status_of(file_, frames.text(5));
     answer.reason = frames.text_or_none(6);
     answer.sha256 = frames.text_or_none(7);

@@ -33,14 +33,14 @@ std::vector<std::uint8_t> kept_by(const std::string& mask, const sim::Camera& ca
 constexpr double kLikelierThanNot = 0.5;
 constexpr int kMaxNodes = 100000;
 
-[[noreturn]] void refuse_trees(const std::string& file, const std::string& problem) {
-  throw sim::unreadable(file, problem).expected("what scripts/learn_filter.py writes");
+sim::Error bad_trees(const std::string& file, const std::string& problem) {
+  return sim::unreadable(file, problem).expected("what scripts/learn_filter.py writes");
 }
 
 int feature_of(const std::string& name, const std::string& file) {
   for (const FeatureWords& words : feature_words())
     if (name == words.name) return static_cast<int>(words.feature);
-  refuse_trees(file, "asks for a feature '" + name + "' that there is not");
+  throw bad_trees(file, "asks for a feature '" + name + "' that there is not");
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ SkyTrees::Tree SkyTrees::tree_of(const std::string& text, const std::string& nam
   const nlohmann::json nodes = nlohmann::json::parse(text);
   Tree tree;
   const auto count = static_cast<int>(nodes.size());
-  if (!nodes.is_array() || count < 1 || count > kMaxNodes) refuse_trees(name, "has a tree of no nodes");
+  if (!nodes.is_array() || count < 1 || count > kMaxNodes) throw bad_trees(name, "has a tree of no nodes");
   for (const nlohmann::json& node : nodes) {
     Node one;
     if (node.contains("score")) {
@@ -92,7 +92,7 @@ SkyTrees::Tree SkyTrees::tree_of(const std::string& text, const std::string& nam
       // Branches lead on, never back: every walk ends.
       const auto own = static_cast<int>(tree.size());
       if (one.below <= own || one.above <= own || one.below >= count || one.above >= count)
-        refuse_trees(name, "has a branch that leads to no node behind it");
+        throw bad_trees(name, "has a branch that leads to no node behind it");
     }
     tree.push_back(one);
   }
@@ -103,13 +103,13 @@ SkyTrees::SkyTrees(const std::string& text, const std::string& name) {
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     if (json.at("kind") != "vegard sky trees" || json.at("format") != 1)
-      refuse_trees(name, "has no trees of this version");
+      throw bad_trees(name, "has no trees of this version");
     for (int question = 0; question < kSkyQuestions; ++question)
       for (const nlohmann::json& nodes :
            json.at("trees").at(sky_question_name(static_cast<SkyQuestion>(question))))
         trees_[static_cast<std::size_t>(question)].push_back(tree_of(nodes.dump(), name));
   } catch (const nlohmann::json::exception&) {
-    refuse_trees(name, "has no trees, or damaged ones");
+    throw bad_trees(name, "has no trees, or damaged ones");
   }
 }
 
