@@ -39,12 +39,10 @@ sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
   return {std::exp(logarithms.front()), std::exp(logarithms.back())};
 }
 
-[[noreturn]] void refuse_unknown_curve(const sim::Scene& scene, const std::string& key,
-                                       const std::string& what, const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene, what + " with an unknown transfer curve")
+sim::Error needs_known_curve(const sim::Scene& scene, const std::string& key, const std::string& what) {
+  return sim::Error(sim::ErrorKind::scene, what + " with an unknown transfer curve")
       .file(scene.file)
       .key(key)
-      .expected(expected)
       .hint("or say the curve: --decoding srgb, gamma:2.2 or curve:FILE.csv");
 }
 
@@ -52,15 +50,16 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
                      const FitOptions& options) {
   const sim::Fit& f = scene.fit;
   if (f.weight[sim::StatisticKind::profile] <= 0.0)
-    refuse_unknown_curve(scene, "fit.profile_weight", "nothing would be compared", "above 0");
+    throw needs_known_curve(scene, "fit.profile_weight", "nothing would be compared").expected("above 0");
   for (const sim::StatisticFacts& facts : sim::kStatistics)
     if (facts.kind != sim::StatisticKind::profile && f.weight[facts.kind] > 0.0)
-      refuse_unknown_curve(scene, weight_key(facts.kind), "profiles alone can be compared", "0");
+      throw needs_known_curve(scene, weight_key(facts.kind), "profiles alone can be compared").expected("0");
   if (f.photo_noise != sim::PhotoNoise::estimated)
-    refuse_unknown_curve(scene, "fit.photo_noise", "the sensor's noise is no guide", "\"estimated\"");
+    throw needs_known_curve(scene, "fit.photo_noise", "the sensor's noise is no guide")
+        .expected("\"estimated\"");
   if (!spline_lines(scene, free).empty())
-    refuse_unknown_curve(scene, "fit.free", "a free-form height profile cannot be told apart",
-                         "no spline_rate");
+    throw needs_known_curve(scene, "fit.free", "a free-form height profile cannot be told apart")
+        .expected("no spline_rate");
   if (options.intervals || options.bootstrap > 0 || options.mcmc > 0)
     throw sim::Error(sim::ErrorKind::usage, "error bars cannot be validated with an unknown transfer curve")
         .key("--intervals, --bootstrap, --mcmc")

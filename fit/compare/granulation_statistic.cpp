@@ -23,12 +23,10 @@ constexpr double kMaxNoise = 0.5;    ///< of a band's power
 constexpr double kFarShift = 100.0;  ///< lengths of the largest waves that draws lie within
 constexpr double kHalfPi = 1.5707963267948966;
 
-[[noreturn]] void refuse_granulation(const sim::Scene& scene, const std::string& problem,
-                                     const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::scene, problem)
+sim::Error no_granulation(const sim::Scene& scene, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::scene, problem)
       .file(scene.file)
       .key("fit.granulation_weight")
-      .expected(expected)
       .hint("or fit.granulation_weight = 0");
 }
 
@@ -93,13 +91,13 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
                                            double weight, double model_error, int threads)
     : weight_(weight), middle_(places_of_middle(scene, region)) {
   if (!scene.sun.shown || scene.chromospheres.empty())
-    refuse_granulation(scene, "there is no chromosphere whose granules could be compared",
-                       "sun.shown = true and a [[chromosphere]]");
+    throw no_granulation(scene, "there is no chromosphere whose granules could be compared")
+        .expected("sun.shown = true and a [[chromosphere]]");
   const int cell = (std::max(region.width, region.height) + kMaxCells - 1) / kMaxCells;
   const auto grid = std::make_shared<const BinGrid>(image_bins(column_bins(region, 1), cell));
   if (std::min(grid->groups, grid->positions) < kFewestCells)
-    refuse_granulation(scene, "the region is too small for a spectrum",
-                       "at least " + std::to_string(kFewestCells * cell) + " pixels each way");
+    throw no_granulation(scene, "the region is too small for a spectrum")
+        .expected("at least " + std::to_string(kFewestCells * cell) + " pixels each way");
   std::vector<double> window = window_of(scene, *grid, cell);
   const Profile cells = measured_profile(scene, photo, grid);
   channel_ = brightest_channel(cells);
@@ -115,8 +113,8 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   }
   // A sixteenth of what a Hann window alone would leave.
   if (!(weights > grid->bins() / 64.0) || !(mean > 0.0))
-    refuse_granulation(scene, "the region shows too little of the Sun's disc",
-                       "a region (fit.roi_px) on the disc");
+    throw no_granulation(scene, "the region shows too little of the Sun's disc")
+        .expected("a region (fit.roi_px) on the disc");
   spectrum_ = std::make_unique<PowerSpectrum>(grid->positions, grid->groups, std::move(window));
 
   for (const sim::Chromosphere& c : scene.chromospheres) start_scale_.push_back(c.scale);
@@ -142,8 +140,8 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
     model_->evaluate(realisation(scene, k), model);
     const std::vector<double> model_cells = cells_of(model);
     if (!std::any_of(model_cells.begin(), model_cells.end(), [](double x) { return x > 0.0; }))
-      refuse_granulation(scene, "no light of the scene falls into the region",
-                         "the Sun's disc in the region (fit.roi_px)");
+      throw no_granulation(scene, "no light of the scene falls into the region")
+          .expected("the Sun's disc in the region (fit.roi_px)");
     const std::vector<double> power = spectrum_->of(model_cells).power;
     for (std::size_t b = 0; b < power.size(); ++b) ln_power[b].push_back(std::log(power[b] + noise));
   }

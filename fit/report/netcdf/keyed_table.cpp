@@ -12,9 +12,8 @@
 namespace vegard::fit {
 namespace {
 
-[[noreturn]] void refuse_table(const TextTable& table, int line, const std::string& problem,
-                               const std::string& expected = "a table that vegard wrote") {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(table.name).line(line).expected(expected);
+sim::Error bad_text_table(const TextTable& table, int line, const std::string& problem) {
+  return sim::unreadable(table.name, problem).line(line).expected("a table that vegard wrote");
 }
 
 std::vector<std::string> cells_of_line(std::string_view line) {
@@ -77,18 +76,18 @@ TextTable read_text_table(std::string_view text, const std::string& name) {
     std::vector<std::string> cells = cells_of_line(line);
     if (table.columns.empty()) {
       if (std::set<std::string>(cells.begin(), cells.end()).size() != cells.size())
-        refuse_table(table, line_number, "two columns have one name");
+        throw bad_text_table(table, line_number, "two columns have one name");
       table.columns = std::move(cells);
       continue;
     }
     if (cells.size() != table.columns.size())
-      refuse_table(table, line_number,
-                   std::to_string(cells.size()) + " cells in a table of " +
-                       std::to_string(table.columns.size()) + " columns");
+      throw bad_text_table(table, line_number,
+                           std::to_string(cells.size()) + " cells in a table of " +
+                               std::to_string(table.columns.size()) + " columns");
     table.rows.push_back(std::move(cells));
     table.lines.push_back(line_number);
   }
-  if (table.rows.empty()) refuse_table(table, 0, "there is no table in it");
+  if (table.rows.empty()) throw bad_text_table(table, 0, "there is no table in it");
   return table;
 }
 
@@ -97,7 +96,7 @@ KeyedTable::KeyedTable(const TextTable& table, std::vector<std::string> keys)
   std::size_t most = 1;
   for (const std::string& key : keys_) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), key);
-    if (found == table.columns.end()) refuse_table(table, 0, "there is no column " + key);
+    if (found == table.columns.end()) throw bad_text_table(table, 0, "there is no column " + key);
     const auto column = static_cast<std::size_t>(found - table.columns.begin());
     std::map<std::string, std::size_t> known;
     places_.emplace_back();
@@ -109,14 +108,14 @@ KeyedTable::KeyedTable(const TextTable& table, std::vector<std::string> keys)
     }
     most *= places_.back().size();
     if (most > kMaxNumbers)
-      refuse_table(table, 0, "its rows are no grid: it would have more than 2^26 places",
-                   "rows for every pair of a few values");
+      throw bad_text_table(table, 0, "its rows are no grid: it would have more than 2^26 places")
+          .expected("rows for every pair of a few values");
   }
   std::vector<char> is_taken(most, 0);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < keys_.size(); ++k) at = at * places_[k].size() + place_of_row_[k][r];
-    if (is_taken[at] != 0) refuse_table(table, table.lines[r], "a second row of the same place");
+    if (is_taken[at] != 0) throw bad_text_table(table, table.lines[r], "a second row of the same place");
     is_taken[at] = 1;
   }
 }
@@ -137,14 +136,15 @@ double KeyedTable::number_in(std::size_t row, std::size_t column) const {
   double value = 0.0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-    refuse_table(table_, table_.lines[row], "'" + cell + "' of " + table_.columns[column] + " is no number",
-                 "a number, or nothing");
+    throw bad_text_table(table_, table_.lines[row],
+                         "'" + cell + "' of " + table_.columns[column] + " is no number")
+        .expected("a number, or nothing");
   return value;
 }
 
 std::vector<double> KeyedTable::numbers(const std::string& column, const std::vector<std::string>& by) const {
   const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
-  if (found == table_.columns.end()) refuse_table(table_, 0, "there is no column " + column);
+  if (found == table_.columns.end()) throw bad_text_table(table_, 0, "there is no column " + column);
   const auto at = static_cast<std::size_t>(found - table_.columns.begin());
   std::size_t count = 1;
   for (const std::string& key : by) count *= places(key).size();
