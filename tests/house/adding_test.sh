@@ -101,6 +101,7 @@ CPP
 add_array_format() {
   cat >"$copy/sim/base/array/dummy_arrays.cpp" <<'CPP'
 #include "sim/base/array/array_format.h"
+#include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 
 namespace vegard::sim {
@@ -112,7 +113,7 @@ class DummyArrays : public ArrayFile {
  public:
   DummyArrays(const std::string& name, std::string_view bytes)
       : ArrayFile(name, "dummy"), bytes_(bytes.data() != nullptr ? std::string(bytes) : input_bytes(name, "a dummy")) {
-    if (bytes_.size() < kDummy.size() + 2) refuse("the file is truncated");
+    if (bytes_.size() < kDummy.size() + 2) throw unreadable(name_, "the file is truncated");
     StoredArray image;
     image.name = "image";
     for (const std::size_t at : {kDummy.size() + 1, kDummy.size()})

@@ -54,22 +54,18 @@ std::size_t size_of(ArrayKind kind) {
 
 std::uint64_t StoredArray::count() const { return product(dims); }
 
-void ArrayFile::refuse(const std::string& problem, const std::string& expected,
-                       const std::string& hint) const {
-  throw unreadable(name_, problem).expected(expected).hint(hint);
-}
-
 std::string ArrayFile::read(const StoredArray& array, const std::vector<std::uint64_t>& start,
                             const std::vector<std::uint64_t>& count) {
   const std::uint64_t numbers = product(count);
   const std::size_t size = size_of(array.kind);
   if (size == 0 || numbers > kMaxBlockBytes / size)
-    refuse("of '" + array.name + "', " + (size == 0 ? "which holds text, numbers" : "more") +
-               " would have to be read at once than is possible",
-           "at most " + bytes_text(kMaxBlockBytes));
+    throw unreadable(name_, "of '" + array.name + "', " + (size == 0 ? "which holds text, numbers" : "more") +
+                                " would have to be read at once than is possible")
+        .expected("at most " + bytes_text(kMaxBlockBytes));
   if (numbers == 0) return {};
   std::string block = read_block(array, start, count);
-  if (block.size() != numbers * size) refuse("the file is damaged: '" + array.name + "' is cut short");
+  if (block.size() != numbers * size)
+    throw unreadable(name_, "the file is damaged: '" + array.name + "' is cut short");
   return block;
 }
 
@@ -85,7 +81,7 @@ std::vector<double> ArrayFile::read_numbers(const StoredArray& array) {
 }
 
 std::vector<std::string> ArrayFile::read_texts(const StoredArray& array) {
-  refuse("'" + array.name + "' holds no texts");
+  throw unreadable(name_, "'" + array.name + "' holds no texts");
 }
 
 std::string block_of(std::string_view all, const StoredArray& array, const std::vector<std::uint64_t>& start,

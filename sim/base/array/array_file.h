@@ -68,8 +68,6 @@ class ArrayFile {
   ArrayFile(std::string name, const char* format) : name_(std::move(name)), format_(format) {}
   virtual std::string read_block(const StoredArray& array, const std::vector<std::uint64_t>& start,
                                  const std::vector<std::uint64_t>& count) = 0;
-  [[noreturn]] void refuse(const std::string& problem, const std::string& expected = {},
-                           const std::string& hint = {}) const;
 
   std::string name_;
   const char* format_;

@@ -159,23 +159,21 @@ class CdfFile : public ArrayFile {
     file_ = std::make_unique<RandomBytes>(name, bytes);
     const std::string magic = file_->bytes(0, kMagicBytes);
     if (magic.substr(0, kVersion3.size()) != kVersion3)
-      refuse("this is a CDF file of version 2", "version 3", "NASA's cdfconvert makes one of the other");
+      throw unreadable(name_, "this is a CDF file of version 2")
+          .expected("version 3")
+          .hint("NASA's cdfconvert makes one of the other");
     if (magic.substr(kVersion3.size()) == kPacked) unpack_file();
     read_descriptor();
   }
 
  private:
-  [[noreturn]] void refuse_damaged(const std::string& what) const {
-    refuse("the file is damaged: " + what, "", kCopyAgain);
-  }
-
   /// A record's head behind its size and type, which are to be these.
   Fields record(std::uint64_t place, RecordType type, std::size_t max_bytes) const {
     constexpr std::size_t kHead = 12;
     const std::string head = file_->bytes(place, kHead);
     const std::uint64_t size = unsigned_at(head, 0, 8);
     if (unsigned_at(head, 8, 4) != type || size < kHead)
-      refuse_damaged("a record of kind " + std::to_string(type) + " is not where it is said to be");
+      throw damaged(name_, "a record of kind " + std::to_string(type) + " is not where it is said to be");
     return Fields(file_->bytes(place + kHead, std::min<std::uint64_t>(size - kHead, max_bytes)));
   }
   std::uint64_t type_at(std::uint64_t place) const {
@@ -189,11 +187,13 @@ class CdfFile : public ArrayFile {
     const std::uint64_t packing = packed.eight(), size = packed.eight();
     constexpr std::uint64_t kDataAt = 32;
     const std::uint64_t stored = unsigned_at(file_->bytes(kMagicBytes, 8), 0, 8);
-    if (packing_of(packing) != kGzip) refuse("it is packed as a whole in a way that is not read", "gzip");
+    if (packing_of(packing) != kGzip)
+      throw unreadable(name_, "it is packed as a whole in a way that is not read").expected("gzip");
     if (size > kMaxUnpackedFile)
-      refuse("it claims to unpack to " + std::to_string(size) + " bytes", "at most 512 MB",
-             "unpack it first");
-    if (stored < kDataAt) refuse_damaged("its packed part is cut short");
+      throw unreadable(name_, "it claims to unpack to " + std::to_string(size) + " bytes")
+          .expected("at most 512 MB")
+          .hint("unpack it first");
+    if (stored < kDataAt) throw damaged(name_, "its packed part is cut short");
     unpacked_ =
         std::string(kMagicBytes, '\0') + gunzip(file_->bytes(kMagicBytes + kDataAt, stored - kDataAt), size);
     file_ = std::make_unique<RandomBytes>(name_, std::string_view(unpacked_));
@@ -206,7 +206,7 @@ class CdfFile : public ArrayFile {
 
   std::string gunzip(const std::string& packed, std::uint64_t size) const {
     ByteStream stream(packed, name_);
-    if (!stream.is_packed()) refuse_damaged("what is said to be packed by gzip is not");
+    if (!stream.is_packed()) throw damaged(name_, "what is said to be packed by gzip is not");
     // Room is made as bytes come.
     std::string all;
     constexpr std::size_t kAtOnce = std::size_t{1} << 22;
@@ -215,7 +215,7 @@ class CdfFile : public ArrayFile {
       const std::size_t count = std::min<std::size_t>(kAtOnce, static_cast<std::size_t>(size) - at);
       all.resize(at + count);
       const std::size_t got = stream.read(all.data() + at, count);
-      if (got < count) refuse_damaged("a packed part of it is too short");
+      if (got < count) throw damaged(name_, "a packed part of it is too short");
     }
     return all;
   }
@@ -227,8 +227,10 @@ class CdfFile : public ArrayFile {
     descriptor.pass(8);
     const std::uint64_t encoding = descriptor.four(), flags = descriptor.four();
     order_ = order_of_encoding(encoding);
-    if (order_ == 0) refuse("its numbers are encoded in a way that is not read", "IEEE numbers");
-    if ((flags & kInOneFile) == 0) refuse("its variables are in files of their own", "one file");
+    if (order_ == 0)
+      throw unreadable(name_, "its numbers are encoded in a way that is not read").expected("IEEE numbers");
+    if ((flags & kInOneFile) == 0)
+      throw unreadable(name_, "its variables are in files of their own").expected("one file");
     rows_first_ = (flags & kRowsFirst) != 0;
     Fields global = record(global_at, kGlobal, 72 + 4 * kMaxArrayDims);
     const std::uint64_t r_head = global.eight(), z_head = global.eight();
@@ -237,16 +239,17 @@ class CdfFile : public ArrayFile {
     const std::uint64_t r_dims = global.four();
     global.pass(4 + 8 + 12);
     std::vector<std::uint64_t> r_lengths;
-    if (r_dims >= kMaxArrayDims) refuse("its variables have too many dimensions");
+    if (r_dims >= kMaxArrayDims) throw unreadable(name_, "its variables have too many dimensions");
     for (std::uint64_t d = 0; d < r_dims; ++d) r_lengths.push_back(global.four());
-    if (global.is_short()) refuse_damaged("its record of what it holds is cut short");
+    if (global.is_short()) throw damaged(name_, "its record of what it holds is cut short");
     take_variables(r_head, kRVariable, r_lengths);
     take_variables(z_head, kZVariable, {});
   }
 
   void take_variables(std::uint64_t place, RecordType type, const std::vector<std::uint64_t>& r_lengths) {
     for (std::size_t seen = 0; place != 0; ++seen) {
-      if (seen >= kMaxArrays) refuse("it holds more than " + std::to_string(kMaxArrays) + " variables");
+      if (seen >= kMaxArrays)
+        throw unreadable(name_, "it holds more than " + std::to_string(kMaxArrays) + " variables");
       constexpr std::size_t kEnough = 72 + kNameBytes + 4 + 8 * kMaxArrayDims + 64;
       Fields head = record(place, type, kEnough);
       place = head.eight();
@@ -271,7 +274,7 @@ class CdfFile : public ArrayFile {
       }
       for (const std::uint64_t length : lengths)
         if (head.four() != 0) array.dims.push_back(length);
-      if (head.is_short()) refuse_damaged("its record of a variable is cut short");
+      if (head.is_short()) throw damaged(name_, "its record of a variable is cut short");
       if (array.name.empty()) continue;  // nobody could ask for it
       if (!kind_of_type(data_type, array.kind, array.clock) || elements != 1) continue;
       variable.packing = (flags & kIsPacked) != 0 ? packing_of(packing_at) : kNoPacking;
@@ -292,20 +295,20 @@ class CdfFile : public ArrayFile {
 
   void take_index(std::uint64_t place, int depth, std::size_t& seen, std::vector<Block>& blocks) const {
     while (place != 0) {
-      if (++seen > kMaxBlocks || depth > kDeepestIndex) refuse_damaged("its index has no end");
+      if (++seen > kMaxBlocks || depth > kDeepestIndex) throw damaged(name_, "its index has no end");
       constexpr std::size_t kEntryBytes = 16, kMaxEntries = 4096;
       Fields head = record(place, kIndex, 16 + kEntryBytes * kMaxEntries);
       const std::uint64_t next = head.eight(), entries = head.four(), used = head.four();
-      if (entries > kMaxEntries || used > entries) refuse_damaged("its index makes no sense");
+      if (entries > kMaxEntries || used > entries) throw damaged(name_, "its index makes no sense");
       std::vector<Block> own(static_cast<std::size_t>(entries));
       for (Block& block : own) block.first = head.four();
       for (Block& block : own) block.last = head.four();
       for (Block& block : own) block.place = head.eight();
-      if (head.is_short()) refuse_damaged("its index is cut short");
+      if (head.is_short()) throw damaged(name_, "its index is cut short");
       own.resize(static_cast<std::size_t>(used));
       for (const Block& block : own) {
         if (block.last < block.first || blocks.size() >= kMaxBlocks)
-          refuse_damaged("its index makes no sense");
+          throw damaged(name_, "its index makes no sense");
         if (type_at(block.place) == kIndex)
           take_index(block.place, depth + 1, seen, blocks);
         else
@@ -327,7 +330,7 @@ class CdfFile : public ArrayFile {
     const auto behind = std::upper_bound(variable.blocks.begin(), variable.blocks.end(), number,
                                          [](std::uint64_t n, const Block& block) { return n < block.first; });
     if (behind == variable.blocks.begin() || std::prev(behind)->last < number)
-      refuse("of '" + name + "' record " + std::to_string(number) + " is missing");
+      throw unreadable(name_, "of '" + name + "' record " + std::to_string(number) + " is missing");
     return *std::prev(behind);
   }
 
@@ -339,12 +342,12 @@ class CdfFile : public ArrayFile {
                         in_block = (number - block.first) * variable.record_bytes;
     constexpr std::uint64_t kValuesAt = 12, kPackedValuesAt = 24, kSizeAt = 16;
     if (type == kValues) return file_->bytes(block.place + kValuesAt + in_block, variable.record_bytes);
-    if (type != kPackedValues) refuse_damaged("'" + name + "' is not where its index says");
+    if (type != kPackedValues) throw damaged(name_, "'" + name + "' is not where its index says");
     if (kept_place_ != block.place) {
       const std::uint64_t stored = unsigned_at(file_->bytes(block.place + kSizeAt, 8), 0, 8);
       const std::uint64_t records = block.last - block.first + 1;
       if (records > kMaxBlockBytes / variable.record_bytes)
-        refuse("a packed block of '" + name + "' claims more than 512 MB");
+        throw unreadable(name_, "a packed block of '" + name + "' claims more than 512 MB");
       const std::string packed = file_->bytes(block.place + kPackedValuesAt, stored);
       const std::uint64_t size = records * variable.record_bytes;
       if (variable.packing == kGzip)
@@ -352,12 +355,13 @@ class CdfFile : public ArrayFile {
       else if (variable.packing == kRunsOfZeros)
         kept_ = with_runs(packed, size);
       else
-        refuse("'" + name + "' is packed in a way that is not read", "gzip, or runs of zeros");
+        throw unreadable(name_, "'" + name + "' is packed in a way that is not read")
+            .expected("gzip, or runs of zeros");
       kept_place_ = block.place;
     }
     // Two indices may claim one block, with other sizes.
     if (in_block > kept_.size() || variable.record_bytes > kept_.size() - in_block)
-      refuse_damaged("a packed block of '" + name + "' is smaller than its index says");
+      throw damaged(name_, "a packed block of '" + name + "' is smaller than its index says");
     return kept_.substr(static_cast<std::size_t>(in_block), static_cast<std::size_t>(variable.record_bytes));
   }
 
@@ -372,7 +376,7 @@ class CdfFile : public ArrayFile {
         all.append(static_cast<std::size_t>(static_cast<unsigned char>(packed[i])) + 1, '\0');
       }
     }
-    if (all.size() != size) refuse_damaged("a packed part of it has another size than it says");
+    if (all.size() != size) throw damaged(name_, "a packed part of it has another size than it says");
     return all;
   }
 

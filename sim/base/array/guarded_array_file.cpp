@@ -61,14 +61,14 @@ class Received {
   /// A number of things, each of which takes so many bytes at least.
   std::size_t count(std::size_t bytes_each) {
     const std::uint64_t things = number();
-    if (things > bytes_.size() / bytes_each) refuse();
+    if (things > bytes_.size() / bytes_each) throw bad_answer();
     return static_cast<std::size_t>(things);
   }
-  [[noreturn]] void refuse() const { throw damaged(file_, "its library fails on it"); }
+  Error bad_answer() const { return damaged(file_, "its library fails on it"); }
 
  private:
   std::string_view take(std::uint64_t size) {
-    if (size > bytes_.size()) refuse();
+    if (size > bytes_.size()) throw bad_answer();
     const std::string_view taken = bytes_.substr(0, static_cast<std::size_t>(size));
     bytes_.remove_prefix(taken.size());
     return taken;
@@ -136,7 +136,7 @@ class GuardedArrayFile : public ArrayFile {
       array.dims = received.numbers();
       array.kind = static_cast<ArrayKind>(received.number());
       array.clock = static_cast<ArrayClock>(received.number());
-      if (array.kind > ArrayKind::text || array.clock > ArrayClock::tt2000) received.refuse();
+      if (array.kind > ArrayKind::text || array.clock > ArrayClock::tt2000) throw received.bad_answer();
       array.columns_first = received.number() != 0;
       array.words = received.words();
     }

@@ -21,7 +21,6 @@ namespace {
 
 constexpr std::size_t kMaxTextBytesOfOne = 1 << 16;
 constexpr hsize_t kMaxChunkBytes = hsize_t{1} << 28;
-constexpr const char* kDamagedPart = "the file is damaged: ";
 
 /// One of the library's handles. What it was got for is open() false of.
 class Handle {
@@ -219,13 +218,14 @@ class Hdf5File : public ArrayFile {
  public:
   Hdf5File(const std::string& name, std::string_view bytes)
       : ArrayFile(name, "HDF5"), file_(open(name, bytes), H5Fclose) {
-    if (!file_.is_open()) refuse("the file is truncated, or no HDF5 file", "", kCopyAgain);
+    if (!file_.is_open()) throw unreadable(name_, "the file is truncated, or no HDF5 file").hint(kCopyAgain);
     Listing listing;
     if (H5Ovisit2(file_, H5_INDEX_NAME, H5_ITER_INC, take_object, &listing, H5O_INFO_BASIC) < 0)
-      refuse(std::string(kDamagedPart) + "what it holds cannot be listed", "", kCopyAgain);
+      throw damaged(name_, "what it holds cannot be listed");
     if (listing.is_too_much)
-      refuse("it holds too much", std::to_string(kMaxArrays) + " arrays and groups, and words of " +
-                                      std::to_string(kMaxWordBytes >> 20) + " MB");
+      throw unreadable(name_, "it holds too much")
+          .expected(std::to_string(kMaxArrays) + " arrays and groups, and words of " +
+                    std::to_string(kMaxWordBytes >> 20) + " MB");
     arrays_ = std::move(listing.arrays);
     words_ = std::move(listing.words);
     take_matlab_words();
@@ -234,13 +234,14 @@ class Hdf5File : public ArrayFile {
   std::vector<std::string> read_texts(const StoredArray& array) override {
     const Handle dataset = opened(array);
     const Handle type(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
-    if (!type.is_open() || !space.is_open()) refuse_array(array);
+    if (!type.is_open() || !space.is_open()) throw bad_array(array);
     constexpr std::uint64_t kMaxTexts = 1 << 20;
-    if (array.count() > kMaxTexts) refuse("of '" + array.name + "' there are too many texts");
+    if (array.count() > kMaxTexts)
+      throw unreadable(name_, "of '" + array.name + "' there are too many texts");
     std::vector<std::string> texts = hdf5_texts(
         type, space, static_cast<std::size_t>(array.count()),
         [&](hid_t memory, void* to) { return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, to); });
-    if (texts.size() != array.count()) refuse_array(array);
+    if (texts.size() != array.count()) throw bad_array(array);
     return texts;
   }
 
@@ -275,8 +276,8 @@ class Hdf5File : public ArrayFile {
                   arrays_.end());
   }
 
-  [[noreturn]] void refuse_array(const StoredArray& array) const {
-    refuse(std::string(kDamagedPart) + "'" + array.name + "' cannot be read", "", kCopyAgain);
+  Error bad_array(const StoredArray& array) const {
+    return damaged(name_, "'" + array.name + "' cannot be read");
   }
 
   Handle opened(const StoredArray& array) const {
@@ -287,11 +288,11 @@ class Hdf5File : public ArrayFile {
                          const std::vector<std::uint64_t>& count) override {
     const Handle dataset = opened(array);
     const Handle space(dataset.is_open() ? H5Dget_space(dataset) : -1, H5Sclose);
-    if (!space.is_open()) refuse_array(array);
+    if (!space.is_open()) throw bad_array(array);
     std::string block(size_of(array.kind), '\0');
     if (array.dims.empty()) {
       if (H5Dread(dataset, memory_type(array.kind), H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()) < 0)
-        refuse_array(array);
+        throw bad_array(array);
       return block;
     }
     std::uint64_t numbers = 1;
@@ -302,7 +303,7 @@ class Hdf5File : public ArrayFile {
     if (!memory.is_open() ||
         H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, sizes.data(), nullptr) < 0 ||
         H5Dread(dataset, memory_type(array.kind), memory, space, H5P_DEFAULT, block.data()) < 0)
-      refuse_array(array);
+      throw bad_array(array);
     return block;
   }
 

@@ -91,13 +91,13 @@ class Xdr {
   /// A length, and so many letters.
   std::string text() {
     const std::uint32_t length = number();
-    if (length > kMaxTextBytes) refuse("has a text of more than 64 kB");
+    if (length > kMaxTextBytes) throw bad_record("has a text of more than 64 kB");
     std::string value(take(length));
     align();
     return value;
   }
   std::string_view take(std::uint64_t count) {
-    if (count > bytes_.size() - at_) refuse("ends too early");
+    if (count > bytes_.size() - at_) throw bad_record("ends too early");
     const std::string_view taken = bytes_.substr(at_, static_cast<std::size_t>(count));
     at_ += static_cast<std::size_t>(count);
     return taken;
@@ -105,9 +105,7 @@ class Xdr {
   void align() { pass((4 - at_ % 4) % 4); }
   bool is_at_end() const { return at_ == bytes_.size(); }
 
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw unreadable(file_, "the file is damaged: a record of it " + what).hint(kCopyAgain);
-  }
+  Error bad_record(const std::string& what) const { return damaged(file_, "a record of it " + what); }
 
  private:
   std::uint64_t wide(std::size_t size) {
@@ -124,22 +122,23 @@ class IdlSave : public ArrayFile {
  public:
   IdlSave(const std::string& name, std::string_view bytes) : ArrayFile(name, "IDL") {
     const RandomBytes file(name, bytes);
-    if (file.size() > kMaxBytes) refuse("the file is larger than 512 MB");
+    if (file.size() > kMaxBytes) throw unreadable(name_, "the file is larger than 512 MB");
     const std::string all = file.bytes(0, file.size());
     constexpr std::size_t kBegin = 4;
-    if (all.size() < kBegin) refuse("the file is truncated", "", kCopyAgain);
+    if (all.size() < kBegin) throw unreadable(name_, "the file is truncated").hint(kCopyAgain);
     const bool is_packed = all[3] == '\6';
     std::size_t place = kBegin;
     for (std::size_t records = 0;; ++records) {
-      if (records > kMaxArrays) refuse("it holds too many records");
+      if (records > kMaxArrays) throw unreadable(name_, "it holds too many records");
       constexpr std::size_t kHead = 16;
-      if (all.size() - place < kHead) refuse("the file is truncated: it has no last record", "", kCopyAgain);
+      if (all.size() - place < kHead) throw truncated(name_, "it has no last record");
       Xdr head(std::string_view(all).substr(place, kHead), name_);
       const std::uint32_t type = head.number();
       const std::uint64_t low = head.number(), next = low | static_cast<std::uint64_t>(head.number()) << 32;
       if (type == kEndRecord) break;
       if (next <= place + kHead - 1 || next > all.size())
-        refuse("the file is truncated, or damaged: a record ends where there is none", "", kCopyAgain);
+        throw unreadable(name_, "the file is truncated, or damaged: a record ends where there is none")
+            .hint(kCopyAgain);
       if (type == kVariableRecord) {
         const std::string_view stored =
             std::string_view(all).substr(place + kHead, static_cast<std::size_t>(next) - place - kHead);
@@ -160,14 +159,15 @@ class IdlSave : public ArrayFile {
       const std::size_t got = stream.read(all.data() + at, kAtOnce);
       all.resize(at + got);
       if (got < kAtOnce) return all;
-      if (all.size() + kept_bytes_ > kMaxBytes) refuse("it unpacks to more than 512 MB");
+      if (all.size() + kept_bytes_ > kMaxBytes) throw unreadable(name_, "it unpacks to more than 512 MB");
     }
   }
 
   IdlShape shape_of(Xdr& xdr) {
     constexpr std::uint32_t kOfThirtyTwoBits = 8, kMaxDims = 8;
     if (xdr.number() != kOfThirtyTwoBits)
-      refuse("an array in it is described in a way that is not read", "arrays below 2 GB");
+      throw unreadable(name_, "an array in it is described in a way that is not read")
+          .expected("arrays below 2 GB");
     xdr.pass(4);
     IdlShape shape;
     shape.bytes = xdr.number();
@@ -176,31 +176,31 @@ class IdlSave : public ArrayFile {
     xdr.pass(8);
     const std::uint32_t stored = xdr.number();
     if (dims < 1 || dims > kMaxDims || stored < dims || stored > kMaxDims)
-      xdr.refuse("has an impossible shape");
+      throw xdr.bad_record("has an impossible shape");
     std::uint64_t elements = 1;
     for (std::uint32_t d = 0; d < stored; ++d) {
       const std::uint64_t length = xdr.number();
       if (d >= dims) continue;
       shape.dims.push_back(length);
-      if (length == 0 || length > kMaxBytes / elements) xdr.refuse("has an impossible shape");
+      if (length == 0 || length > kMaxBytes / elements) throw xdr.bad_record("has an impossible shape");
       elements *= length;
     }
-    if (elements != shape.elements) xdr.refuse("has a shape that contradicts itself");
+    if (elements != shape.elements) throw xdr.bad_record("has a shape that contradicts itself");
     return shape;
   }
 
   const Structure* structure_of(Xdr& xdr, int depth) {
     constexpr std::uint32_t kBegin = 9, kPredefined = 1, kInherits = 2, kIsClass = 4;
-    if (depth > kDeepestPart || xdr.number() != kBegin) xdr.refuse("has an impossible structure");
+    if (depth > kDeepestPart || xdr.number() != kBegin) throw xdr.bad_record("has an impossible structure");
     Structure made;
     made.name = xdr.text();
     const std::uint32_t flags = xdr.number(), tags = xdr.number();
     xdr.pass(4);
-    if (tags > kMaxTags) xdr.refuse("has a structure of too many parts");
+    if (tags > kMaxTags) throw xdr.bad_record("has a structure of too many parts");
     if ((flags & kPredefined) != 0) {
       const auto known = std::find_if(structures_.begin(), structures_.end(),
                                       [&](const Structure& one) { return one.name == made.name; });
-      if (known == structures_.end()) xdr.refuse("has a structure that is described nowhere");
+      if (known == structures_.end()) throw xdr.bad_record("has a structure that is described nowhere");
       return &*known;
     }
     made.tags.resize(tags);
@@ -214,15 +214,16 @@ class IdlSave : public ArrayFile {
       if ((tag.flags & kArrayFlag) != 0) tag.shape = shape_of(xdr);
     for (Tag& tag : made.tags)
       if ((tag.flags & kStructureFlag) != 0) tag.structure = structure_of(xdr, depth + 1);
-    if ((flags & (kInherits | kIsClass)) != 0) refuse("it holds objects of a class, which are not read");
-    if (structures_.size() >= kMaxArrays) refuse("it holds too many structures");
+    if ((flags & (kInherits | kIsClass)) != 0)
+      throw unreadable(name_, "it holds objects of a class, which are not read");
+    if (structures_.size() >= kMaxArrays) throw unreadable(name_, "it holds too many structures");
     structures_.push_back(std::move(made));
     return &structures_.back();
   }
 
   void take_variable(std::string content) {
     kept_bytes_ += content.size();
-    if (kept_bytes_ > kMaxBytes) refuse("it holds more than 512 MB");
+    if (kept_bytes_ > kMaxBytes) throw unreadable(name_, "it holds more than 512 MB");
     kept_.push_back(std::move(content));
     Xdr xdr(kept_.back(), name_);
     Tag variable;
@@ -234,7 +235,7 @@ class IdlSave : public ArrayFile {
     if ((variable.flags & kStructureFlag) != 0) variable.structure = structure_of(xdr, 0);
     constexpr std::uint32_t kValuesFollow = 7;
     if (variable.structure == nullptr && !is_read(variable.type)) return;
-    if (xdr.number() != kValuesFollow) xdr.refuse("has no values where they should be");
+    if (xdr.number() != kValuesFollow) throw xdr.bad_record("has no values where they should be");
     take_values(xdr, variable, "", 0);
   }
 
@@ -245,11 +246,13 @@ class IdlSave : public ArrayFile {
 
   void take_values(Xdr& xdr, const Tag& tag, const std::string& within, int depth) {
     constexpr std::size_t kMaxSteps = 10000000;
-    if (++steps_ > kMaxSteps) xdr.refuse("has too many parts");
-    if (within.size() + tag.name.size() > kMaxNameLetters) xdr.refuse("has a name of more than 256 letters");
+    if (++steps_ > kMaxSteps) throw xdr.bad_record("has too many parts");
+    if (within.size() + tag.name.size() > kMaxNameLetters)
+      throw xdr.bad_record("has a name of more than 256 letters");
     const std::string path = within.empty() ? tag.name : within + "/" + tag.name;
     if (tag.structure != nullptr) {
-      if (depth > kDeepestPart || tag.shape.elements > kMaxArrays) xdr.refuse("has too many structures");
+      if (depth > kDeepestPart || tag.shape.elements > kMaxArrays)
+        throw xdr.bad_record("has too many structures");
       // Of arrays of structures the first stands for all; the others are gone through.
       steps_ += static_cast<std::size_t>(tag.shape.elements);
       for (std::uint64_t i = 0; i < tag.shape.elements; ++i)
@@ -259,21 +262,21 @@ class IdlSave : public ArrayFile {
     }
     const bool is_array = (tag.flags & kArrayFlag) != 0;
     if (tag.type == kTextType) {
-      if (tag.shape.elements > kMaxTexts) xdr.refuse("has too many texts");
+      if (tag.shape.elements > kMaxTexts) throw xdr.bad_record("has too many texts");
       for (std::uint64_t i = 0; i < tag.shape.elements; ++i) {
         // Its length stands there twice, unless it is 0.
         const std::uint32_t length = xdr.number();
         const std::string text = length > 0 ? xdr.text() : std::string();
         if (is_array) continue;
         word_bytes_ += within.size() + tag.name.size() + text.size();
-        if (word_bytes_ > kMaxWordBytes) xdr.refuse("has too many texts");
+        if (word_bytes_ > kMaxWordBytes) throw xdr.bad_record("has too many texts");
         words_[within].emplace_back(tag.name, text);
       }
       return;
     }
     StoredArray array;
     if (!kind_of_idl(tag.type, array.kind))
-      refuse("'" + path + "' is of a type that is not read", "numbers and texts");
+      throw unreadable(name_, "'" + path + "' is of a type that is not read").expected("numbers and texts");
     array.name = path;
     if (is_array) array.dims.assign(tag.shape.dims.rbegin(), tag.shape.dims.rend());
     constexpr std::uint32_t kBytes = 1, kShorts = 2, kWords = 12;
@@ -284,7 +287,7 @@ class IdlSave : public ArrayFile {
     const std::uint64_t count = array.count();
     const std::string_view stored = xdr.take(count * (is_wide ? 4 : size));
     xdr.align();
-    if (arrays_.size() >= kMaxArrays) refuse("it holds too many variables");
+    if (arrays_.size() >= kMaxArrays) throw unreadable(name_, "it holds too many variables");
     arrays_.push_back(std::move(array));
     values_.push_back({stored, is_wide});
   }

@@ -118,10 +118,10 @@ class MatFile : public ArrayFile {
       : ArrayFile(name, "MATLAB"), place_(bytes.data() != nullptr ? file_of_bytes(bytes) : name) {
     const OpenMat file = opened();
     if (Mat_GetVersion(file.get()) == MAT_FT_MAT5 && !has_whole_elements(place_))
-      refuse("the file is truncated: its elements end behind its end", "", kCopyAgain);
+      throw truncated(name_, "its elements end behind its end");
     for (int variables = 0;; ++variables) {
       if (variables == kMaxVariables)
-        refuse("it holds more than " + std::to_string(kMaxVariables) + " variables");
+        throw unreadable(name_, "it holds more than " + std::to_string(kMaxVariables) + " variables");
       const Variable variable(Mat_VarReadNextInfo(file.get()));
       if (variable == nullptr) break;
       if (variable->name == nullptr) continue;
@@ -131,14 +131,15 @@ class MatFile : public ArrayFile {
         take(*variable, variable->name);
     }
     if (arrays_.empty())
-      refuse("no array of real numbers can be read of it: the file is damaged, or holds none", "",
-             kCopyAgain);
+      throw unreadable(name_,
+                       "no array of real numbers can be read of it: the file is damaged, or holds none")
+          .hint(kCopyAgain);
   }
 
  private:
   OpenMat opened() const {
     OpenMat file(Mat_Open(place_.c_str(), MAT_ACC_RDONLY));
-    if (file == nullptr) refuse("the file is truncated, or no MATLAB file", "", kCopyAgain);
+    if (file == nullptr) throw unreadable(name_, "the file is truncated, or no MATLAB file").hint(kCopyAgain);
     return file;
   }
 
@@ -199,7 +200,7 @@ class MatFile : public ArrayFile {
     const matvar_t* found = find(array.name);
     const std::uint64_t bytes = array.count() * size_of(array.kind);
     if (found == nullptr || found->data == nullptr || found->nbytes < bytes)
-      refuse("the file is damaged: '" + array.name + "' cannot be read", "", kCopyAgain);
+      throw damaged(name_, "'" + array.name + "' cannot be read");
     return block_of({static_cast<const char*>(found->data), static_cast<std::size_t>(bytes)}, array, start,
                     count);
   }
