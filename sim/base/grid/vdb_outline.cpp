@@ -117,14 +117,14 @@ class Outline {
     file_.skip(kIdentity);
     metadata();
     const auto grids = number<std::int32_t>();
-    if (grids < 0 || grids > file_.size() / kMinGrid) damaged("more grids than it has room for");
+    if (grids < 0 || grids > file_.size() / kMinGrid) throw bad_part("more grids than it has room for");
     for (std::int32_t i = 0; i < grids; ++i) grid();
     return taken_;
   }
 
  private:
-  [[noreturn]] static void damaged(const std::string& what) {
-    throw std::runtime_error("it is damaged: " + what);
+  static std::runtime_error bad_part(const std::string& what) {
+    return std::runtime_error("it is damaged: " + what);
   }
 
   template <class N>
@@ -136,12 +136,12 @@ class Outline {
 
   /// The library takes a byte that is neither for a bool all the same, which is undefined.
   void truth() {
-    if (number<unsigned char>() > 1) damaged("a yes or no that is neither");
+    if (number<unsigned char>() > 1) throw bad_part("a yes or no that is neither");
   }
 
   std::string text() {
     const std::int64_t length = number<std::uint32_t>();
-    if (length > kMaxText || length > file_.left()) damaged("a text longer than the file");
+    if (length > kMaxText || length > file_.left()) throw bad_part("a text longer than the file");
     std::string words(static_cast<std::size_t>(length), '\0');
     file_.read(words.data(), length);
     return words;
@@ -153,7 +153,7 @@ class Outline {
       text();  // name
       const std::string type = text();
       const std::int64_t length = number<std::uint32_t>(), begin = file_.place();
-      if (length > file_.left()) damaged("metadata longer than the file");
+      if (length > file_.left()) throw bad_part("metadata longer than the file");
       // The library reads as much as the type takes, whatever the length.
       struct Fixed {
         std::string_view type;
@@ -178,11 +178,11 @@ class Outline {
                                                         {"half", 2}}};
       for (const Fixed& fixed : kFixed)
         if (type == fixed.type && length != fixed.bytes)
-          damaged("metadata of another length than their type's");
+          throw bad_part("metadata of another length than their type's");
       if (type == "bool") truth();
       if (type == "__delayedload" && length > 0) {
         list_of_leaves(length);
-        if (file_.place() > begin + length) damaged("metadata longer than they say");
+        if (file_.place() > begin + length) throw bad_part("metadata longer than they say");
       }
       file_.go_to(begin + length);
     }
@@ -193,12 +193,12 @@ class Outline {
   void list_of_leaves(std::int64_t length) {
     constexpr std::int64_t kMinOfLeaf = 129;  // two masks and a byte
     const std::int64_t end = file_.place() + length, count = number<std::uint32_t>();
-    if (count > file_.size() / kMinOfLeaf) damaged("more leaves than it has room for");
+    if (count > file_.size() / kMinOfLeaf) throw bad_part("more leaves than it has room for");
     for (const std::int64_t each : {1, 8}) {
       const auto bytes = number<std::uint32_t>();
       if (each == 8 && bytes == 0xFFFFFFFF) return;  // there is no such list
       const std::int64_t begin = file_.place(), room = bytes == 0 ? count * each : std::int64_t{bytes};
-      if (room > end - begin) damaged("a list of leaves longer than its place");
+      if (room > end - begin) throw bad_part("a list of leaves longer than its place");
       if (bytes > 0) packed(room, padded(count * each));
       file_.go_to(begin + room);
     }
@@ -215,12 +215,12 @@ class Outline {
   /// size.
   void packed(std::int64_t bytes, std::int64_t unpacked) {
     constexpr std::int64_t kHeader = 16;
-    if (bytes < kHeader) damaged("packed numbers without a header");
+    if (bytes < kHeader) throw bad_part("packed numbers without a header");
     number<std::uint32_t>();  // versions, flags, size of a number
     const std::int64_t out = number<std::uint32_t>(), block = number<std::uint32_t>(),
                        in = number<std::uint32_t>();
     if (out != unpacked || in != bytes || block > std::max<std::int64_t>(out, 1))
-      damaged("packed numbers of another size than what they are for");
+      throw bad_part("packed numbers of another size than what they are for");
     file_.skip(bytes - kHeader);
   }
 
@@ -235,10 +235,10 @@ class Outline {
     }
     const auto length = number<std::int64_t>();
     if (length <= 0) {
-      if (length != -bytes) damaged("numbers of another length than what they are for");
+      if (length != -bytes) throw bad_part("numbers of another length than what they are for");
       file_.skip(bytes);
     } else if (length > file_.left() || length > 2 * bytes + 1024) {
-      damaged("packed numbers longer than there is room for");
+      throw bad_part("packed numbers longer than there is room for");
     } else if ((compression_ & kBlosc) != 0) {
       packed(length, bytes);
     } else {
@@ -251,7 +251,7 @@ class Outline {
     constexpr std::uint32_t kActiveAlone = 2;
     enum : int { off_minus = 1, one_off, selection, selection_one_off, selection_two_off, all };
     const int kind = number<std::int8_t>();
-    if (kind < 0 || kind > all) damaged("numbers of no known kind");
+    if (kind < 0 || kind > all) throw bad_part("numbers of no known kind");
     if (kind == one_off || kind == selection_one_off || kind == selection_two_off) file_.skip(4);
     if (kind == selection_two_off) file_.skip(4);
     if (kind >= selection && kind <= selection_two_off) file_.skip(on.size_bytes());
@@ -280,18 +280,18 @@ class Outline {
   /// InternalNode.h and LeafNode.h of the library read it: first where nodes are, then what leaves hold.
   void tree() {
     constexpr int kTop = 4096;  // voxels to the side of a node below the root
-    if (number<std::int32_t>() != 1) damaged("a tree of several buffers");
+    if (number<std::int32_t>() != 1) throw bad_part("a tree of several buffers");
     file_.skip(4);  // background
     const std::int64_t tiles = number<std::uint32_t>(), children = number<std::uint32_t>();
     if (tiles > file_.left() / 17 || children > file_.left() / (2 * 32768 / 8))
-      damaged("more nodes than it has room for");
+      throw bad_part("more nodes than it has room for");
     std::set<std::array<std::int32_t, 3>> places;
     const auto place = [&] {
       std::array<std::int32_t, 3> at{};
       file_.read(at.data(), sizeof at);
       for (const std::int32_t c : at)
-        if (c % kTop != 0) damaged("a node that is at no place of a node");
-      if (!places.insert(at).second) damaged("two nodes at one place");
+        if (c % kTop != 0) throw bad_part("a node that is at no place of a node");
+      if (!places.insert(at).second) throw bad_part("two nodes at one place");
     };
     for (std::int64_t i = 0; i < tiles; ++i) {
       place();
@@ -306,7 +306,7 @@ class Outline {
     NodeMask on(512);
     for (const LeafBits& leaf : leaves) {
       on.read(file_);
-      if (!on.is(leaf)) damaged("a leaf with two masks that differ");
+      if (!on.is(leaf)) throw bad_part("a leaf with two masks that differ");
       numbers_of(on, 512);
     }
   }
@@ -318,10 +318,10 @@ class Outline {
     NodeMask children(kEntries), on(kEntries);
     children.read(file_);
     on.read(file_);
-    if (children.meets(on)) damaged("a node that is a number as well");
+    if (children.meets(on)) throw bad_part("a node that is a number as well");
     numbers_of(on, kEntries);
     const std::int64_t count = children.count_on();
-    if (count > file_.left() / (kBelow / 8)) damaged("more nodes than it has room for");
+    if (count > file_.left() / (kBelow / 8)) throw bad_part("more nodes than it has room for");
     for (std::int64_t i = 0; i < count; ++i) {
       if constexpr (kBelow == 512) {
         taken_ += kBytesOfLeaf;
@@ -338,11 +338,11 @@ class Outline {
     const std::string all = text(), name = all.substr(0, all.find('\x1e')), type = text();
     const bool is_instance = !text().empty();
     const auto begin = number<std::int64_t>(), values = number<std::int64_t>(), end = number<std::int64_t>();
-    if (begin < file_.place() || values < begin || end < values) damaged("a grid's place");
+    if (begin < file_.place() || values < begin || end < values) throw bad_part("a grid's place");
     if (end > file_.size()) throw std::runtime_error("it is cut off: a grid ends behind the end of the file");
     file_.go_to(begin);
     compression_ = number<std::uint32_t>();
-    if (compression_ > 7) damaged("a compression of no known kind");
+    if (compression_ > 7) throw bad_part("a compression of no known kind");
     metadata();
     constexpr std::string_view kFloats = "Tree_float_5_4_3", kHalf = "_HalfFloat";
     half_ = ends_with(type, kHalf);
@@ -353,7 +353,7 @@ class Outline {
       if (!is_instance) tree();
       if (std::find(wanted_.begin(), wanted_.end(), name) == wanted_.end()) taken_ = before;
     }
-    if (file_.place() > end) damaged("a grid longer than its place");
+    if (file_.place() > end) throw bad_part("a grid longer than its place");
     file_.go_to(end);
   }
 

@@ -43,7 +43,7 @@ class DensityFiller {
     const std::size_t bricks =
         static_cast<std::size_t>(columns_) * ((size[1] + SparseGrid::kEdge - 1) / SparseGrid::kEdge);
     slab_bytes_ = bricks * sizeof(float*);
-    if (slab_bytes_ > max_bytes_) refuse_size(words);
+    if (slab_bytes_ > max_bytes_) throw too_many_densities(words);
     slab_.assign(bricks, nullptr);
     known_ = true;
     for (const float number : early_) put(number, words);
@@ -53,7 +53,7 @@ class DensityFiller {
   void add(float number, const VolumegridWords& words) {
     ++count_;
     if (known_) return put(number, words);
-    if (early_.size() * sizeof(float) >= max_bytes_) refuse_size(words);
+    if (early_.size() * sizeof(float) >= max_bytes_) throw too_many_densities(words);
     early_.push_back(number);
   }
 
@@ -61,20 +61,21 @@ class DensityFiller {
   std::uint64_t expected() const { return expected_; }
 
  private:
-  [[noreturn]] void refuse_size(const VolumegridWords& words) const {
-    words.refuse("its densities take more than " + in_words(static_cast<double>(max_bytes_) / 1048576.0) +
-                     " MB of memory",
-                 "fewer voxels along x and y, or fewer that are not 0");
+  Error too_many_densities(const VolumegridWords& words) const {
+    return words
+        .error_here("its densities take more than " + in_words(static_cast<double>(max_bytes_) / 1048576.0) +
+                    " MB of memory")
+        .expected("fewer voxels along x and y, or fewer that are not 0");
   }
 
   void put(float number, const VolumegridWords& words) {
-    if (at_[2] >= size_[2]) words.refuse("there are too many densities", expected_words());
+    if (at_[2] >= size_[2]) throw words.error_here("there are too many densities").expected(expected_words());
     if (number != 0.0f) {
       float*& brick =
           slab_[static_cast<std::size_t>(at_[1] / SparseGrid::kEdge) * columns_ + at_[0] / SparseGrid::kEdge];
       if (brick == nullptr) {
         const std::uint64_t after = (grid_.bricks.size() + 1) * (SparseGrid::kVoxels * sizeof(float));
-        if (after + slab_bytes_ > max_bytes_) refuse_size(words);
+        if (after + slab_bytes_ > max_bytes_) throw too_many_densities(words);
         brick =
             grid_.brick({at_[0] / SparseGrid::kEdge, at_[1] / SparseGrid::kEdge, at_[2] / SparseGrid::kEdge})
                 .data();
@@ -121,7 +122,7 @@ class VolumegridReader {
     finish();
     for (; kind_ != WordKind::end; kind_ = words_.next())
       if (is_volume() && words_.next() == WordKind::text && words_.word() == "volumegrid")
-        words_.refuse("there is a second volumegrid", "one in a file");
+        throw words_.error_here("there is a second volumegrid").expected("one in a file");
     return std::move(out_);
   }
 
@@ -133,8 +134,9 @@ class VolumegridReader {
     while (!found) {
       kind_ = words_.next();
       if (kind_ == WordKind::end)
-        words_.refuse("it has no volumegrid", "Volume \"volumegrid\" and its parameters",
-                      "an OpenVDB file's name ends in .vdb");
+        throw words_.error_here("it has no volumegrid")
+            .expected("Volume \"volumegrid\" and its parameters")
+            .hint("an OpenVDB file's name ends in .vdb");
       if (!is_volume()) continue;
       kind_ = words_.next();
       found = kind_ == WordKind::text && words_.word() == "volumegrid";
@@ -147,18 +149,20 @@ class VolumegridReader {
   void for_each_value(const std::string& name, const Use& use) {
     kind_ = words_.next();
     if (kind_ == WordKind::end)
-      words_.refuse("the file ends before the value of \"" + name + "\"", "a value");
-    if (kind_ == WordKind::close) words_.refuse("a ] without its [", "a value of \"" + name + "\"");
+      throw words_.error_here("the file ends before the value of \"" + name + "\"").expected("a value");
+    if (kind_ == WordKind::close)
+      throw words_.error_here("a ] without its [").expected("a value of \"" + name + "\"");
     const bool bracketed = kind_ == WordKind::open;
     if (bracketed) kind_ = words_.next();
     while (!bracketed || kind_ != WordKind::close) {
       if (kind_ == WordKind::end) {
         const bool counts = name == "density" && filler_.expected() > 0;
-        words_.refuse("the file is cut off within \"" + name + "\"" +
-                          (counts ? ", after " + std::to_string(filler_.count()) + " densities" : ""),
-                      counts ? filler_.expected_words() : "a ]");
+        throw words_
+            .error_here("the file is cut off within \"" + name + "\"" +
+                        (counts ? ", after " + std::to_string(filler_.count()) + " densities" : ""))
+            .expected(counts ? filler_.expected_words() : "a ]");
       }
-      if (kind_ == WordKind::open) words_.refuse("a [ within a list", "numbers, or a ]");
+      if (kind_ == WordKind::open) throw words_.error_here("a [ within a list").expected("numbers, or a ]");
       use();
       if (!bracketed) break;
       kind_ = words_.next();
@@ -168,7 +172,8 @@ class VolumegridReader {
 
   double number(const std::string& name) {
     if (kind_ != WordKind::bare)
-      words_.refuse("\"" + words_.word() + "\" is no number of \"" + name + "\"", "a finite number");
+      throw words_.error_here("\"" + words_.word() + "\" is no number of \"" + name + "\"")
+          .expected("a finite number");
     return words_.number();
   }
 
@@ -177,21 +182,23 @@ class VolumegridReader {
     const std::size_t blank = declared.find_first_of(" \t");
     const std::size_t behind = declared.find_first_not_of(" \t", blank);
     if (blank == std::string::npos || behind == std::string::npos)
-      words_.refuse("\"" + declared + "\" is no parameter", "a type and a name, such as \"integer nx\"");
+      throw words_.error_here("\"" + declared + "\" is no parameter")
+          .expected("a type and a name, such as \"integer nx\"");
     const std::string type = declared.substr(0, blank);
     const std::string name = declared.substr(behind, declared.find_last_not_of(" \t") + 1 - behind);
     const int axis = name == "nx" ? 0 : name == "ny" ? 1 : name == "nz" ? 2 : -1;
     if (axis >= 0) {
-      if (size_[axis] > 0) words_.refuse("\"" + name + "\" is given twice", "one number of voxels");
+      if (size_[axis] > 0)
+        throw words_.error_here("\"" + name + "\" is given twice").expected("one number of voxels");
       return read_size(name, axis);
     }
     if (name == "p0" || name == "p1") return read_corner(name);
     if (name == "density") {
-      if (filler_.count() > 0) words_.refuse("\"density\" is given twice", "one list");
+      if (filler_.count() > 0) throw words_.error_here("\"density\" is given twice").expected("one list");
       return for_each_value(name, [&] {
         const double value = number(name);
         if (std::abs(value) > static_cast<double>(kTextMaxNumber))
-          words_.refuse("the density " + words_.word() + " is too large", "at most 1e30");
+          throw words_.error_here("the density " + words_.word() + " is too large").expected("at most 1e30");
         filler_.add(static_cast<float>(value), words_);
       });
     }
@@ -204,11 +211,12 @@ class VolumegridReader {
     for_each_value(name, [&] {
       const double value = number(name);
       if (!(value >= 1.0 && value <= kMaxSide) || value != std::floor(value) || ++values > 1)
-        words_.refuse("'" + words_.word() + "' is no number of voxels",
-                      "\"" + name + "\", one whole number from 1 to 65536");
+        throw words_.error_here("'" + words_.word() + "' is no number of voxels")
+            .expected("\"" + name + "\", one whole number from 1 to 65536");
       size_[axis] = static_cast<int>(value);
     });
-    if (values == 0) words_.refuse("\"" + name + "\" has no value", "a whole number from 1 to 65536");
+    if (values == 0)
+      throw words_.error_here("\"" + name + "\" has no value").expected("a whole number from 1 to 65536");
     if (!sized_ && size_[0] > 0 && size_[1] > 0 && size_[2] > 0) {
       sized_ = true;
       filler_.know_size(size_, words_);
@@ -224,48 +232,55 @@ class VolumegridReader {
       ++values;
     });
     if (values == 3) return;
-    words_.refuse(
-        "\"" + name + "\" of line " + std::to_string(line) + " has " + std::to_string(values) + " numbers",
-        "three");
+    throw words_
+        .error_here("\"" + name + "\" of line " + std::to_string(line) + " has " + std::to_string(values) +
+                    " numbers")
+        .expected("three");
   }
 
   void read_corner(const std::string& name) {
     const int corner = name == "p0" ? 0 : 1;
-    if (corner_line_[corner] > 0) words_.refuse("\"" + name + "\" is given twice", "one point");
+    if (corner_line_[corner] > 0)
+      throw words_.error_here("\"" + name + "\" is given twice").expected("one point");
     corner_line_[corner] = words_.line();
     read_numbers(name, corner_[corner]);
     for (const double place : corner_[corner])
       if (!(std::abs(place) <= kTextMaxPlace))
-        words_.refuse(
-            "\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " + in_words(place),
-            "places from -1e12 to 1e12");
+        throw words_
+            .error_here("\"" + name + "\" of line " + std::to_string(corner_line_[corner]) + " is at " +
+                        in_words(place))
+            .expected("places from -1e12 to 1e12");
   }
 
   void finish() {
     constexpr const char* kName[3] = {"nx", "ny", "nz"};
     for (int a = 0; a < 3; ++a)
       if (size_[a] == 0)
-        words_.refuse(std::string("there is no \"integer ") + kName[a] + "\"",
-                      "how many voxels there are along each axis");
+        throw words_.error_here(std::string("there is no \"integer ") + kName[a] + "\"")
+            .expected("how many voxels there are along each axis");
     if (filler_.count() != filler_.expected())
-      words_.refuse("there are " + std::to_string(filler_.count()) + " densities", filler_.expected_words());
+      throw words_.error_here("there are " + std::to_string(filler_.count()) + " densities")
+          .expected(filler_.expected_words());
     double edge[3];
     for (int a = 0; a < 3; ++a) {
       edge[a] = (corner_[1][a] - corner_[0][a]) / size_[a];
-      if (!(edge[a] > 0.0)) words_.refuse("p1 is not above p0 along all axes", "a box from p0 to p1");
+      if (!(edge[a] > 0.0))
+        throw words_.error_here("p1 is not above p0 along all axes").expected("a box from p0 to p1");
       if (!(edge[a] >= kMinEdge && edge[a] <= kTextMaxEdge))
-        words_.refuse("its voxels are " + in_words(edge[a]) + " wide", "a box of voxels from 1e-9 to 1e9");
+        throw words_.error_here("its voxels are " + in_words(edge[a]) + " wide")
+            .expected("a box of voxels from 1e-9 to 1e9");
     }
     const double mean = (edge[0] + edge[1] + edge[2]) / 3.0;
     for (int a = 0; a < 3; ++a)
       if (std::abs(edge[a] - mean) > kCubeTolerance * mean)
-        words_.refuse("its voxels are no cubes, but " + in_words(edge[0]) + " x " + in_words(edge[1]) +
-                          " x " + in_words(edge[2]),
-                      "p1 - p0 in the proportion of nx, ny and nz",
-                      "sample it again with cubes; cells along an axis of " +
-                          in_words(std::round(size_[0] * edge[0] / edge[2])) + ", " +
-                          in_words(std::round(size_[1] * edge[1] / edge[2])) + " and " + in_words(size_[2]) +
-                          " would be");
+        throw words_
+            .error_here("its voxels are no cubes, but " + in_words(edge[0]) + " x " + in_words(edge[1]) +
+                        " x " + in_words(edge[2]))
+            .expected("p1 - p0 in the proportion of nx, ny and nz")
+            .hint("sample it again with cubes; cells along an axis of " +
+                  in_words(std::round(size_[0] * edge[0] / edge[2])) + ", " +
+                  in_words(std::round(size_[1] * edge[1] / edge[2])) + " and " + in_words(size_[2]) +
+                  " would be");
     out_.grid.voxel = mean;
     out_.grid.origin = corner_[0];
     out_.size = size_;

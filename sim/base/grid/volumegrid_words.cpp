@@ -20,21 +20,20 @@ bool ends_word(int c) { return c < 0 || is_blank(c) || c == '[' || c == ']' || c
 
 VolumegridWords::VolumegridWords(const std::string& path) : path_(path), buffer_(kPiece) {
   if (const std::string problem = why_no_input(path); !problem.empty())
-    refuse(problem, "a volumegrid's text");
+    throw error_here(problem).expected("a volumegrid's text");
   stream_.open(path, std::ios::binary);
-  if (!stream_) refuse("it cannot be read", "a volumegrid's text");
+  if (!stream_) throw error_here("it cannot be read").expected("a volumegrid's text");
 }
 
-void VolumegridWords::refuse(const std::string& problem, const std::string& expected,
-                             const std::string& hint) const {
+Error VolumegridWords::error_here(const std::string& problem) const {
   const bool is_open = filled_ > 0;
-  throw unreadable(path_, problem).line(is_open ? word_line_ : 0).expected(expected).hint(hint);
+  return unreadable(path_, problem).line(is_open ? word_line_ : 0);
 }
 
 bool VolumegridWords::fill() {
   stream_.read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   const auto count = static_cast<std::size_t>(stream_.gcount());
-  if (stream_.bad()) refuse("it cannot be read to its end", "a file that may be read");
+  if (stream_.bad()) throw error_here("it cannot be read to its end").expected("a file that may be read");
   if (count == 0) return false;  // at_ stays behind the last letter
   at_ = 0;
   filled_ = count;
@@ -65,8 +64,9 @@ VolumegridWords::Kind VolumegridWords::next() {
   }
   const auto add = [&] {
     if (word_.size() == kLongestWord)
-      refuse("a word of more than 256 letters begins with '" + word_.substr(0, 20) + "'",
-             "numbers and names parted by blanks", "is it a text?");
+      throw error_here("a word of more than 256 letters begins with '" + word_.substr(0, 20) + "'")
+          .expected("numbers and names parted by blanks")
+          .hint("is it a text?");
     word_ += static_cast<char>(c);
     ++at_;
     c = peek();
@@ -75,7 +75,7 @@ VolumegridWords::Kind VolumegridWords::next() {
     ++at_;
     c = peek();
     while (c != '"') {
-      if (c < 0 || c == '\n') refuse("a \" is not closed in its line", "another \"");
+      if (c < 0 || c == '\n') throw error_here("a \" is not closed in its line").expected("another \"");
       add();
     }
     ++at_;
@@ -97,7 +97,7 @@ double VolumegridWords::number() const {
     if (std::isfinite(value)) return value;
   }
   if (error != std::errc() || end != to || !std::isfinite(value))
-    refuse("'" + word_ + "' is no number", "a finite number");
+    throw error_here("'" + word_ + "' is no number").expected("a finite number");
   return value;
 }
 

@@ -26,11 +26,10 @@ class VolumegridWords {
   const std::string& word() const { return word_; }
   int line() const { return word_line_; }  ///< line of the word's beginning, from 1
 
-  /// Throws Error(unreadable_input) with file and the word's line.
-  [[noreturn]] void refuse(const std::string& problem, const std::string& expected,
-                           const std::string& hint = {}) const;
+  /// Returns Error(unreadable_input) with file and the word's line.
+  Error error_here(const std::string& problem) const;
 
-  /// Returns the word as a finite number; calls refuse() if it is none.
+  /// Returns the word as a finite number; throws error_here() if it is none.
   double number() const;
 
  private:

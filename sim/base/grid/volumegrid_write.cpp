@@ -82,15 +82,17 @@ void put_triple(Writer& out, const char* before, const std::array<double, 3>& nu
 
 void write_volumegrid(const std::string& path, const SparseGrid& grid, int channel,
                       const VolumegridOptions& options) {
-  const auto refuse = [&](const std::string& problem, const std::string& expected, const std::string& hint) {
-    throw Error(ErrorKind::unwritable_output, problem).file(path).expected(expected).hint(hint);
+  const auto unfit = [&](const std::string& problem) {
+    return Error(ErrorKind::unwritable_output, problem).file(path);
   };
   for (int a = 0; a < 3; ++a)
     for (int c = 0; c < 3; ++c)
       if (grid.axes[a][c] != (a == c ? 1.0 : 0.0))
-        refuse("the grid is turned, and a volumegrid is not", "voxels along x, y and z", "-o OUT.vdb");
+        throw unfit("the grid is turned, and a volumegrid is not")
+            .expected("voxels along x, y and z")
+            .hint("-o OUT.vdb");
   const VoxelBox box = box_of(grid, channel, options.size);
-  if (box.low[0] >= box.high[0]) refuse("nothing in the grid is above or below 0", "a density", "");
+  if (box.low[0] >= box.high[0]) throw unfit("nothing in the grid is above or below 0").expected("a density");
   double count = 1.0;
   std::array<double, 3> p0, p1;
   int size[3];
@@ -101,9 +103,10 @@ void write_volumegrid(const std::string& path, const SparseGrid& grid, int chann
     p1[a] = grid.origin[a] + grid.voxel * box.high[a];
   }
   if (count > kMaxNumbers)
-    refuse("a volumegrid would have " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-               std::to_string(size[2]) + " numbers, the empty ones as well",
-           "at most 2^33", "-o OUT.vdb, which leaves out what is empty");
+    throw unfit("a volumegrid would have " + std::to_string(size[0]) + " x " + std::to_string(size[1]) +
+                " x " + std::to_string(size[2]) + " numbers, the empty ones as well")
+        .expected("at most 2^33")
+        .hint("-o OUT.vdb, which leaves out what is empty");
 
   WholeFile file(path, options.overwrite);
   Writer out(path, file.temporary());

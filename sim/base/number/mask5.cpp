@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::string_view kBetween = " \t\r,;";
 
-[[noreturn]] void refuse_mask(const std::string& file, int line, const std::string& problem,
-                              const std::string& expected) {
-  throw unreadable(file, problem).line(line).expected(expected);
-}
-
 }  // namespace
 
 double Mask5::sum() const { return std::accumulate(weights.begin(), weights.end(), 0.0); }
@@ -58,16 +53,22 @@ Mask5 read_mask5(std::string_view text, const std::string& name) {
       double number = 0.0;
       const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
       if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(number))
-        refuse_mask(name, line_number, "'" + whole + "' is no number", "125 finite numbers");
+        throw unreadable(name, "'" + whole + "' is no number")
+            .line(line_number)
+            .expected("125 finite numbers");
       if (count == Mask5::kWeights)
-        refuse_mask(name, line_number, "more than 125 numbers", "5 x 5 x 5 of them");
+        throw unreadable(name, "more than 125 numbers").line(line_number).expected("5 x 5 x 5 of them");
       if (std::abs(number) > Mask5::kMaxWeight)
-        refuse_mask(name, line_number, "the weight " + whole + " is too large", "from -1e6 to 1e6");
+        throw unreadable(name, "the weight " + whole + " is too large")
+            .line(line_number)
+            .expected("from -1e6 to 1e6");
       mask.weights[count++] = number;
     }
   }
   if (count < Mask5::kWeights)
-    refuse_mask(name, line_number, std::to_string(count) + " numbers", "125 of them, 5 x 5 x 5");
+    throw unreadable(name, std::to_string(count) + " numbers")
+        .line(line_number)
+        .expected("125 of them, 5 x 5 x 5");
   return mask;
 }
 
