@@ -158,13 +158,8 @@ class Packing {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& problem, const std::string& expected,
-                           const std::string& hint) const {
-    throw unreadable(name_, problem).expected(expected).hint(hint);
-  }
-
-  [[noreturn]] void damaged(const std::string& problem) const {
-    refuse("its packed image is damaged: " + problem, "", kCopyAgain);
+  Error bad_image(const std::string& problem) const {
+    return unreadable(name_, "its packed image is damaged: " + problem).hint(kCopyAgain);
   }
 
   std::string text(const std::string& key) const { return header_.text(key); }
@@ -177,25 +172,26 @@ class Packing {
     char* end = nullptr;
     const long long value = std::strtoll(digits.c_str(), &end, 10);
     if (digits.empty() || *end != '\0' || value < least || value > most)
-      damaged(key + " is " + (digits.empty() ? "missing" : digits));
+      throw bad_image(key + " is " + (digits.empty() ? "missing" : digits));
     return value;
   }
 
   void check_algorithm() {
     const std::string algorithm = text("ZCMPTYPE");
     if (algorithm != "RICE_1" && algorithm != "RICE_ONE")
-      refuse("a FITS image packed as '" + algorithm + "' is not read",
-             "RICE_1, or an image that is not packed", "unpack it with funpack first");
+      throw unreadable(name_, "a FITS image packed as '" + algorithm + "' is not read")
+          .expected("RICE_1, or an image that is not packed")
+          .hint("unpack it with funpack first");
     const std::string bits = text("ZBITPIX");
     if (bits != "8" && bits != "16" && bits != "32" && bits != "-32" && bits != "-64")
-      damaged("ZBITPIX is " + (bits.empty() ? "missing" : bits));
+      throw bad_image("ZBITPIX is " + (bits.empty() ? "missing" : bits));
     integer("ZDITHER0", 1, 10000, 1);
     for (int i = 1; !text("ZNAME" + std::to_string(i)).empty(); ++i) {
       const std::string number = std::to_string(i), what = text("ZNAME" + number);
       if (what == "BLOCKSIZE") block_ = integer("ZVAL" + number, 16, 32);
-      if (block_ % 16 != 0) damaged("its blocks are odd");
+      if (block_ % 16 != 0) throw bad_image("its blocks are odd");
       if (what == "BYTEPIX") number_bytes_ = integer("ZVAL" + number, 1, 4);
-      if (number_bytes_ == 3) damaged("its numbers have three bytes");
+      if (number_bytes_ == 3) throw bad_image("its numbers have three bytes");
     }
   }
 
@@ -203,7 +199,7 @@ class Packing {
   void check_keys() const {
     for (const std::string& key : header_.twice())
       for (const char* start : {"Z", "NAXIS", "TFORM", "TTYPE", "TFIELDS", "THEAP", "PCOUNT", "GCOUNT"})
-        if (key.rfind(start, 0) == 0) damaged(key + " is there twice");
+        if (key.rfind(start, 0) == 0) throw bad_image(key + " is there twice");
   }
 
   void check_tiles() {
@@ -216,21 +212,22 @@ class Packing {
       const long long length = integer("ZNAXIS" + axis, 1, 1LL << 30);
       const long long tile = integer("ZTILE" + axis, 1, length, a == 1 ? length : 1);
       const long long along = (length + tile - 1) / tile;
-      if (along > kMaxTiles / tiles) damaged("there are too many tiles");
+      if (along > kMaxTiles / tiles) throw bad_image("there are too many tiles");
       tiles *= along;
       axes_.push_back({length, tile, along});
     }
     if (tiles != rows_)
-      damaged("it has " + std::to_string(rows_) + " tiles, and " + std::to_string(tiles) + " make its image");
+      throw bad_image("it has " + std::to_string(rows_) + " tiles, and " + std::to_string(tiles) +
+                      " make its image");
   }
 
   /// Bytes of a column's entry in a row; `descriptor` is how many bytes each of its two numbers has, or 0.
   long long entry_bytes(const std::string& form, int& descriptor) const {
     const std::size_t letter = form.find_first_not_of("0123456789");
-    if (letter == std::string::npos || letter > 4) damaged("a column has the form '" + form + "'");
+    if (letter == std::string::npos || letter > 4) throw bad_image("a column has the form '" + form + "'");
     const long long repeat = letter == 0 ? 1 : std::strtoll(form.c_str(), nullptr, 10);
     descriptor = form[letter] == 'P' ? 4 : form[letter] == 'Q' ? 8 : 0;
-    if (descriptor > 0 && repeat > 1) damaged("a column has the form '" + form + "'");
+    if (descriptor > 0 && repeat > 1) throw bad_image("a column has the form '" + form + "'");
     switch (form[letter]) {
       case 'B':
       case 'A':
@@ -248,7 +245,7 @@ class Packing {
       case 'Q':
         return 16 * repeat;
       default:
-        damaged("a column has the form '" + form + "'");
+        throw bad_image("a column has the form '" + form + "'");
     }
   }
 
@@ -261,7 +258,7 @@ class Packing {
       int descriptor = 0;
       const long long bytes = entry_bytes(text("TFORM" + column), descriptor);
       if (title == "COMPRESSED_DATA") {
-        if (seen || descriptor == 0) damaged("its column COMPRESSED_DATA is none of tiles");
+        if (seen || descriptor == 0) throw bad_image("its column COMPRESSED_DATA is none of tiles");
         seen = true;
         tiles_ = {title, row_bytes_, descriptor};
       } else if (descriptor > 0) {
@@ -269,8 +266,8 @@ class Packing {
       }
       row_bytes_ += bytes;
     }
-    if (!seen) damaged("it has no column COMPRESSED_DATA");
-    if (integer("NAXIS1", 1, 1 << 20) != row_bytes_) damaged("its columns do not make up a row");
+    if (!seen) throw bad_image("it has no column COMPRESSED_DATA");
+    if (integer("NAXIS1", 1, 1 << 20) != row_bytes_) throw bad_image("its columns do not make up a row");
   }
 
   struct Axis {
@@ -304,21 +301,22 @@ class Packing {
   void check_descriptors() const {
     const long long size = static_cast<long long>(data_.size()), table = row_bytes_ * rows_;
     const long long end = table + integer("PCOUNT", 0, 1LL << 40);
-    if (end > size) refuse("the file is truncated: it ends inside its packed image", "", kCopyAgain);
+    if (end > size) throw truncated(name_, "it ends inside its packed image");
     const long long heap_bytes = end - integer("THEAP", table, end, table);
     for (long long row = 0; row < rows_; ++row) {
       for (const Descriptors& column : others_)
         if (described(column, row, 0) != 0)
-          refuse("a packed FITS image with something in its column " + column.title + " is not read", "",
-                 "unpack it with funpack first");
+          throw unreadable(
+              name_, "a packed FITS image with something in its column " + column.title + " is not read")
+              .hint("unpack it with funpack first");
       const long long length = described(tiles_, row, 0), place = described(tiles_, row, 1);
       // A tile begins with its first number as it is.
       if (length <= number_bytes_ || place < 0 || place > heap_bytes || length > heap_bytes - place)
-        damaged("tile " + std::to_string(row + 1) + " does not lie inside it");
+        throw bad_image("tile " + std::to_string(row + 1) + " does not lie inside it");
       const auto at = static_cast<std::size_t>(end - heap_bytes + place);
       if (!rice_holds(data_.substr(at, static_cast<std::size_t>(length)), pixels_of(row),
                       static_cast<int>(number_bytes_), block_))
-        damaged("tile " + std::to_string(row + 1) + " is cut");
+        throw bad_image("tile " + std::to_string(row + 1) + " is cut");
     }
   }
 

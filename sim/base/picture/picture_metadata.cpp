@@ -124,8 +124,8 @@ void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
   metadata.gps_time_utc = gps_time(gps);
 }
 
-[[noreturn]] void refuse_picture(const std::string& path, const std::string& problem) {
-  throw unreadable(path, problem).expected("a picture");
+Error no_picture(const std::string& path, const std::string& problem) {
+  return unreadable(path, problem).expected("a picture");
 }
 
 }  // namespace
@@ -157,21 +157,21 @@ PictureMetadata picture_metadata_of(std::string_view bytes) {
 PictureMetadata read_picture_metadata(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse_picture(path, "there is no such file");
-  if (!std::filesystem::is_regular_file(status)) refuse_picture(path, "is not a file");
+  if (!std::filesystem::exists(status)) throw no_picture(path, "there is no such file");
+  if (!std::filesystem::is_regular_file(status)) throw no_picture(path, "is not a file");
   const auto size = std::filesystem::file_size(path, error);
   std::ifstream file(path, std::ios::binary);
-  if (error || !file) refuse_picture(path, "the file cannot be opened");
+  if (error || !file) throw no_picture(path, "the file cannot be opened");
   constexpr std::uintmax_t kHead = 32, kMax = std::uintmax_t{1} << 31, kFitsHeader = 1 << 20;
   std::string head(std::min(size, kHead), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (!file) refuse_picture(path, "the file cannot be read to its end");
+  if (!file) throw no_picture(path, "the file cannot be read to its end");
   const bool fits = head.rfind("SIMPLE  =", 0) == 0;
   if (!fits && (!may_have_exif(head) || size > kMax)) return {};
   std::string bytes(fits ? std::min(size, kFitsHeader) : size, '\0');
   file.seekg(0);
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file) refuse_picture(path, "the file cannot be read to its end");
+  if (!file) throw no_picture(path, "the file cannot be read to its end");
   return picture_metadata_of(bytes);
 }
 

@@ -22,7 +22,7 @@ class ExrHeaders {
     constexpr std::size_t kVersion = 4, kFirst = 8;
     constexpr std::uint32_t kSeveralParts = 0x1000;
     ExrSize first;
-    if (bytes_.size() < kFirst) refuse_end();
+    if (bytes_.size() < kFirst) throw cut_header();
     at_ = kFirst;
     const bool several = (little_word_at(kVersion) & kSeveralParts) != 0;
     do {
@@ -34,13 +34,9 @@ class ExrHeaders {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& problem) const {
-    throw unreadable(file_, problem).hint(kCopyAgain);
-  }
-
-  [[noreturn]] void refuse_end() const {
-    if (bytes_.size() < file_bytes_) refuse("the file is damaged: an EXR with a header of many megabytes");
-    refuse("the file is truncated: it ends inside the EXR header");
+  Error cut_header() const {
+    return bytes_.size() < file_bytes_ ? damaged(file_, "an EXR with a header of many megabytes")
+                                       : truncated(file_, "it ends inside the EXR header");
   }
 
   std::uint32_t little_word_at(std::size_t at) const {
@@ -50,7 +46,7 @@ class ExrHeaders {
 
   std::string_view word() {
     const std::size_t end = bytes_.find('\0', std::min(at_, bytes_.size()));
-    if (end == std::string_view::npos) refuse_end();
+    if (end == std::string_view::npos) throw cut_header();
     const std::string_view text = bytes_.substr(at_, end - at_);
     at_ = end + 1;
     return text;
@@ -64,13 +60,13 @@ class ExrHeaders {
       const std::string_view name = word();
       if (name.empty()) break;
       const std::string_view type = word();
-      if (at_ + 4 > bytes_.size()) refuse_end();
+      if (at_ + 4 > bytes_.size()) throw cut_header();
       const std::size_t size = little_word_at(at_);
       at_ += 4;
-      if (size > file_bytes_ - at_) refuse("the file is truncated: it ends inside the EXR header");
-      if (size > bytes_.size() - at_) refuse_end();
+      if (size > file_bytes_ - at_) throw truncated(file_, "it ends inside the EXR header");
+      if (size > bytes_.size() - at_) throw cut_header();
       if (name == "dataWindow" && type == "box2i" && size == 16) {
-        if (sized) refuse("the file is damaged: an EXR that says its size twice");
+        if (sized) throw damaged(file_, "an EXR that says its size twice");
         size_ = {signed_at(at_ + 8) - signed_at(at_) + 1, signed_at(at_ + 12) - signed_at(at_ + 4) + 1};
         sized = true;
       } else if (name == "tiles" && size >= 8) {
@@ -80,7 +76,7 @@ class ExrHeaders {
       }
       at_ += size;
     }
-    if (!sized) refuse("the file is damaged: an EXR that does not say its size");
+    if (!sized) throw damaged(file_, "an EXR that does not say its size");
     check_pixel_limit(size_.width, size_.height, file_);
     if (tile) {
       check_pixel_limit(tile->first, tile->second, file_);
@@ -89,7 +85,7 @@ class ExrHeaders {
     }
     // The list of chunks has eight bytes for each.
     if (chunks < 0 || chunks > static_cast<long long>((file_bytes_ - at_) / 8))
-      refuse("the file is truncated: its list of EXR chunks reaches beyond the end");
+      throw truncated(file_, "its list of EXR chunks reaches beyond the end");
   }
 
   std::string_view bytes_;

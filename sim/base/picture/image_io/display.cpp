@@ -32,16 +32,16 @@ std::vector<Step> quantised(const Image& encoded) {
 
 void check_display(ImageFormat format, const Image& encoded, int bits, int jpeg_quality,
                    const std::string& name) {
-  const auto refuse = [&](const char* problem, const char* expected) {
-    throw failure(ErrorKind::usage, name, problem, expected);
+  const auto unfit = [&](const char* problem, const char* expected) {
+    return failure(ErrorKind::usage, name, problem, expected);
   };
-  if (format == ImageFormat::exr) refuse("EXR is not a display format", ".png, .tif or .jpg");
-  if (bits != 8 && bits != 16) refuse("no such number of bits per channel", "8 or 16");
+  if (format == ImageFormat::exr) throw unfit("EXR is not a display format", ".png, .tif or .jpg");
+  if (bits != 8 && bits != 16) throw unfit("no such number of bits per channel", "8 or 16");
   if (format == ImageFormat::jpeg) {
-    if (bits != 8) refuse("JPEG cannot hold 16 bits per channel", "8, or .png or .tif");
-    if (jpeg_quality < 1 || jpeg_quality > 100) refuse("no such JPEG quality", "1 to 100");
+    if (bits != 8) throw unfit("JPEG cannot hold 16 bits per channel", "8, or .png or .tif");
+    if (jpeg_quality < 1 || jpeg_quality > 100) throw unfit("no such JPEG quality", "1 to 100");
     if (encoded.width > jpeg_size_limit || encoded.height > jpeg_size_limit) {
-      refuse("too large for a JPEG", "at most 65500 pixels a side");
+      throw unfit("too large for a JPEG", "at most 65500 pixels a side");
     }
   }
 }
