@@ -98,8 +98,8 @@ void read_transmission(CheckedTable& table, FilterBand& band) {
   band.transmission = curve.column("transmission");
   curve.require_within("transmission", 0.0, kMaxCounts);
   if (band.table_nm.size() < 2)
-    curve.refuse(0, "this is the only row of a filter's curve",
-                 "two or more rows with increasing wavelengths");
+    throw curve.bad_row(0, "this is the only row of a filter's curve")
+        .expected("two or more rows with increasing wavelengths");
 }
 
 void read_band(CheckedTable& table, FilterBand& band) {

@@ -14,11 +14,6 @@
 namespace vegard::sim {
 namespace {
 
-[[noreturn]] void fail(const std::string& file, int line, const std::string& problem,
-                       const std::string& expected, const std::string& hint = {}) {
-  throw unreadable(file, problem).line(line).expected(expected).hint(hint);
-}
-
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells = split(line, ',');
   for (std::string_view& cell : cells) cell = trimmed(cell);
@@ -35,15 +30,20 @@ std::optional<double> number_in(std::string_view cell) {
 
 void read_header(std::string_view line, int line_number, CsvTable& table) {
   for (const std::string_view cell : cells_of(line)) {
-    if (cell.empty()) fail(table.name, line_number, "a column without a name", "names in the first line");
+    if (cell.empty())
+      throw unreadable(table.name, "a column without a name")
+          .line(line_number)
+          .expected("names in the first line");
     if (table.has(cell))
-      fail(table.name, line_number, "two columns are called '" + std::string(cell) + "'",
-           "a name of its own for each column");
+      throw unreadable(table.name, "two columns are called '" + std::string(cell) + "'")
+          .line(line_number)
+          .expected("a name of its own for each column");
     table.columns.emplace_back(cell);
   }
   if (number_in(table.columns.front()))
-    fail(table.name, line_number, "the first line begins with the number " + table.columns.front(),
-         "names of columns in the first line");
+    throw unreadable(table.name, "the first line begins with the number " + table.columns.front())
+        .line(line_number)
+        .expected("names of columns in the first line");
   table.numbers.resize(table.columns.size());
 }
 
@@ -70,16 +70,17 @@ void read_row(std::string_view line, int line_number, CsvTable& table, std::vect
   }
   const std::vector<std::string_view> cells = cells_of(line);
   if (cells.size() != table.columns.size())
-    fail(table.name, line_number,
-         std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") + " for " +
-             std::to_string(table.columns.size()) + " columns",
-         "a number for each column, with commas between");
+    throw unreadable(table.name, std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") +
+                                     " for " + std::to_string(table.columns.size()) + " columns")
+        .line(line_number)
+        .expected("a number for each column, with commas between");
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const std::optional<double> number = number_in(cells[c]);
     if (!number)
-      fail(table.name, line_number,
-           "'" + std::string(cells[c]) + "' in column '" + table.columns[c] + "' is no number",
-           "a finite number such as 1.5e-3");
+      throw unreadable(table.name,
+                       "'" + std::string(cells[c]) + "' in column '" + table.columns[c] + "' is no number")
+          .line(line_number)
+          .expected("a finite number such as 1.5e-3");
     table.numbers[c].push_back(*number);
   }
   table.lines.push_back(line_number);
@@ -94,22 +95,22 @@ bool CsvTable::has(std::string_view column_name) const {
 const std::vector<double>& CsvTable::column(std::string_view column_name) const {
   const auto found = std::find(columns.begin(), columns.end(), column_name);
   if (found == columns.end())
-    fail(name, 0, "there is no column '" + std::string(column_name) + "'",
-         "that column; it has " + joined(columns));
+    throw unreadable(name, "there is no column '" + std::string(column_name) + "'")
+        .expected("that column; it has " + joined(columns));
   return numbers[static_cast<std::size_t>(found - columns.begin())];
 }
 
-void CsvTable::refuse(std::size_t row, const std::string& problem, const std::string& expected,
-                      const std::string& hint) const {
-  fail(name, lines.at(row), problem, expected, hint);
+Error CsvTable::bad_row(std::size_t row, const std::string& problem) const {
+  return unreadable(name, problem).line(lines.at(row));
 }
 
 void CsvTable::require_increasing(std::string_view column_name) const {
   const std::vector<double>& values = column(column_name);
   for (std::size_t r = 1; r < values.size(); ++r)
     if (!(values[r] > values[r - 1]))
-      fail(name, lines[r], "'" + std::string(column_name) + "' does not increase",
-           "rows in the order of that column");
+      throw unreadable(name, "'" + std::string(column_name) + "' does not increase")
+          .line(lines[r])
+          .expected("rows in the order of that column");
 }
 
 void CsvTable::require_within(std::string_view column_name, double min, double max) const {
@@ -121,8 +122,9 @@ void CsvTable::require_within(std::string_view column_name, double min, double m
         const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
         return std::string(buffer, end);
       };
-      fail(name, lines[r], text(values[r]) + " in column '" + std::string(column_name) + "'",
-           "from " + text(min) + " to " + text(max));
+      throw unreadable(name, text(values[r]) + " in column '" + std::string(column_name) + "'")
+          .line(lines[r])
+          .expected("from " + text(min) + " to " + text(max));
     }
 }
 
@@ -144,8 +146,10 @@ CsvTable read_csv_table(std::string_view text, const std::string& name) {
     else
       read_row(line, line_number, table, row);
   }
-  if (table.columns.empty()) fail(name, 0, "is empty", "a line of column names, then numbers");
-  if (table.lines.empty()) fail(name, 0, "has no rows", "numbers below the line of column names");
+  if (table.columns.empty())
+    throw unreadable(name, "is empty").expected("a line of column names, then numbers");
+  if (table.lines.empty())
+    throw unreadable(name, "has no rows").expected("numbers below the line of column names");
   return table;
 }
 

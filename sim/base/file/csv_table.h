@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/error.h"
+
 namespace vegard::sim {
 
 /// Numbers by column, in the order of the file. All columns have the same number of rows, at least one.
@@ -23,9 +25,8 @@ struct CsvTable {
   /// of them.
   const std::vector<double>& column(std::string_view column) const;
 
-  /// Throws Error(unreadable_input) about a row.
-  [[noreturn]] void refuse(std::size_t row, const std::string& problem, const std::string& expected,
-                           const std::string& hint = {}) const;
+  /// Returns Error(unreadable_input) about a row, with its line.
+  Error bad_row(std::size_t row, const std::string& problem) const;
 
   /// Throws Error(unreadable_input), at the row's line, unless the column's numbers increase.
   void require_increasing(std::string_view column) const;

@@ -46,20 +46,23 @@ void Reactions::read(const std::string& csv, const std::string& name, bool may_a
   table.require_within("of", 0.0, 2.0);
   for (std::size_t r = 0; r < table.rows(); ++r) {
     if (!(numbers[r] >= 0.0 && numbers[r] < kReactionNumbers) || numbers[r] != std::floor(numbers[r]))
-      table.refuse(r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
+      throw table.bad_row(r, "there is no reaction of this number")
+          .expected("a number of data/electrons/reactions.csv");
     const int number = static_cast<int>(numbers[r]), by = static_cast<int>(of[r]);
     const auto known = rows_.find(number);
     if (!may_add && known == rows_.end())
-      table.refuse(r, "there is no reaction of this number", "a number of data/electrons/reactions.csv");
-    if (values[r] < 0.0) table.refuse(r, "the value is negative", "0 or more");
+      throw table.bad_row(r, "there is no reaction of this number")
+          .expected("a number of data/electrons/reactions.csv");
+    if (values[r] < 0.0) throw table.bad_row(r, "the value is negative").expected("0 or more");
     if (must_be_positive(number) && values[r] == 0.0)
-      table.refuse(r, "the value is 0, and nothing else would end what it ends", "a value above 0");
-    if (is_share(number) && values[r] > 1.0) table.refuse(r, "a share is above 1", "0 to 1");
+      throw table.bad_row(r, "the value is 0, and nothing else would end what it ends")
+          .expected("a value above 0");
+    if (is_share(number) && values[r] > 1.0) throw table.bad_row(r, "a share is above 1").expected("0 to 1");
     if (by != of[r] || (!may_add && by != known->second.of))
-      table.refuse(
-          r, "the column `of` is not that of the reaction",
-          "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction "
-          "has it");
+      throw table.bad_row(r, "the column `of` is not that of the reaction")
+          .expected(
+              "0 (a value alone), 1 (by the air's temperature) or 2 (by the electrons'), as the reaction "
+              "has it");
     rows_[number] = {values[r], exponents[r], activations[r], by};
   }
   constexpr double kRounding = 1e-9;

@@ -40,7 +40,7 @@ void EmissionTable::read_places(const CsvTable& table, const std::string& energy
   for (std::size_t r = 0; r < rows; r += of_factor) factors_.push_back(factor[r]);
 
   if (factors_.size() > kMaxFactors)
-    table.refuse(0, std::to_string(factors_.size()) + " oxygen factors", "16 at most");
+    throw table.bad_row(0, std::to_string(factors_.size()) + " oxygen factors").expected("16 at most");
 
   const auto place = [&](double f, double e, double a) {
     return (table.has(kFactorColumn) ? "oxygen factor " + short_real_text(f) + ", " : "") +
@@ -50,25 +50,30 @@ void EmissionTable::read_places(const CsvTable& table, const std::string& energy
     const double f = factors_[r / of_factor], e = energies_kev_[r % of_factor / altitudes],
                  a = altitudes_km_[r % altitudes];
     if (factor[r] != f || energy[r] != e || altitude[r] != a)
-      table.refuse(r, place(factor[r], energy[r], altitude[r]) + " is out of the order", place(f, e, a),
-                   "every energy has the same altitudes, and every oxygen factor the same energies");
+      throw table.bad_row(r, place(factor[r], energy[r], altitude[r]) + " is out of the order")
+          .expected(place(f, e, a))
+          .hint("every energy has the same altitudes, and every oxygen factor the same energies");
     if (r % altitudes > 0 && !(a > altitudes_km_[r % altitudes - 1]))
-      table.refuse(r, "the altitude does not increase", "altitudes of an energy from the bottom up");
+      throw table.bad_row(r, "the altitude does not increase")
+          .expected("altitudes of an energy from the bottom up");
     if (r % altitudes == 0 && r % of_factor > 0 && !(e > energies_kev_[r % of_factor / altitudes - 1]))
-      table.refuse(r, "the energy does not increase", "energies in increasing order");
+      throw table.bad_row(r, "the energy does not increase").expected("energies in increasing order");
     if (r % of_factor == 0 && !(f > (r == 0 ? 0.0 : factors_[r / of_factor - 1])))
-      table.refuse(r, "the oxygen factor does not increase", "factors above 0 in increasing order");
+      throw table.bad_row(r, "the oxygen factor does not increase")
+          .expected("factors above 0 in increasing order");
   }
   const std::size_t last = rows - 1;
   if (rows % of_factor != 0)
-    table.refuse(last, "rows are missing after this one",
-                 std::to_string(altitudes) + " altitudes for each of " +
-                     std::to_string(energies_kev_.size()) + " energies");
+    throw table.bad_row(last, "rows are missing after this one")
+        .expected(std::to_string(altitudes) + " altitudes for each of " +
+                  std::to_string(energies_kev_.size()) + " energies");
   if (altitudes < 2 || energies_kev_.size() < 2)
-    table.refuse(last, altitudes < 2 ? "a single altitude" : "a single energy", "two or more");
-  if (!(energies_kev_.front() > 0.0)) table.refuse(0, "an energy that is not above 0", "keV above 0");
+    throw table.bad_row(last, altitudes < 2 ? "a single altitude" : "a single energy")
+        .expected("two or more");
+  if (!(energies_kev_.front() > 0.0))
+    throw table.bad_row(0, "an energy that is not above 0").expected("keV above 0");
   if (std::find(factors_.begin(), factors_.end(), 1.0) == factors_.end())
-    table.refuse(0, "no oxygen factor is 1", "factors such as 0.5, 1 and 2");
+    throw table.bad_row(0, "no oxygen factor is 1").expected("factors such as 0.5, 1 and 2");
   for (const double knot : energies_kev_) log_energies_.push_back(std::log(knot));
 }
 

@@ -28,17 +28,17 @@ EmissionTable checked(const CsvTable& csv, const std::string& energy_column) {
   const std::size_t last = csv.rows() - 1;
   const std::vector<double>&altitudes = table.altitudes_km(), &energies = table.energies_kev();
   if (altitudes.front() > kTablesBottomKm)
-    csv.refuse(0, "the altitudes begin at " + short_real_text(altitudes.front()) + " km",
-               "from 80 km or below");
+    throw csv.bad_row(0, "the altitudes begin at " + short_real_text(altitudes.front()) + " km")
+        .expected("from 80 km or below");
   if (altitudes.back() < kTablesTopKm)
-    csv.refuse(last, "the altitudes end at " + short_real_text(altitudes.back()) + " km",
-               "up to 640 km or above");
+    throw csv.bad_row(last, "the altitudes end at " + short_real_text(altitudes.back()) + " km")
+        .expected("up to 640 km or above");
   if (energies.front() > kMinEnergyKev)
-    csv.refuse(0, "the energies begin at " + short_real_text(energies.front()) + " keV",
-               "from " + short_real_text(kMinEnergyKev) + " keV or below");
+    throw csv.bad_row(0, "the energies begin at " + short_real_text(energies.front()) + " keV")
+        .expected("from " + short_real_text(kMinEnergyKev) + " keV or below");
   if (energies.back() < kMaxEnergyKev)
-    csv.refuse(last, "the energies end at " + short_real_text(energies.back()) + " keV",
-               "up to " + short_real_text(kMaxEnergyKev) + " keV or above");
+    throw csv.bad_row(last, "the energies end at " + short_real_text(energies.back()) + " keV")
+        .expected("up to " + short_real_text(kMaxEnergyKev) + " keV or above");
   for (const EmissionLine& line : emission_lines())
     if (is_auroral(line)) csv.column(column_of(line, table).name);  // or throws
   return table;
@@ -90,11 +90,11 @@ EmissionTables::EmissionTables(std::shared_ptr<const TableFolder> folder)
   const std::vector<double>& known = flux_factors_.energies_kev();
   if (known.front() <= kMinEnergyKev && known.back() >= kMaxEnergyKev) return;
   const CsvTable csv = table_in(*folder_, kFluxesFile);
-  csv.refuse(
-      csv.rows() - 1,
-      "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
-          short_real_text(known.back()) + " keV",
-      "from " + short_real_text(kMinEnergyKev) + " to " + short_real_text(kMaxEnergyKev) + " keV or farther");
+  throw csv
+      .bad_row(csv.rows() - 1, "the energies at Q_erg 1 go from " + short_real_text(known.front()) + " to " +
+                                   short_real_text(known.back()) + " keV")
+      .expected("from " + short_real_text(kMinEnergyKev) + " to " + short_real_text(kMaxEnergyKev) +
+                " keV or farther");
 }
 
 bool EmissionTables::has_mono_file() const { return folder_->files.count(kMonoFile) > 0; }
@@ -104,7 +104,8 @@ std::unique_ptr<MonoEnergeticTable> EmissionTables::read_mono() const {
   const CsvTable csv = table_in(*folder_, kMonoFile);
   EmissionTable mono = checked(csv, "E_keV");
   if (mono.oxygen_factors() != maxwellian_.oxygen_factors())
-    csv.refuse(0, "other oxygen factors than " + std::string(kMaxwellianFile) + " has", "the same");
+    throw csv.bad_row(0, "other oxygen factors than " + std::string(kMaxwellianFile) + " has")
+        .expected("the same");
   return std::make_unique<MonoEnergeticTable>(std::move(mono));
 }
 
@@ -173,15 +174,16 @@ std::vector<StoppingAir> tables_air(const CsvTable& table, const std::vector<dou
   std::vector<StoppingAir> air;
   for (std::size_t r = 0; r < table.rows(); ++r) {
     if (r >= altitudes_km.size() || altitude[r] != altitudes_km[r])
-      table.refuse(r, short_real_text(altitude[r]) + " km is no altitude of the emission tables here",
-                   r < altitudes_km.size() ? short_real_text(altitudes_km[r]) + " km" : "no more rows",
-                   "the air has the altitudes of the emission tables, in their order");
-    if (!(o[r] + o2[r] + n2[r] > 0.0)) table.refuse(r, "there is no air", "a density above 0");
+      throw table.bad_row(r, short_real_text(altitude[r]) + " km is no altitude of the emission tables here")
+          .expected(r < altitudes_km.size() ? short_real_text(altitudes_km[r]) + " km" : "no more rows")
+          .hint("the air has the altitudes of the emission tables, in their order");
+    if (!(o[r] + o2[r] + n2[r] > 0.0))
+      throw table.bad_row(r, "there is no air").expected("a density above 0");
     air.push_back(stopping_air(altitude[r], temperature[r], n2[r], o2[r], o[r]));
   }
   if (air.size() < altitudes_km.size())
-    table.refuse(table.rows() - 1, "ends at " + short_real_text(altitude.back()) + " km",
-                 "rows up to " + short_real_text(altitudes_km.back()) + " km, as the emission tables have");
+    throw table.bad_row(table.rows() - 1, "ends at " + short_real_text(altitude.back()) + " km")
+        .expected("rows up to " + short_real_text(altitudes_km.back()) + " km, as the emission tables have");
   return air;
 }
 

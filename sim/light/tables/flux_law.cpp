@@ -29,10 +29,11 @@ std::size_t row_at(const CsvTable& table, const std::map<double, std::size_t>& r
                    double flux) {
   const auto found = rows.find(energy);
   if (found == rows.end())
-    table.refuse(table.rows() - 1,
-                 "no row of " + short_real_text(energy) + " keV" +
-                     (table.has("Q_erg") ? " at Q_erg " + short_real_text(flux) : ""),
-                 "one", "it gives how light grows with the energy flux");
+    throw table
+        .bad_row(table.rows() - 1, "no row of " + short_real_text(energy) + " keV" +
+                                       (table.has("Q_erg") ? " at Q_erg " + short_real_text(flux) : ""))
+        .expected("one")
+        .hint("it gives how light grows with the energy flux");
   return found->second;
 }
 
@@ -57,12 +58,14 @@ FluxFactors::FluxFactors(const std::vector<std::string>& columns, const CsvTable
   const std::map<double, std::size_t> at_one = rows_at(linearity, kMiddleFlux),
                                       alone = rows_at(brightness, 0.0);
   for (const auto& [energy, row] : at_one) {
-    if (!(energy > 0.0)) linearity.refuse(row, "an energy that is not above 0", "keV above 0");
+    if (!(energy > 0.0))
+      throw linearity.bad_row(row, "an energy that is not above 0").expected("keV above 0");
     energies_kev_.push_back(energy);
     log_energies_.push_back(std::log(energy));
   }
   if (at_one.size() < 2)
-    linearity.refuse(linearity.rows() - 1, "fewer than two energies at Q_erg 1", "two or more");
+    throw linearity.bad_row(linearity.rows() - 1, "fewer than two energies at Q_erg 1")
+        .expected("two or more");
   const std::size_t with_background = row_at(linearity, at_one, kBackgroundEnergyKev, kMiddleFlux);
   for (const std::string& column : columns) {
     const std::string name = "R_" + column.substr(column.find('_') + 1);
@@ -88,10 +91,10 @@ FluxFactors::FluxCurve FluxFactors::curve_of(const CsvTable& linearity, const st
     const std::size_t there = row_at(linearity, at_flux, energy, flux);
     for (const std::size_t each : {row, there})
       if (!(rayleigh[each] > background))
-        linearity.refuse(
-            each,
-            name + " is " + short_real_text(rayleigh[each]) + ", no more than the light without electrons",
-            "above " + short_real_text(background));
+        throw linearity
+            .bad_row(each, name + " is " + short_real_text(rayleigh[each]) +
+                               ", no more than the light without electrons")
+            .expected("above " + short_real_text(background));
     curve.log_factor.push_back(
         std::log((rayleigh[there] - background) / (flux * (rayleigh[row] - background))));
   }

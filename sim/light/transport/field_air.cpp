@@ -120,7 +120,7 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
         .hint("electrons of some keV stop near 100 km and begin to above 300 km");
   for (std::size_t r = 0; r < csv.rows(); ++r)
     if (!(table.density_cm3[0][r] + table.density_cm3[1][r] + table.density_cm3[2][r] > 0.0))
-      csv.refuse(r, "there is no air", "a density above 0 of N2, O2 or O");
+      throw csv.bad_row(r, "there is no air").expected("a density above 0 of N2, O2 or O");
   return table;
 }
 
