@@ -63,7 +63,8 @@ class Unpacker {
   std::size_t read(char* to, std::size_t count) {
     std::size_t done = 0;
     while (done < count && !ended_) {
-      if (stream_.avail_in == 0 && !refill()) refuse_cut();
+      if (stream_.avail_in == 0 && !refill())
+        throw truncated(from_.name(), std::string("its ") + word() + " data end early");
       constexpr std::size_t kAtOnce = std::size_t{1} << 30;  // zlib counts in unsigned int
       const auto room = static_cast<uInt>(std::min(count - done, kAtOnce));
       stream_.next_out = reinterpret_cast<Bytef*>(to + done);
@@ -74,7 +75,7 @@ class Unpacker {
       if (code == Z_STREAM_END)
         end_of_member();
       else if (code != Z_OK && code != Z_BUF_ERROR)
-        refuse_damaged(stream_.msg != nullptr ? stream_.msg : "they make no sense");
+        throw bad_data(stream_.msg != nullptr ? stream_.msg : "they make no sense");
     }
     unpacked_ += done;
     if (unpacked_ > kMaxUnpackedBytes)
@@ -99,20 +100,17 @@ class Unpacker {
     } else if (*stream_.next_in != 0) {
       if (inflateReset(&stream_) != Z_OK) throw std::bad_alloc();
       constexpr Bytef kFirstOfGzip = 0x1f;
-      if (*stream_.next_in != kFirstOfGzip) refuse_damaged("something else follows them");
+      if (*stream_.next_in != kFirstOfGzip) throw bad_data("something else follows them");
     } else {
       for (; has_more(); stream_.avail_in = 0)
         if (std::any_of(stream_.next_in, stream_.next_in + stream_.avail_in, [](Bytef b) { return b != 0; }))
-          refuse_damaged("something else follows them");
+          throw bad_data("something else follows them");
       ended_ = true;
     }
   }
 
-  [[noreturn]] void refuse_cut() const {
-    throw truncated(from_.name(), std::string("its ") + word() + " data end early");
-  }
-  [[noreturn]] void refuse_damaged(const std::string& why) const {
-    throw damaged(from_.name(), std::string("of its ") + word() + " data, " + why);
+  Error bad_data(const std::string& why) const {
+    return damaged(from_.name(), std::string("of its ") + word() + " data, " + why);
   }
 
   const char* word() const { return is_gzip_ ? "gzip" : "zlib"; }

@@ -109,9 +109,9 @@ std::string error_text(const Error& error) {
   return details.problem + '\0' + details.expected + '\0' + details.hint;
 }
 
-[[noreturn]] void throw_again(const std::string& file, const std::string& text) {
+Error error_of(const std::string& file, const std::string& text) {
   const std::size_t first = text.find('\0'), second = text.find('\0', first + 1);
-  throw unreadable(file, text.substr(0, first))
+  return unreadable(file, text.substr(0, first))
       .expected(text.substr(first + 1, second - first - 1))
       .hint(text.substr(second + 1));
 }
@@ -176,9 +176,9 @@ void ChildWorker::end() {
   process_ = -1;
 }
 
-void ChildWorker::refuse(const std::string& problem, const std::string& hint) {
+Error ChildWorker::ended_for(const std::string& problem) {
   end();
-  throw unreadable(name_, problem).hint(hint);
+  return unreadable(name_, problem);
 }
 
 void ChildWorker::start() {
@@ -187,7 +187,7 @@ void ChildWorker::start() {
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   int ends[2] = {-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    refuse(std::string("it cannot be read apart: ") + std::strerror(errno));
+    throw ended_for(std::string("it cannot be read apart: ") + std::strerror(errno));
   const pid_t process = ::fork();
   if (process == 0) {
     ::close(ends[0]);
@@ -197,25 +197,25 @@ void ChildWorker::start() {
   ::close(ends[1]);
   socket_ = ends[0];
   process_ = process;
-  if (process < 0) refuse(std::string("it cannot be read apart: ") + std::strerror(errno));
+  if (process < 0) throw ended_for(std::string("it cannot be read apart: ") + std::strerror(errno));
 }
 
-void ChildWorker::refuse_end() {
+Error ChildWorker::ended_by_itself() {
   int status = 0;
   if (process_ > 0 && ::waitpid(process_, &status, 0) == process_) process_ = -1;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (is_end_from_outside(signal))
-    refuse("the process that reads it was killed (signal " + std::to_string(signal) +
-               "), which says nothing about the file",
-           "try again; a machine that runs out of memory kills so");
+    return ended_for("the process that reads it was killed (signal " + std::to_string(signal) +
+                     "), which says nothing about the file")
+        .hint("try again; a machine that runs out of memory kills so");
   const bool took_too_long = signal == SIGPROF || signal == SIGXCPU || signal == SIGALRM;
-  refuse(std::string(kDamagedFile) + ": " + library_ +
-             (took_too_long ? " does not come to an end with it" : " fails on it"),
-         kCopyAgain);
+  return ended_for(std::string(kDamagedFile) + ": " + library_ +
+                   (took_too_long ? " does not come to an end with it" : " fails on it"))
+      .hint(kCopyAgain);
 }
 
 void ChildWorker::send(std::string_view bytes) {
-  if (!send_all(socket_, bytes.data(), bytes.size())) refuse_end();
+  if (!send_all(socket_, bytes.data(), bytes.size())) throw ended_by_itself();
 }
 
 void ChildWorker::receive(char* to, std::size_t count, double until_s) {
@@ -226,10 +226,11 @@ void ChildWorker::receive(char* to, std::size_t count, double until_s) {
     const int ready = left_s > 0.0 ? ::poll(&waited, 1, static_cast<int>(left_s * kMilliseconds) + 1) : 0;
     if (ready < 0 && errno == EINTR) continue;
     if (ready <= 0)
-      refuse(std::string(kDamagedFile) + ": " + library_ + " does not come to an end with it", kCopyAgain);
+      throw ended_for(std::string(kDamagedFile) + ": " + library_ + " does not come to an end with it")
+          .hint(kCopyAgain);
     const ssize_t got = ::recv(socket_, to, count, 0);
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) refuse_end();
+    if (got <= 0) throw ended_by_itself();
     to += got;
     count -= static_cast<std::size_t>(got);
   }
@@ -245,11 +246,11 @@ std::string ChildWorker::ask(std::string_view request) {
   std::uint64_t head[2] = {};
   receive(reinterpret_cast<char*>(head), sizeof head, until_s);
   if (static_cast<Outcome>(head[0]) == Outcome::no_memory || head[1] > limits_.answer_bytes)
-    refuse("what it promises needs more memory than it may have",
-           "make it again in smaller parts, if it is sound");
+    throw ended_for("what it promises needs more memory than it may have")
+        .hint("make it again in smaller parts, if it is sound");
   std::string answer(static_cast<std::size_t>(head[1]), '\0');
   receive(answer.data(), answer.size(), until_s);
-  if (static_cast<Outcome>(head[0]) == Outcome::error) throw_again(name_, answer);
+  if (static_cast<Outcome>(head[0]) == Outcome::error) throw error_of(name_, answer);
   return answer;
 }
 

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/error.h"
+
 namespace vegard::sim {
 
 struct ChildLimits {
@@ -42,10 +44,12 @@ class ChildWorker {
  private:
   void start();
   void end();
-  [[noreturn]] void refuse(const std::string& problem, const std::string& hint = {});
+  /// Ends the child and returns Error(unreadable_input).
+  Error ended_for(const std::string& problem);
+  /// The same where the child has ended by itself.
+  Error ended_by_itself();
   void send(std::string_view bytes);
   void receive(char* to, std::size_t count, double until_s);
-  [[noreturn]] void refuse_end();
 
   std::string name_, library_;
   Answer answer_;

@@ -52,10 +52,10 @@ struct CloseArchive {
   void operator()(archive* one) const { archive_read_free(one); }
 };
 
-[[noreturn]] void refuse_damaged(const std::string& name, archive* tar) {
+Error damaged_tar(const std::string& name, archive* tar) {
   const char* why = archive_error_string(tar);
-  throw unreadable(
-      name, std::string("the tar is damaged or cut short: ") + (why != nullptr ? why : "it makes no sense"))
+  return unreadable(name, std::string("the tar is damaged or cut short: ") +
+                              (why != nullptr ? why : "it makes no sense"))
       .hint(kCopyAgain);
 }
 
@@ -78,7 +78,7 @@ std::unique_ptr<archive, CloseArchive> opened(TarBytes& bytes, std::uint64_t pla
   archive_read_set_read_callback(tar.get(), read_some);
   archive_read_set_skip_callback(tar.get(), skip_some);
   archive_read_set_callback_data(tar.get(), &bytes);
-  if (archive_read_open1(tar.get()) != ARCHIVE_OK) refuse_damaged(name, tar.get());
+  if (archive_read_open1(tar.get()) != ARCHIVE_OK) throw damaged_tar(name, tar.get());
   return tar;
 }
 
@@ -98,7 +98,7 @@ TarFile::TarFile(std::string name, std::string_view bytes) : name_(std::move(nam
   for (std::size_t passed = 0;; ++passed) {
     const int code = archive_read_next_header(tar.get(), &entry);
     if (code == ARCHIVE_EOF) break;
-    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_damaged(name_, tar.get());
+    if (code != ARCHIVE_OK && code != ARCHIVE_WARN) throw damaged_tar(name_, tar.get());
     if (passed >= kMaxEntries)
       throw unreadable(name_, "there are more than " + std::to_string(kMaxEntries) + " files in it")
           .hint("cut it up");
@@ -120,14 +120,14 @@ std::string TarFile::read(const TarEntry& wanted) const {
   const auto tar = opened(source, wanted.offset, name_);
   archive_entry* entry = nullptr;
   const int code = archive_read_next_header(tar.get(), &entry);
-  if (code != ARCHIVE_OK && code != ARCHIVE_WARN) refuse_damaged(name_, tar.get());
+  if (code != ARCHIVE_OK && code != ARCHIVE_WARN) throw damaged_tar(name_, tar.get());
   // Room is made as bytes come: a header may promise any number of them.
   std::string content;
   std::vector<char> block(kBlock);
   for (;;) {
     const la_ssize_t got = archive_read_data(tar.get(), block.data(), block.size());
     if (got == 0) break;
-    if (got < 0) refuse_damaged(name_, tar.get());
+    if (got < 0) throw damaged_tar(name_, tar.get());
     content.append(block.data(), static_cast<std::size_t>(got));
     if (content.size() > wanted.bytes) break;
   }
