@@ -15,8 +15,8 @@
 namespace vegard::fit {
 namespace {
 
-using sim::complain;
 using sim::Origin;
+using sim::scene_error;
 
 constexpr double kMaxSeconds = 1e6;
 
@@ -27,15 +27,15 @@ SurveyPeriod period_of(SurveyTable& table) {
   table.time("from", period.from_s);
   table.time("until", period.until_s);
   if (!(period.from_s < period.until_s))
-    complain({"the period ends before it begins", "a time after 'from'", ""}, table.at("until"));
+    throw scene_error({"the period ends before it begins", "a time after 'from'", ""}, table.at("until"));
   return period;
 }
 
 std::string plain_name(SurveyTable& table, const std::string& key) {
   const std::string expected = "letters, digits, _ and -, 64 at most";
   std::string name = table.text(key, expected);
-  if (name.empty()) complain({"'" + key + "' is missing", expected, ""}, table.at(key));
-  if (!is_plain_name(name)) complain({"'" + name + "' is no name", expected, ""}, table.at(key));
+  if (name.empty()) throw scene_error({"'" + key + "' is missing", expected, ""}, table.at(key));
+  if (!is_plain_name(name)) throw scene_error({"'" + name + "' is no name", expected, ""}, table.at(key));
   return name;
 }
 
@@ -44,12 +44,13 @@ void read_head(SurveyTable& table, Survey& survey, std::string& scene) {
   const std::string works = "an array of \"filter\", \"border\", \"profile\", \"fit\" and \"map\"";
   for (const std::string& word : table.texts("work", works)) {
     const std::optional<SurveyWork> work = survey_work_of(word);
-    if (!work) complain({"'" + word + "' is no work", works, ""}, table.at("work"));
+    if (!work) throw scene_error({"'" + word + "' is no work", works, ""}, table.at("work"));
     if (std::find(survey.work.begin(), survey.work.end(), *work) != survey.work.end())
-      complain({"'" + word + "' is listed twice", works, ""}, table.at("work"));
+      throw scene_error({"'" + word + "' is listed twice", works, ""}, table.at("work"));
     survey.work.push_back(*work);
   }
-  if (survey.work.empty()) complain({"it is not said what to do with a frame", works, ""}, table.at("work"));
+  if (survey.work.empty())
+    throw scene_error({"it is not said what to do with a frame", works, ""}, table.at("work"));
   std::sort(survey.work.begin(), survey.work.end());
   scene = table.text("scene");
   table.whole_number("block_frames", 1, 1000000, survey.block_frames);
@@ -68,10 +69,10 @@ void check_periods(const SurveyTable& table, const SurveyCamera& camera) {
     for (std::size_t j = 0; j < i; ++j) {
       const SurveyPeriod &a = camera.calibrations[j].period, &b = camera.calibrations[i].period;
       if (a.from_s < b.until_s && b.from_s < a.until_s)
-        complain({"calibrations " + std::to_string(j + 1) + " and " + std::to_string(i + 1) + " of '" +
-                      camera.name + "' are for the same time",
-                  "periods (from, until) that do not overlap", ""},
-                 table.at("calibration"));
+        throw scene_error({"calibrations " + std::to_string(j + 1) + " and " + std::to_string(i + 1) +
+                               " of '" + camera.name + "' are for the same time",
+                           "periods (from, until) that do not overlap", ""},
+                          table.at("calibration"));
     }
 }
 
@@ -85,7 +86,7 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
   const std::string frames = "an array of folders, lists (.txt) and files, in quotes";
   camera.frames = table.texts("frames", frames);
   if (camera.frames.empty())
-    complain({"camera '" + camera.name + "' has no frames", frames, ""}, table.at("frames"));
+    throw scene_error({"camera '" + camera.name + "' has no frames", frames, ""}, table.at("frames"));
   camera.endings = table.texts("endings", "an array of endings of file names, \".png\"");
   for (std::string& ending : camera.endings)
     std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -93,13 +94,13 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
   if (camera.endings.empty()) camera.endings = picture_endings();
   camera.decoding = table.text("decoding");
   if (const auto complaint = sim::decoding_complaint(camera.decoding); complaint && !camera.decoding.empty())
-    complain(*complaint, table.at("decoding"));
+    throw scene_error(*complaint, table.at("decoding"));
   const std::string channel = table.text("channel");
   const std::vector<std::string> channels = {"red", "green", "blue"};
   if (!channel.empty()) {
     const auto found = std::find(channels.begin(), channels.end(), channel);
     if (found == channels.end())
-      complain({"'" + channel + "' is no channel", "red, green or blue", ""}, table.at("channel"));
+      throw scene_error({"'" + channel + "' is no channel", "red, green or blue", ""}, table.at("channel"));
     camera.channel = static_cast<int>(found - channels.begin());
   }
   camera.filter = table.text("filter", "a file of scripts/learn_filter.py");
@@ -109,20 +110,21 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
     calibration.file = inner.text("file");
     calibration.mask = inner.text("mask");
     if (calibration.file.empty() && calibration.mask.empty())
-      complain({"a calibration without 'file' and 'mask' says nothing", "file = \"camera.toml\"",
-                "vegard calibrate writes such files"},
-               inner.at("file"));
+      throw scene_error({"a calibration without 'file' and 'mask' says nothing", "file = \"camera.toml\"",
+                         "vegard calibrate writes such files"},
+                        inner.at("file"));
     if (calibration.file.empty() && camera.scene.empty())
-      complain({"there is neither a scene nor a camera's file", "file = \"camera.toml\"", ""},
-               inner.at("file"));
+      throw scene_error({"there is neither a scene nor a camera's file", "file = \"camera.toml\"", ""},
+                        inner.at("file"));
     camera.calibrations.push_back(calibration);
   });
   check_periods(table, camera);
   if (camera.calibrations.empty()) {
     if (camera.scene.empty())
-      complain({"camera '" + camera.name + "' has no calibration and no scene",
-                "[[camera.calibration]] with file = \"camera.toml\"", "vegard calibrate writes such files"},
-               table.at("calibration"));
+      throw scene_error(
+          {"camera '" + camera.name + "' has no calibration and no scene",
+           "[[camera.calibration]] with file = \"camera.toml\"", "vegard calibrate writes such files"},
+          table.at("calibration"));
     camera.calibrations.emplace_back();
   }
   return camera;
@@ -135,17 +137,18 @@ SurveySkip read_skip(SurveyTable& table, const Survey& survey) {
   if (!skip.camera.empty() && std::none_of(survey.cameras.begin(), survey.cameras.end(), is_it)) {
     std::vector<std::string> names;
     for (const SurveyCamera& camera : survey.cameras) names.push_back(camera.name);
-    complain({"there is no camera '" + skip.camera + "'", "the name of a [[camera]]",
-              sim::nearest_hint(skip.camera, names)},
-             table.at("camera"));
+    throw scene_error({"there is no camera '" + skip.camera + "'", "the name of a [[camera]]",
+                       sim::nearest_hint(skip.camera, names)},
+                      table.at("camera"));
   }
   skip.period = period_of(table);
   skip.list = table.text("list");
   skip.reason = table.text("reason");
-  if (skip.reason.empty()) complain({"it is not said why", "reason = \"fog\"", ""}, table.at("reason"));
+  if (skip.reason.empty())
+    throw scene_error({"it is not said why", "reason = \"fog\"", ""}, table.at("reason"));
   if (skip.camera.empty() && skip.list.empty() && std::isinf(skip.period.from_s) &&
       std::isinf(skip.period.until_s))
-    complain({"this skips everything", "camera, from, until or list", ""}, table.at("reason"));
+    throw scene_error({"this skips everything", "camera, from, until or list", ""}, table.at("reason"));
   return skip;
 }
 
@@ -160,16 +163,17 @@ Survey survey_of(const toml::table& document, const std::string& file) {
     read_head(table, survey, scene);
   });
   if (!has_head)
-    complain({"there is no table [survey]", "[survey] with name and work", ""}, {file, 1, "survey"});
+    throw scene_error({"there is no table [survey]", "[survey] with name and work", ""}, {file, 1, "survey"});
   std::set<std::string> names;
   root.each("camera", [&](SurveyTable& table) {
     survey.cameras.push_back(read_camera(table, scene));
     if (!names.insert(survey.cameras.back().name).second)
-      complain(
+      throw scene_error(
           {"two cameras are called '" + survey.cameras.back().name + "'", "a name of its own for each", ""},
           table.at("name"));
   });
-  if (survey.cameras.empty()) complain({"there is no camera", "[[camera]]", ""}, {file, 1, "camera"});
+  if (survey.cameras.empty())
+    throw scene_error({"there is no camera", "[[camera]]", ""}, {file, 1, "camera"});
   root.each("skip", [&](SurveyTable& table) { survey.skips.push_back(read_skip(table, survey)); });
   root.refuse_unknown();
   return survey;

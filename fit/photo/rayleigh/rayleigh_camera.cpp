@@ -18,7 +18,7 @@ namespace vegard::fit {
 namespace {
 
 using sim::CheckedTable;
-using sim::complain;
+using sim::scene_error;
 
 constexpr double kMaxCounts = 1e9, kMinNm = 300.0, kMaxNm = 1200.0;
 /// The range in which the spectra of stars are known (sim/view/sky/star_photometry.h).
@@ -43,14 +43,14 @@ std::optional<double> given_number(CheckedTable& table, const std::string& key, 
 void positive_number(CheckedTable& table, const std::string& key, double most, double& value) {
   if (!table.has(key)) return;
   table.number(key, 0.0, most, value);
-  if (!(value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(key));
+  if (!(value > 0.0)) throw scene_error({"it is 0", "a number above 0", ""}, table.at(key));
 }
 
 /// Reads the keys that may be in the file's head for all filters, and in a filter's table for this one.
 void read_sensor(CheckedTable& table, RayleighFilter& filter) {
   if (table.has("dark") && table.has("dark_counts"))
-    complain({"there are two dark levels", "'dark', a picture, or 'dark_counts', a number", ""},
-             table.at("dark"));
+    throw scene_error({"there are two dark levels", "'dark', a picture, or 'dark_counts', a number", ""},
+                      table.at("dark"));
   if (table.has("dark")) {
     filter.dark_file = beside(table.file(), table.text("dark", "the file of a dark picture, in quotes"));
   } else if (table.has("dark_counts")) {
@@ -75,8 +75,8 @@ void read_sensor(CheckedTable& table, RayleighFilter& filter) {
   const std::string channel = table.text("channel", "\"red\", \"green\" or \"blue\"");
   if (!channel.empty()) {
     if (channel != "red" && channel != "green" && channel != "blue")
-      complain({"'" + channel + "' is no channel", "\"red\", \"green\" or \"blue\"", ""},
-               table.at("channel"));
+      throw scene_error({"'" + channel + "' is no channel", "\"red\", \"green\" or \"blue\"", ""},
+                        table.at("channel"));
     filter.channel = channel;
   }
 }
@@ -87,8 +87,9 @@ void read_transmission(CheckedTable& table, FilterBand& band) {
       beside(table.file(), table.text("transmission", "a CSV of wavelength_nm and transmission, in quotes"));
   for (const char* other : {"centre_nm", "width_nm"})
     if (table.has(other))
-      complain({"the filter has a curve already", "'transmission', or 'centre_nm' and 'width_nm'", ""},
-               table.at(other));
+      throw scene_error(
+          {"the filter has a curve already", "'transmission', or 'centre_nm' and 'width_nm'", ""},
+          table.at(other));
   constexpr std::size_t kMaxCurveBytes = std::size_t{1} << 24;
   const sim::CsvTable curve =
       sim::read_csv_table(sim::input_bytes(file, "a filter's curve (CSV)", kMaxCurveBytes), file);
@@ -104,8 +105,8 @@ void read_transmission(CheckedTable& table, FilterBand& band) {
 
 void read_band(CheckedTable& table, FilterBand& band) {
   if (!table.has("line_nm"))
-    complain({"'line_nm' is missing", "the wavelength of the line whose rayleighs are meant", ""},
-             table.at("line_nm"));
+    throw scene_error({"'line_nm' is missing", "the wavelength of the line whose rayleighs are meant", ""},
+                      table.at("line_nm"));
   table.number("line_nm", kMinNm, kMaxNm, band.line_nm);
   band.centre_nm = band.line_nm;
   if (table.has("transmission")) {
@@ -117,23 +118,24 @@ void read_band(CheckedTable& table, FilterBand& band) {
   table.number("width_error", 0.0, 1.0, band.width_error);
   const bool has_band = band.width_nm > 0.0 || !band.table_nm.empty();
   if (has_band && !(transmission_at(band, band.line_nm) > 0.0))
-    complain({fmt::format("the filter lets nothing through at {:g} nm", band.line_nm),
-              "a band with the line in it", ""},
-             table.at("line_nm"));
+    throw scene_error({fmt::format("the filter lets nothing through at {:g} nm", band.line_nm),
+                       "a band with the line in it", ""},
+                      table.at("line_nm"));
   if (!band.table_nm.empty() || band.width_nm == 0.0) return;
   if (band.centre_nm - 0.5 * band.width_nm < kMinStarNm || band.centre_nm + 0.5 * band.width_nm > kMaxStarNm)
-    complain({"the light of stars is not known in all of the band",
-              fmt::format("a band within {:g} to {:g} nm", kMinStarNm, kMaxStarNm), "leave 'width_nm' out"},
-             table.at("width_nm"));
+    throw scene_error(
+        {"the light of stars is not known in all of the band",
+         fmt::format("a band within {:g} to {:g} nm", kMinStarNm, kMaxStarNm), "leave 'width_nm' out"},
+        table.at("width_nm"));
 }
 
 void read_factor(CheckedTable& table, RayleighFilter& filter) {
   const std::optional<double> value = given_number(table, kFactorKey, 0.0, kMaxCounts);
   const std::optional<double> error = given_number(table, kFactorErrorKey, 0.0, kMaxCounts);
-  if (value && !(*value > 0.0)) complain({"it is 0", "a number above 0", ""}, table.at(kFactorKey));
+  if (value && !(*value > 0.0)) throw scene_error({"it is 0", "a number above 0", ""}, table.at(kFactorKey));
   if (error && !value)
-    complain({"an error without its number", std::string("'") + kFactorKey + "' as well", ""},
-             table.at(kFactorErrorKey));
+    throw scene_error({"an error without its number", std::string("'") + kFactorKey + "' as well", ""},
+                      table.at(kFactorErrorKey));
   if (value) filter.factor = RayleighFactor{*value, error.value_or(0.0)};
 }
 
@@ -149,18 +151,19 @@ RayleighCamera camera_of(const toml::table& document, const std::string& file) {
     filter.line = table.line();
     const std::string expected = "a name for the filter, such as \"green\"";
     filter.name = table.text("name", expected);
-    if (filter.name.empty()) complain({"'name' is missing", expected, ""}, table.at("name"));
+    if (filter.name.empty()) throw scene_error({"'name' is missing", expected, ""}, table.at("name"));
     for (const RayleighFilter& other : camera.filters)
       if (other.name == filter.name)
-        complain({"two filters are called '" + filter.name + "'", "a name of its own for each", ""},
-                 table.at("name"));
+        throw scene_error({"two filters are called '" + filter.name + "'", "a name of its own for each", ""},
+                          table.at("name"));
     read_sensor(table, filter);
     read_band(table, filter.band);
     read_factor(table, filter);
     camera.filters.push_back(filter);
   });
   root.refuse_unknown();
-  if (camera.filters.empty()) complain({"there is no filter", "[[filter]]", ""}, {file, 1, "filter"});
+  if (camera.filters.empty())
+    throw scene_error({"there is no filter", "[[filter]]", ""}, {file, 1, "filter"});
   return camera;
 }
 
@@ -257,7 +260,7 @@ std::string with_factor(const std::string& text, const std::string& file, const 
     }
   };
   if (!is_written())
-    complain(
+    throw scene_error(
         {"the filter '" + wanted.name + "' has no room for its factor", "a key a line in [[filter]]", ""},
         {file, wanted.line, kFactorKey});
   return written;

@@ -201,12 +201,13 @@ void check_memory_of_looks(const Scene& scene, const Footprint& f, std::size_t n
   if (bytes <= std::max(kMaxMapBytes, map_cells(f) * bytes_per_cell(f, number_bytes))) return;
   const bool is_shell = f.shape == FootprintShape::shell;
   const std::string key = "footprint." + f.name + (is_shell ? ".face_cells" : ".cell_km");
-  complain({"the footprint's maps of the exposure's instants, and of the past whose light lags, would take " +
-                short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB",
-            "at most 4 GB",
-            std::string(is_shell ? "fewer face_cells" : "a larger cell_km") +
-                ", fewer time.instants, or emission.lag = \"none\""},
-           {scene.file, line_of(scene, key), key});
+  throw scene_error(
+      {"the footprint's maps of the exposure's instants, and of the past whose light lags, would take " +
+           short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB",
+       "at most 4 GB",
+       std::string(is_shell ? "fewer face_cells" : "a larger cell_km") +
+           ", fewer time.instants, or emission.lag = \"none\""},
+      {scene.file, line_of(scene, key), key});
 }
 
 template <class T>

@@ -15,9 +15,9 @@ class EarthOnly {
   void refuse(bool is_set, const std::string& key, const std::string& what,
               const std::string& expected = {}) const {
     if (!is_set) return;
-    complain({what + " of the Earth alone, and the scene's body is \"" + scene_.body.name + "\"",
-              (expected.empty() ? "" : expected + ", or ") + "body.name = \"earth\"", ""},
-             {scene_.file, 0, key});
+    throw scene_error({what + " of the Earth alone, and the scene's body is \"" + scene_.body.name + "\"",
+                       (expected.empty() ? "" : expected + ", or ") + "body.name = \"earth\"", ""},
+                      {scene_.file, 0, key});
   }
 
  private:
@@ -28,9 +28,9 @@ void check_numbers_of_earth(const Scene& scene) {
   const Body earth;
   const auto check = [&](double Body::*number, const char* key) {
     if (scene.body.*number == earth.*number) return;
-    complain({"the Earth's " + std::string(key) + " is " + short_real_text(earth.*number),
-              "that, or body.name = \"own\"", ""},
-             {scene.file, 0, std::string("body.") + key});
+    throw scene_error({"the Earth's " + std::string(key) + " is " + short_real_text(earth.*number),
+                       "that, or body.name = \"own\"", ""},
+                      {scene.file, 0, std::string("body.") + key});
   };
   check(&Body::radius_km, "radius_km");
   check(&Body::gravity_m_s2, "gravity_m_s2");

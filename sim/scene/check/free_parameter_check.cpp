@@ -25,12 +25,14 @@ Origin origin_of(const Scene& scene, const FreeParameter& free) {
 /// min < max, and the start between them.
 void check_order(double start, bool start_is_given, double min, double max, const Origin& origin) {
   if (min >= max)
-    complain({"min " + real_text(min) + " is not below max " + real_text(max), "min < max", ""}, origin);
+    throw scene_error({"min " + real_text(min) + " is not below max " + real_text(max), "min < max", ""},
+                      origin);
   if (start < min || start > max) {
-    complain({(start_is_given ? "start " : "the scene's value ") + real_text(start) +
-                  " is not between min and max",
-              "min <= start <= max", start_is_given ? "" : "give a start or change the value itself"},
-             origin);
+    throw scene_error(
+        {(start_is_given ? "start " : "the scene's value ") + real_text(start) +
+             " is not between min and max",
+         "min <= start <= max", start_is_given ? "" : "give a start or change the value itself"},
+        origin);
   }
 }
 
@@ -47,7 +49,7 @@ void check_numbers(const Scene& scene, const FreeParameter& free, const Paramete
     }
     if (!complaint) return;
     complaint->problem = std::string(what) + ": " + complaint->problem;
-    complain(*complaint, origin);
+    throw scene_error(*complaint, origin);
   };
   if (free.min) check("min", *free.min);
   if (free.max) check("max", *free.max);
@@ -57,9 +59,9 @@ void check_numbers(const Scene& scene, const FreeParameter& free, const Paramete
   check_order(start, free.start.has_value(), free.min.value_or(-infinite), free.max.value_or(infinite),
               origin);
   if (is_logarithmic && d.scale != ParameterScale::logarithmic && free.min.value_or(d.min) <= 0.0)
-    complain({"a logarithmic scale has no room for the lower limit " + short_real_text(d.min),
-              "a min above 0", ""},
-             origin);
+    throw scene_error({"a logarithmic scale has no room for the lower limit " + short_real_text(d.min),
+                       "a min above 0", ""},
+                      origin);
 }
 
 /// A number that is no parameter's: nothing but the entry says what it may be.
@@ -67,15 +69,17 @@ void check_auxiliary(const Scene& scene, const FreeParameter& free) {
   const Origin origin = origin_of(scene, free);
   for (const FreeNumberKey& key : free_number_keys()) {
     const std::optional<double>& number = free.*key.place;
-    if (!number) complain({"a number without a path needs a " + key.key, "start, min and max", ""}, origin);
+    if (!number)
+      throw scene_error({"a number without a path needs a " + key.key, "start, min and max", ""}, origin);
     if (!std::isfinite(*number))
-      complain({key.key + ": " + real_text(*number) + " is no usable number", "a finite number", ""}, origin);
+      throw scene_error({key.key + ": " + real_text(*number) + " is no usable number", "a finite number", ""},
+                        origin);
   }
   check_order(*free.start, true, *free.min, *free.max, origin);
   if (scale_of(free, nullptr) == ParameterScale::logarithmic && *free.min <= 0.0)
-    complain({"a logarithmic scale has no room for the lower limit " + short_real_text(*free.min),
-              "a min above 0", ""},
-             origin);
+    throw scene_error({"a logarithmic scale has no room for the lower limit " + short_real_text(*free.min),
+                       "a min above 0", ""},
+                      origin);
 }
 
 bool can_be_a_name(const std::string& name) {
@@ -90,18 +94,21 @@ void check_name(const Scene& scene, const FreeParameter& free, std::size_t numbe
   const Origin origin = origin_of(scene, free);
   for (const ParameterPath& path : all_paths(scene))
     if (path.text == free.name)
-      complain({"the name '" + free.name + "' is a parameter's path", "a name of its own", ""}, origin);
+      throw scene_error({"the name '" + free.name + "' is a parameter's path", "a name of its own", ""},
+                        origin);
   const std::vector<std::string>& reserved = Expression::reserved_words();
   if (std::find(reserved.begin(), reserved.end(), free.name) != reserved.end())
-    complain({"the name '" + free.name + "' is a word of expressions", "a name of its own", ""}, origin);
+    throw scene_error({"the name '" + free.name + "' is a word of expressions", "a name of its own", ""},
+                      origin);
   if (!can_be_a_name(free.name))
-    complain({"the name '" + free.name + "' cannot be used in an expression",
-              "a letter, then letters, digits and '_'", ""},
-             origin);
+    throw scene_error({"the name '" + free.name + "' cannot be used in an expression",
+                       "a letter, then letters, digits and '_'", ""},
+                      origin);
   if (numbers > 1)
-    complain({"the name '" + free.name + "' would be that of " + std::to_string(numbers) + " numbers",
-              "a path to one number", "name the components one by one"},
-             origin);
+    throw scene_error(
+        {"the name '" + free.name + "' would be that of " + std::to_string(numbers) + " numbers",
+         "a path to one number", "name the components one by one"},
+        origin);
 }
 
 void check_prior(const Scene& scene, const FreeParameter& free, double lower_limit) {
@@ -110,28 +117,31 @@ void check_prior(const Scene& scene, const FreeParameter& free, double lower_lim
   const Origin origin = origin_of(scene, free);
   if (prior.law == PriorLaw::uniform) {
     if (!free.min || !free.max)
-      complain({"prior: nothing says from where to where it is uniform", "min and max as well", ""}, origin);
+      throw scene_error({"prior: nothing says from where to where it is uniform", "min and max as well", ""},
+                        origin);
     return;
   }
   if (!std::isfinite(prior.mean)) {
-    complain({"prior: the mean " + real_text(prior.mean) + " is no usable number", "a finite number", ""},
-             origin);
+    throw scene_error(
+        {"prior: the mean " + real_text(prior.mean) + " is no usable number", "a finite number", ""}, origin);
   }
   if (!(std::isfinite(prior.sigma) && prior.sigma > 0.0)) {
-    complain({"prior: the sigma " + real_text(prior.sigma) + " is no width", "a number above 0", ""}, origin);
+    throw scene_error({"prior: the sigma " + real_text(prior.sigma) + " is no width", "a number above 0", ""},
+                      origin);
   }
   if (prior.law != PriorLaw::log_normal) return;
   if (prior.mean <= 0.0)
-    complain({"prior: the mean " + real_text(prior.mean) + " has no logarithm", "a number above 0", ""},
-             origin);
+    throw scene_error(
+        {"prior: the mean " + real_text(prior.mean) + " has no logarithm", "a number above 0", ""}, origin);
   if (lower_limit < 0.0)
-    complain({"prior: the number may be negative and has no logarithm there", "a min of 0 or above", ""},
-             origin);
+    throw scene_error(
+        {"prior: the number may be negative and has no logarithm there", "a min of 0 or above", ""}, origin);
 }
 
 /// A number of one photograph alone.
 void check_photo(const Scene& scene, const FreeParameter& free) {
-  if (const auto complaint = photo_complaint(scene, free.photo)) complain(*complaint, origin_of(scene, free));
+  if (const auto complaint = photo_complaint(scene, free.photo))
+    throw scene_error(*complaint, origin_of(scene, free));
 }
 
 /// Two entries of one name: the later one has nothing to say beside its path, or the same.
@@ -139,39 +149,41 @@ void check_same_number(const Scene& scene, const FreeParameter& first, const Fre
   const Origin origin = origin_of(scene, later);
   const std::string words = "the name '" + first.name + "'" + in_line(first.line);
   if (first.path.empty() || later.path.empty())
-    complain({words + " is that of another number", "a name of its own for each",
-              "entries of one name are one number if both have a path"},
-             origin);
+    throw scene_error({words + " is that of another number", "a name of its own for each",
+                       "entries of one name are one number if both have a path"},
+                      origin);
   const ParameterPath a = paths_of(scene, first).front(), b = paths_of(scene, later).front();
   if (a.row->role == ParameterRole::profile_coefficient || b.row->role == ParameterRole::profile_coefficient)
-    complain({"coefficients of a free-form profile cannot be one number", "a name of its own for each", ""},
-             origin);
+    throw scene_error(
+        {"coefficients of a free-form profile cannot be one number", "a name of its own for each", ""},
+        origin);
   if (a.row->unit != b.row->unit)
-    complain({words + " is that of a number in " + (a.row->unit.empty() ? "no unit" : a.row->unit) +
-                  ", this one is in " + (b.row->unit.empty() ? "no unit" : b.row->unit),
-              "numbers of one unit", "an expression of fit.tied can turn one into the other"},
-             origin);
+    throw scene_error({words + " is that of a number in " + (a.row->unit.empty() ? "no unit" : a.row->unit) +
+                           ", this one is in " + (b.row->unit.empty() ? "no unit" : b.row->unit),
+                       "numbers of one unit", "an expression of fit.tied can turn one into the other"},
+                      origin);
   if (scale_of(first, a.row) != scale_of(later, b.row))
-    complain(
+    throw scene_error(
         {words + " is that of a number on another scale", "the same scale for both", "set scale in both"},
         origin);
   for (const FreeNumberKey& key : free_number_keys()) {
     const std::optional<double>&of_first = first.*key.place, &of_later = later.*key.place;
     if (of_later && of_later != of_first)
-      complain({key.key + " " + real_text(*of_later) + ", but " + words + " has " +
-                    (of_first ? real_text(*of_first) : "none"),
-                "the first entry's", "leave it out here"},
-               origin);
+      throw scene_error({key.key + " " + real_text(*of_later) + ", but " + words + " has " +
+                             (of_first ? real_text(*of_first) : "none"),
+                         "the first entry's", "leave it out here"},
+                        origin);
   }
   const auto same = [](const Prior& x, const Prior& y) {
     return x.mean == y.mean && x.sigma == y.sigma && x.law == y.law;
   };
   if (later.prior && !(first.prior && same(*first.prior, *later.prior)))
-    complain({"a prior other than " + words + " has", "the first entry's", "leave it out here"}, origin);
+    throw scene_error({"a prior other than " + words + " has", "the first entry's", "leave it out here"},
+                      origin);
   const double start = first.start.value_or(*real_value(scene, a));
   if (auto complaint = number_complaint(declaration_of(*b.row), start)) {
     complaint->problem = "start of '" + first.path + "', which is the same number: " + complaint->problem;
-    complain(*complaint, origin);
+    throw scene_error(*complaint, origin);
   }
 }
 
@@ -198,17 +210,18 @@ void check_free_parameters(const Scene& scene) {
     for (const ParameterPath& path : paths) {
       const Origin origin{scene.file, free.line, path.text};
       if (!path.row->can_be_free) {
-        complain({"this parameter cannot be free", "one that `vegard params` lists as free", ""}, origin);
+        throw scene_error({"this parameter cannot be free", "one that `vegard params` lists as free", ""},
+                          origin);
       }
       // What one photograph has for itself is looked at in its own scene (check_photos).
       const bool is_shared = free.photo.empty();
       if (is_shared)
-        if (const auto inert = inert_parameter_complaint(scene, path)) complain(*inert, origin);
+        if (const auto inert = inert_parameter_complaint(scene, path)) throw scene_error(*inert, origin);
       for (const FreeParameter* owner : owners[path.id]) {
         if (meet(owner->photo, free.photo))
-          complain({"free twice, first as '" + owner->path + "'" + in_line(owner->line),
-                    "each parameter once", ""},
-                   origin);
+          throw scene_error({"free twice, first as '" + owner->path + "'" + in_line(owner->line),
+                             "each parameter once", ""},
+                            origin);
       }
       owners[path.id].push_back(&free);
       if (first == named.end() && is_shared) check_numbers(scene, free, path);

@@ -19,23 +19,24 @@ void check_path(const Scene& scene, const TiedParameter& tied) {
   for (const ParameterPath& path : paths_of(scene, tied)) {
     const Origin origin{scene.file, tied.line, path.text};
     if (!path.row->can_be_free)
-      complain({"this parameter cannot be tied", "one that `vegard params` lists as free", ""}, origin);
-    if (const auto inert = inert_parameter_complaint(scene, path)) complain(*inert, origin);
+      throw scene_error({"this parameter cannot be tied", "one that `vegard params` lists as free", ""},
+                        origin);
+    if (const auto inert = inert_parameter_complaint(scene, path)) throw scene_error(*inert, origin);
     if (path.row->role == ParameterRole::profile_coefficient)
-      complain({"a coefficient of a free-form profile cannot be tied", "one that is free, or fixed", ""},
-               origin);
+      throw scene_error(
+          {"a coefficient of a free-form profile cannot be tied", "one that is free, or fixed", ""}, origin);
     for (const FreeParameter& free : scene.fit.free) {
       if (!meet(free.photo, tied.photo)) continue;
       for (const ParameterPath& other : paths_of(scene, free))
         if (other.id == path.id)
-          complain(
+          throw scene_error(
               {"both tied and free, free as '" + free.path + "'" + in_line(free.line), "one of the two", ""},
               origin);
     }
     for (const TiedParameter& other : scene.fit.tied) {
       if (&other == &tied) break;
       if (meet(other.photo, tied.photo) && paths_of(scene, other).front().id == path.id)
-        complain({"tied twice, first" + in_line(other.line), "each parameter once", ""}, origin);
+        throw scene_error({"tied twice, first" + in_line(other.line), "each parameter once", ""}, origin);
     }
   }
 }
@@ -66,7 +67,7 @@ void check_values(const Scene& scene, const std::string& photo) {
     if (auto complaint = number_complaint(declaration_of(*tie.path.row), value)) {
       complaint->problem =
           "where the search starts, '" + tie.expression.text() + "' gives: " + complaint->problem;
-      complain(*complaint, {scene.file, entry->line, tie.path.text});
+      throw scene_error(*complaint, {scene.file, entry->line, tie.path.text});
     }
   }
 }
@@ -75,9 +76,9 @@ void check_values(const Scene& scene, const std::string& photo) {
 void check_use(const Scene& scene, const std::set<std::string>& used) {
   for (const FreeParameter& free : scene.fit.free)
     if (free.path.empty() && used.count(free.name) == 0)
-      complain({"the number '" + free.name + "' has no path, and no expression of fit.tied uses it",
-                "a path, or an expression that uses it", ""},
-               {scene.file, free.line, free.name});
+      throw scene_error({"the number '" + free.name + "' has no path, and no expression of fit.tied uses it",
+                         "a path, or an expression that uses it", ""},
+                        {scene.file, free.line, free.name});
 }
 
 }  // namespace
@@ -88,7 +89,7 @@ void check_tied_parameters(const Scene& scene) {
   std::set<std::string> photos = {""};
   for (const TiedParameter& tied : scene.fit.tied) {
     if (const auto complaint = photo_complaint(scene, tied.photo))
-      complain(*complaint, {scene.file, tied.line, tied.path});
+      throw scene_error(*complaint, {scene.file, tied.line, tied.path});
     check_path(scene, tied);
     photos.insert(tied.photo);
   }

@@ -59,10 +59,10 @@ void check_the_bundle(const Scene& scene, const Bundle& b) {
   const double limb = std::acos(std::min(1.0, scene.sun.radius * scene.sun.unit_km / scene.sun.distance_km)) /
                       kRadiansPerDegree;
   if (limb + b.horizon_deg < least || limb - b.horizon_deg > most)
-    check.refuse({"no place between these latitudes is within " + short_real_text(b.horizon_deg) +
-                      " degrees of the limb",
-                  "a larger horizon_deg, or other latitudes", ""},
-                 "horizon_deg");
+    throw check.error_at({"no place between these latitudes is within " + short_real_text(b.horizon_deg) +
+                              " degrees of the limb",
+                          "a larger horizon_deg, or other latitudes", ""},
+                         "horizon_deg");
 }
 
 }  // namespace

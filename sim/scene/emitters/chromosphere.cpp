@@ -62,11 +62,12 @@ void check_the_chromosphere(const Scene& scene, const Chromosphere& c) {
   constexpr double kMaxSteps = 100000.0;
   const double steps = 2.0 * c.outerradius / c.step;
   if (steps > kMaxSteps)
-    check.refuse({short_real_text(steps) + " steps from side to side",
-                  "at most " + short_real_text(kMaxSteps), "a larger step"},
-                 "step");
+    throw check.error_at({short_real_text(steps) + " steps from side to side",
+                          "at most " + short_real_text(kMaxSteps), "a larger step"},
+                         "step");
   if (c.peak != 0.0 && c.biasmap.empty())
-    check.refuse({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"}, "peak");
+    throw check.error_at({"there is no map for the peak", "biasmap = \"a picture's name\"", "or peak = 0"},
+                         "peak");
 }
 
 std::vector<PictureOfScene> pictures_of_chromospheres(const Scene& scene) {

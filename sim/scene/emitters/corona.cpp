@@ -40,7 +40,7 @@ void check_the_corona(const Scene& scene, const Corona& c) {
   check.check_shown();
   check.check_lines(c.rayleigh, false, "rayleigh");
   if (c.share.empty() || c.share.size() != c.power.size())
-    check.refuse(
+    throw check.error_at(
         {std::to_string(c.share.size()) + " of share for " + std::to_string(c.power.size()) + " of power",
          "as many of one as of the other, and at least one", ""},
         "share");

@@ -7,26 +7,26 @@
 
 namespace vegard::sim {
 
-void ElementCheck::refuse(const Complaint& complaint, const std::string& key) const {
-  complain(complaint, {scene_.file, 0, path_ + "." + key});
+Error ElementCheck::error_at(const Complaint& complaint, const std::string& key) const {
+  return scene_error(complaint, {scene_.file, 0, path_ + "." + key});
 }
 
 void ElementCheck::check_shown() const {
   if (!scene_.sun.shown)
-    refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "name");
+    throw error_at({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "name");
 }
 
 void ElementCheck::check_lines(const std::vector<double>& list, bool may_be_empty, const char* key) const {
   const std::size_t lines = scene_.emission.lines.size();
   if (list.size() == lines || (may_be_empty && list.empty())) return;
-  refuse({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
-          "one per line of emission.lines, in its order", ""},
-         key);
+  throw error_at({std::to_string(list.size()) + " numbers for " + std::to_string(lines) + " emission lines",
+                  "one per line of emission.lines, in its order", ""},
+                 key);
 }
 
 void ElementCheck::check_below(double low, const char* low_key, double high, const char* high_key) const {
   if (low < high) return;
-  refuse(
+  throw error_at(
       {std::string(low_key) + " is not below " + high_key, std::string(low_key) + " below " + high_key, ""},
       low_key);
 }

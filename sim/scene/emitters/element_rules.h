@@ -18,8 +18,8 @@ class ElementCheck {
  public:
   ElementCheck(const Scene& scene, std::string path) : scene_(scene), path_(std::move(path)) {}
 
-  /// Throws Error(scene) that names the key.
-  [[noreturn]] void refuse(const Complaint& complaint, const std::string& key) const;
+  /// Returns Error(scene) that names the key.
+  Error error_at(const Complaint& complaint, const std::string& key) const;
 
   void check_shown() const;  ///< throws unless sun.shown is true
   void check_lines(const std::vector<double>& list, bool may_be_empty, const char* key) const;

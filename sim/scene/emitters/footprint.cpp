@@ -127,25 +127,27 @@ std::vector<Declaration> footprint_rows() {
 void check_size(const Footprint& f, double sphere_km, const ElementCheck& check) {
   const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
   if (of_spline && spline_pieces(f, sphere_km) > kMaxSplinePieces)
-    check.refuse({"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) +
-                      " pieces of " + short_real_text(longest_piece_km(f, sphere_km)) + " km",
-                  "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
-                 is_shell ? "longitude_deg" : "east_km");
+    throw check.error_at(
+        {"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) + " pieces of " +
+             short_real_text(longest_piece_km(f, sphere_km)) + " km",
+         "at most 1048576", "a larger width_km, larger cells, or points nearer to each other"},
+        is_shell ? "longitude_deg" : "east_km");
   if (f.model == FootprintModel::curtain) return;
   if (!is_shell && longest_side_cells(f) > kMaxSideCells)
-    check.refuse({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side",
-                  "at most 262000", "a larger cell_km, or a smaller size_km"},
-                 "cell_km");
+    throw check.error_at({"the box has " + short_real_text(longest_side_cells(f)) + " cells along a side",
+                          "at most 262000", "a larger cell_km, or a smaller size_km"},
+                         "cell_km");
   if (!is_shell && map_cells(f) > kMaxBoxCells)
-    check.refuse({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
-                  "a larger cell_km, or a smaller size_km", ""},
-                 "cell_km");
+    throw check.error_at({"the box has more than 67108864 cells: " + short_real_text(map_cells(f)),
+                          "a larger cell_km, or a smaller size_km", ""},
+                         "cell_km");
   const double bytes = map_cells(f) * bytes_per_cell(f, sizeof(double));
   if (bytes > kMaxMapBytes)
-    check.refuse({"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) +
-                      " GB, " + short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
-                  "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},
-                 is_shell ? "face_cells" : "cell_km");
+    throw check.error_at(
+        {"the footprint's map would take " + short_real_text(std::round(bytes * 1e-8) * 0.1) + " GB, " +
+             short_real_text(bytes_per_cell(f, sizeof(double))) + " bytes a cell",
+         "at most 4 GB", is_shell ? "fewer face_cells" : "a larger cell_km, or a smaller size_km"},
+        is_shell ? "face_cells" : "cell_km");
 }
 
 /// Between neighbours a quarter of the way round or more apart, a spline would leave the sphere too far to be
@@ -164,12 +166,13 @@ void check_points_of_shell(const Footprint& f, const ElementCheck& check) {
     const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     if (cosine > 1e-9) continue;
     const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) / kRadiansPerDegree;
-    check.refuse({"points " + std::to_string(i) + " and " + std::to_string(next) + " are " +
-                      short_real_text(std::round(degrees * 10.0) * 0.1) + " degrees apart on the globe",
-                  "neighbours less than 90 degrees apart" +
-                      std::string(f.closed ? ", the last and the first of a closed curve too" : ""),
-                  "more points between them"},
-                 "longitude_deg");
+    throw check.error_at(
+        {"points " + std::to_string(i) + " and " + std::to_string(next) + " are " +
+             short_real_text(std::round(degrees * 10.0) * 0.1) + " degrees apart on the globe",
+         "neighbours less than 90 degrees apart" +
+             std::string(f.closed ? ", the last and the first of a closed curve too" : ""),
+         "more points between them"},
+        "longitude_deg");
   }
 }
 
@@ -180,64 +183,65 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
   if (f.source == FootprintSource::spline) {
     if (x.size() != y.size())
-      check.refuse(
+      throw check.error_at(
           {std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
            "as many of one as of the other", ""},
           y_key);
     if (x.size() < 2 || x.size() > 1000)
-      check.refuse({"a spline through " + std::to_string(x.size()) + " points",
-                    std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
-                   x_key);
+      throw check.error_at({"a spline through " + std::to_string(x.size()) + " points",
+                            std::string(x_key) + " and " + y_key + " of 2 to 1000 points", ""},
+                           x_key);
     if (is_shell) check_points_of_shell(f, check);
   }
   for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
     if (!list->empty() && (f.source != FootprintSource::spline || list->size() != x.size()))
-      check.refuse(
+      throw check.error_at(
           {std::to_string(list->size()) + " numbers for " +
                std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
            "one for every point, or none", ""},
           key);
   if (f.model == FootprintModel::curtain && f.source != FootprintSource::spline)
-    check.refuse({"a curtain stands on a spline, not on a footprint of " +
-                      quoted_text(word_in(footprint_rows(), f.source)),
-                  "source = \"spline\"", "or model = \"volume\""},
-                 "model");
+    throw check.error_at({"a curtain stands on a spline, not on a footprint of " +
+                              quoted_text(word_in(footprint_rows(), f.source)),
+                          "source = \"spline\"", "or model = \"volume\""},
+                         "model");
   const bool of_file = f.source == FootprintSource::image || f.source == FootprintSource::cube;
   if (of_file && f.image.empty())
-    check.refuse(
+    throw check.error_at(
         {"the footprint is to come from a picture, but image names none", "image = \"a picture's name\"", ""},
         "source");
   if (f.source == FootprintSource::cube && (!is_shell || f.image.find("{face}") == std::string::npos))
-    check.refuse(
+    throw check.error_at(
         {is_shell ? "'" + f.image + "' does not say where the face's name stands" : "a box has no cube faces",
          is_shell ? "a name such as \"foot_{face}.png\"" : "shape = \"shell\"", ""},
         is_shell ? "image" : "source");
   const bool of_map = f.source == FootprintSource::precipitation;
   if (of_map && f.file.empty())
-    check.refuse({"the footprint is to come from a map of precipitation, but file names none",
-                  "file = \"precipitation.fits\"", ""},
-                 "source");
+    throw check.error_at({"the footprint is to come from a map of precipitation, but file names none",
+                          "file = \"precipitation.fits\"", ""},
+                         "source");
   if (of_map && flows(f))
-    check.refuse({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
+    throw check.error_at({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
   if (is_shell && (f.source == FootprintSource::sheets || of_map || f.source == FootprintSource::noise))
-    check.refuse({"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
-                  "shape = \"box\"", ""},
-                 "source");
+    throw check.error_at(
+        {"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
+         "shape = \"box\"", ""},
+        "source");
   if (f.source == FootprintSource::sheets && scene.sheets.empty())
-    check.refuse({"the footprint is to be that of the sheets, but there are none",
-                  "a [[sheet]], or another source", ""},
-                 "source");
+    throw check.error_at({"the footprint is to be that of the sheets, but there are none",
+                          "a [[sheet]], or another source", ""},
+                         "source");
   if (is_shell && flows(f))
-    check.refuse({"a flow is of a plane, and a shell has none",
-                  "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
-                 f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
+    throw check.error_at({"a flow is of a plane, and a shell has none",
+                          "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
+                         f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
   const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
   if (drifts && f.source == FootprintSource::sheets)
-    check.refuse(
+    throw check.error_at(
         {"a footprint of the sheets goes where they go", "drift_km_s = [0, 0]", "the sheets' own drift_km_s"},
         "drift_km_s");
   if (is_shell && f.drift_km_s.north != 0.0)
-    check.refuse(
+    throw check.error_at(
         {"a shell turns about the Earth's axis and cannot drift to the north", "drift_km_s = [east, 0]", ""},
         "drift_km_s");
   check_size(f, scene.body.radius_km, check);

@@ -80,28 +80,28 @@ void check_the_loop(const Scene& scene, const Loop& l) {
   check.check_lines(l.rayleigh, false, "rayleigh");
   const double reach = std::hypot(0.5 * l.width, l.spread);
   if (scene.sun.shown && reach >= scene.sun.radius)
-    check.refuse(
+    throw check.error_at(
         {"its feet would stand " + short_real_text(reach) +
              " from the middle between them, beside a Sun of radius " + short_real_text(scene.sun.radius),
          "half the width and the spread together below the Sun's radius", ""},
         "width");
   if (l.voxel > l.strand_radius)
-    check.refuse({"strands of radius " + short_real_text(l.strand_radius) + " would fall between voxels of " +
-                      short_real_text(l.voxel),
-                  "at most strand_radius", "half of it shows the falloff"},
-                 "voxel");
+    throw check.error_at({"strands of radius " + short_real_text(l.strand_radius) +
+                              " would fall between voxels of " + short_real_text(l.voxel),
+                          "at most strand_radius", "half of it shows the falloff"},
+                         "voxel");
   constexpr double kMinInterval_s = 1.0;
   if (l.heating_interval_s > 0.0 && l.heating_interval_s < kMinInterval_s)
-    check.refuse(
+    throw check.error_at(
         {"too many flares to count", "at least a second between them", "0 for a loop that shines steadily"},
         "heating_interval_s");
   if (l.heating_interval_s > 0.0 && l.voxel > 0.0)
-    check.refuse({"flares heat strand by strand, and the loop is drawn by a grid", "voxel = 0",
-                  "or heating_interval_s = 0"},
-                 "heating_interval_s");
+    throw check.error_at({"flares heat strand by strand, and the loop is drawn by a grid", "voxel = 0",
+                          "or heating_interval_s = 0"},
+                         "heating_interval_s");
   if (l.voxel == 0.0 && (l.blur > 0 || l.sharpen > 0))
-    check.refuse({"there is no grid to filter", "voxel above 0", "or blur = 0 and sharpen = 0"},
-                 l.blur > 0 ? "blur" : "sharpen");
+    throw check.error_at({"there is no grid to filter", "voxel above 0", "or blur = 0 and sharpen = 0"},
+                         l.blur > 0 ? "blur" : "sharpen");
 }
 
 bool loops_move(const Scene& scene) {

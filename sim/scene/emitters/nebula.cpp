@@ -144,8 +144,9 @@ void check_nodes(const Scene& scene) {
   constexpr std::size_t kMaxNodes = 1000;
   constexpr double kMaxAsked = 10000.0;
   if (scene.nodes.size() > kMaxNodes)
-    complain({std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMaxNodes), ""},
-             {scene.file, 0, "node." + scene.nodes[kMaxNodes].name + ".name"});
+    throw scene_error(
+        {std::to_string(scene.nodes.size()) + " nodes", "at most " + std::to_string(kMaxNodes), ""},
+        {scene.file, 0, "node." + scene.nodes[kMaxNodes].name + ".name"});
   const auto index_of = [&](const std::string& name) {
     const auto found =
         std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) { return n.name == name; });
@@ -156,13 +157,15 @@ void check_nodes(const Scene& scene) {
     const std::vector<std::string> names = node_names(node.of);
     const NodeArity arity = arity_of(node.kind);
     if (names.size() < arity.least || names.size() > arity.most)
-      complain({"a node of kind " + quoted_text(word_in(node_rows(), node.kind)) + " works on " +
-                    arity.words() + ", not on " + std::to_string(names.size()),
-                "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
-               {scene.file, 0, key});
+      throw scene_error(
+          {"a node of kind " + quoted_text(word_in(node_rows(), node.kind)) + " works on " + arity.words() +
+               ", not on " + std::to_string(names.size()),
+           "of = " + std::string(arity.most == 0 ? "\"\"" : "names of nodes, separated by commas"), ""},
+          {scene.file, 0, key});
     for (const std::string& name : names)
       if (index_of(name) == scene.nodes.size())
-        complain({"there is no node '" + name + "'", "the name of a [[node]]", ""}, {scene.file, 0, key});
+        throw scene_error({"there is no node '" + name + "'", "the name of a [[node]]", ""},
+                          {scene.file, 0, key});
   }
   std::vector<int> state(scene.nodes.size(), 0);  // 1: on the way, 2: done
   // A node that several work on is asked by each of them.
@@ -170,19 +173,19 @@ void check_nodes(const Scene& scene) {
   const auto visit = [&](const auto& self, std::size_t n) -> void {
     if (state[n] == 2) return;
     if (state[n] == 1)
-      complain({"the node '" + scene.nodes[n].name + "' works on itself, directly or by others",
-                "nodes without a circle", ""},
-               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
+      throw scene_error({"the node '" + scene.nodes[n].name + "' works on itself, directly or by others",
+                         "nodes without a circle", ""},
+                        {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
     state[n] = 1;
     for (const std::string& name : node_names(scene.nodes[n].of)) {
       self(self, index_of(name));
       asked[n] += asked[index_of(name)];
     }
     if (asked[n] > kMaxAsked)
-      complain({"the node '" + scene.nodes[n].name + "' asks " + short_real_text(asked[n]) +
-                    " nodes for each point, those that work on one another counted each time",
-                "at most " + short_real_text(kMaxAsked), "let fewer nodes share what they work on"},
-               {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
+      throw scene_error({"the node '" + scene.nodes[n].name + "' asks " + short_real_text(asked[n]) +
+                             " nodes for each point, those that work on one another counted each time",
+                         "at most " + short_real_text(kMaxAsked), "let fewer nodes share what they work on"},
+                        {scene.file, 0, "node." + scene.nodes[n].name + ".of"});
     state[n] = 2;
   };
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) visit(visit, n);
@@ -195,15 +198,15 @@ void check_the_nebula(const Scene& scene, const Nebula& nebula) {
   };
   for (const auto& [name, key] : {std::pair{nebula.gas, "gas"}, {nebula.glow, "glow"}, {nebula.dust, "dust"}})
     if (!name.empty() && !is_node(name))
-      check.refuse({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
+      throw check.error_at({"there is no node '" + name + "'", "the name of a [[node]], or none", ""}, key);
   if (nebula.gas.empty() && nebula.glow.empty() && nebula.dust.empty())
-    check.refuse({"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""},
-                 "gas");
+    throw check.error_at(
+        {"the nebula is made of nothing", "gas, glow or dust with the name of a [[node]]", ""}, "gas");
   if (nebula.method == NebulaMethod::literal && nebula.gas.empty())
-    check.refuse({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
+    throw check.error_at({"the literal march has no map", "gas with the name of a [[node]]", ""}, "gas");
   constexpr double kMaxSteps = 100000.0;
   if (2.0 * nebula.bound / nebula.step > kMaxSteps)
-    check.refuse(
+    throw check.error_at(
         {short_real_text(2.0 * nebula.bound / nebula.step) + " steps from side to side of the nebula's bound",
          "at most " + short_real_text(kMaxSteps), "a larger step, or a smaller bound"},
         "step");

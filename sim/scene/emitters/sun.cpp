@@ -85,12 +85,12 @@ void check_sun(const Scene& scene) {
   const ElementCheck check(scene, "sun");
   check.check_lines(scene.sun.photosphere_rayleigh, true, "photosphere_rayleigh");
   if (scene.sun.limb_darkening + scene.sun.limb_darkening_square > 1.0)
-    check.refuse(
+    throw check.error_at(
         {"the limb would be darker than black", "limb_darkening + limb_darkening_square of at most 1", ""},
         "limb_darkening");
   if (scene.sun.distance_km <= scene.sun.radius * scene.sun.unit_km)
-    check.refuse({"the observer is inside of the Sun", "a distance above radius times unit_km", ""},
-                 "distance_km");
+    throw check.error_at({"the observer is inside of the Sun", "a distance above radius times unit_km", ""},
+                         "distance_km");
 }
 
 bool sun_is_shown(const Scene& scene) { return scene.sun.shown; }

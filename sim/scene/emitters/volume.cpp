@@ -76,17 +76,19 @@ std::vector<Declaration> volume_rows() {
 
 void check_the_volume(const Scene& scene, const Volume& volume) {
   const ElementCheck check(scene, "volume." + volume.name);
-  if (volume.file.empty()) check.refuse({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
+  if (volume.file.empty())
+    throw check.error_at({"the volume names no file", "file = \"NAME.vdb\"", ""}, "file");
   if (volume.frame == VolumeFrame::sun && !scene.sun.shown)
-    check.refuse({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""}, "frame");
+    throw check.error_at({"it stands on the Sun, which is not in the scene", "shown = true in [sun]", ""},
+                         "frame");
   check.check_lines(volume.density_rayleigh, true, "density_rayleigh");
   if (volume.lamp == VolumeLamp::none) return;
   if (volume.lamp == VolumeLamp::sun) {
     if (!scene.sun.shown)
-      check.refuse({"the Sun is not in the scene", "shown = true in [sun]", ""}, "lamp_kind");
+      throw check.error_at({"the Sun is not in the scene", "shown = true in [sun]", ""}, "lamp_kind");
     if (all_zero(scene.sun.photosphere_rayleigh))
-      check.refuse({"the scene's Sun is dark", "photosphere_rayleigh in [sun]", "or another lamp"},
-                   "lamp_kind");
+      throw check.error_at({"the scene's Sun is dark", "photosphere_rayleigh in [sun]", "or another lamp"},
+                           "lamp_kind");
     return;
   }
   check.check_lines(volume.lamp_flux, false, "lamp_flux");

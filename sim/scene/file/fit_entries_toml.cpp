@@ -21,14 +21,15 @@ void refuse_unknown_keys(const toml::table& table, const std::vector<std::string
   for (const auto& [key, node] : table) {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    complain({"unknown key '" + name + "'", "", nearest_hint(name, known)}, inside(origin, node, name));
+    throw scene_error({"unknown key '" + name + "'", "", nearest_hint(name, known)},
+                      inside(origin, node, name));
   }
 }
 
 Prior read_prior(const toml::node& node, const Origin& origin) {
   const std::string expected = "a table { mean, sigma }, with a law if it is not \"normal\"";
   const toml::table* table = node.as_table();
-  if (table == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  if (table == nullptr) throw scene_error({"found " + found_text(node), expected, ""}, origin);
   std::vector<std::string> known;
   for (const FreePriorKey& key : free_prior_keys()) known.push_back(key.key);
   known.push_back(prior_law_key);
@@ -38,17 +39,18 @@ Prior read_prior(const toml::node& node, const Origin& origin) {
     const Origin here = inside(origin, *law, prior_law_key);
     const std::string word = text_of(*law, here, "a text in quotes");
     const std::optional<PriorLaw> named = prior_law(word);
-    if (!named) complain({"\"" + word + "\" is no " + prior_law_key, prior_law_type, ""}, here);
+    if (!named) throw scene_error({"\"" + word + "\" is no " + prior_law_key, prior_law_type, ""}, here);
     prior.law = *named;
   }
   for (const FreePriorKey& key : free_prior_keys()) {
     const toml::node* number = table->get(key.key);
     if (prior.law == PriorLaw::uniform) {
       if (number == nullptr) continue;
-      complain({"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max as well", ""},
-               inside(origin, *number, key.key));
+      throw scene_error(
+          {"a uniform prior has no " + key.key, "{ law = \"uniform\" }, with min and max as well", ""},
+          inside(origin, *number, key.key));
     }
-    if (number == nullptr) complain({"the prior has no " + key.key, expected, ""}, origin);
+    if (number == nullptr) throw scene_error({"the prior has no " + key.key, expected, ""}, origin);
     prior.*key.place = number_of(*number, inside(origin, *number, key.key), "a number");
   }
   return prior;
@@ -63,7 +65,7 @@ FreeParameter read_entry(const toml::node& node, const Origin& origin) {
   }
   const toml::table* table = node.as_table();
   if (table == nullptr) {
-    complain(
+    throw scene_error(
         {"found " + found_text(node), "a path in quotes, or a table { path, start, min, max, prior }", ""},
         origin);
   }
@@ -77,14 +79,14 @@ FreeParameter read_entry(const toml::node& node, const Origin& origin) {
     if (const toml::node* node_of_key = table->get(key.key)) {
       const Origin here = inside(origin, *node_of_key, key.key);
       const std::string text = text_of(*node_of_key, here, "a text in quotes");
-      if (!key.set(free, text)) complain({"\"" + text + "\" is no " + key.key, key.type, ""}, here);
+      if (!key.set(free, text)) throw scene_error({"\"" + text + "\" is no " + key.key, key.type, ""}, here);
     }
   }
   const toml::node* path = table->get(free_path_key);
   if (path == nullptr && free.name.empty())
-    complain({"the entry has no path", "path = \"sheet.main.energy_kev\" or another",
-              "a number that only expressions use has a name instead"},
-             origin);
+    throw scene_error({"the entry has no path", "path = \"sheet.main.energy_kev\" or another",
+                       "a number that only expressions use has a name instead"},
+                      origin);
   if (path != nullptr) free.path = text_of(*path, inside(origin, *path, free_path_key), "a path in quotes");
   for (const FreeNumberKey& key : free_number_keys()) {
     if (const toml::node* number = table->get(key.key)) {
@@ -129,7 +131,7 @@ std::string entry_text(const FreeParameter& free) {
 TiedParameter read_tied_entry(const toml::node& node, const Origin& origin) {
   const std::string expected = "a table { path, equals }";
   const toml::table* table = node.as_table();
-  if (table == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  if (table == nullptr) throw scene_error({"found " + found_text(node), expected, ""}, origin);
   std::vector<std::string> known;
   for (const TiedKey& key : tied_keys()) known.push_back(key.key);
   refuse_unknown_keys(*table, known, origin);
@@ -137,7 +139,8 @@ TiedParameter read_tied_entry(const toml::node& node, const Origin& origin) {
   tied.line = origin.line;
   for (const TiedKey& key : tied_keys()) {
     const toml::node* text = table->get(key.key);
-    if (text == nullptr && key.is_needed) complain({"the entry has no " + key.key, expected, ""}, origin);
+    if (text == nullptr && key.is_needed)
+      throw scene_error({"the entry has no " + key.key, expected, ""}, origin);
     if (text != nullptr)
       tied.*key.place = text_of(*text, inside(origin, *text, key.key), key.type + " in quotes");
   }
@@ -159,7 +162,7 @@ template <typename Entry>
 std::vector<Entry> read_array(const toml::node& node, const Origin& origin, const std::string& expected,
                               Entry (*read)(const toml::node&, const Origin&)) {
   const toml::array* array = node.as_array();
-  if (array == nullptr) complain({"found " + found_text(node), expected, ""}, origin);
+  if (array == nullptr) throw scene_error({"found " + found_text(node), expected, ""}, origin);
   std::vector<Entry> entries;
   for (const toml::node& entry : *array)
     entries.push_back(read(entry, {origin.file, origin.line > 0 ? line_of(entry) : 0, origin.key}));
@@ -203,7 +206,7 @@ std::string text_of_value(const toml::node& node, const Origin& origin) {
   if (const auto* truth = node.as_boolean()) return truth->get() ? "true" : "false";
   if (const auto* text = node.as_string()) return quoted_text(text->get());
   const toml::array* array = node.as_array();
-  if (array == nullptr) complain({"found " + found_text(node), kExpectedValue, ""}, origin);
+  if (array == nullptr) throw scene_error({"found " + found_text(node), kExpectedValue, ""}, origin);
   std::string text;
   for (const toml::node& element : *array)
     text += (text.empty() ? "" : ", ") + text_of_value(element, origin);
@@ -246,7 +249,8 @@ PhotoEntry read_photo_entry(const toml::table& table, const Origin& origin) {
   if (const toml::node* set = table.get(photo_set_key)) {
     const Origin where{origin.file, line_of(*set), origin.key + "." + photo_set_key};
     const toml::table* values = set->as_table();
-    if (values == nullptr) complain({"found " + found_text(*set), "a table of path = value", ""}, where);
+    if (values == nullptr)
+      throw scene_error({"found " + found_text(*set), "a table of path = value", ""}, where);
     std::vector<SetValue> found;
     collect(*values, "", where, found);
     // In the file's order; toml++ keeps a table sorted by name.
@@ -265,12 +269,13 @@ std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin&
   const std::string expected = "an array of tables " + title;
   const toml::array* array = node.as_array();
   if (array == nullptr)
-    complain({"found " + found_text(node), expected, node.is_table() ? "write " + title : ""}, origin);
+    throw scene_error({"found " + found_text(node), expected, node.is_table() ? "write " + title : ""},
+                      origin);
   std::vector<PhotoEntry> photos;
   for (const toml::node& element : *array) {
     const Origin where{origin.file, line_of(element), origin.key};
     const toml::table* table = element.as_table();
-    if (table == nullptr) complain({"found " + found_text(element), expected, ""}, where);
+    if (table == nullptr) throw scene_error({"found " + found_text(element), expected, ""}, where);
     photos.push_back(read_photo_entry(*table, where));
   }
   return photos;

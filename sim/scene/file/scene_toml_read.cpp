@@ -118,15 +118,15 @@ class SceneReader {
     const std::string name(first->str());
     const std::string what =
         values.get(name)->is_table() || values.get(name)->is_array_of_tables() ? "table" : "key";
-    complain({"unknown " + what + " '" + name + "'", "", hint_for_key(table, name)},
-             {scene_.file, static_cast<int>(first->source().begin.line),
-              table.empty() ? name : table + "." + name});
+    throw scene_error({"unknown " + what + " '" + name + "'", "", hint_for_key(table, name)},
+                      {scene_.file, static_cast<int>(first->source().begin.line),
+                       table.empty() ? name : table + "." + name});
   }
 
   const toml::table* table_of(const std::string& name) const {
     const toml::node* node = document_.get(name);
     if (node == nullptr || node->is_table()) return node == nullptr ? nullptr : node->as_table();
-    complain({"found " + found_text(*node), "one table [" + name + "]", ""}, origin(*node, name));
+    throw scene_error({"found " + found_text(*node), "one table [" + name + "]", ""}, origin(*node, name));
   }
 
   void read_repeated(const RepeatedTable& repeated) {
@@ -136,15 +136,17 @@ class SceneReader {
     const std::string expected = "an array of tables [[" + name + "]]";
     const toml::array* elements = node->as_array();
     if (elements == nullptr) {
-      complain({"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
-               origin(*node, name));
+      throw scene_error(
+          {"found " + found_text(*node), expected, node->is_table() ? "write [[" + name + "]]" : ""},
+          origin(*node, name));
     }
     // What stands in the file goes before what the body has brought along.
     repeated.keep(scene_, [](const std::string&) { return false; });
     std::map<std::string, int> line_of_name;
     for (const toml::node& element : *elements) {
       const toml::table* values = element.as_table();
-      if (values == nullptr) complain({"found " + found_text(element), expected, ""}, origin(element, name));
+      if (values == nullptr)
+        throw scene_error({"found " + found_text(element), expected, ""}, origin(element, name));
       repeated.append(scene_);
       const int index = static_cast<int>(repeated.count(scene_)) - 1;
       read_table(name, index, values);
@@ -152,11 +154,11 @@ class SceneReader {
       element_lines_.emplace(name + "." + own_name, line_of(element));
       const auto [earlier, is_new] = line_of_name.emplace(own_name, line_of(element));
       if (!is_new) {
-        complain({"two of [[" + name + "]] are called '" + own_name + "', the first in line " +
-                      std::to_string(earlier->second),
-                  "a name of its own for each " + name,
-                  "without a name one is called '" + default_name(repeated) + "'"},
-                 origin(element, name));
+        throw scene_error({"two of [[" + name + "]] are called '" + own_name + "', the first in line " +
+                               std::to_string(earlier->second),
+                           "a name of its own for each " + name,
+                           "without a name one is called '" + default_name(repeated) + "'"},
+                          origin(element, name));
       }
     }
   }
@@ -197,21 +199,21 @@ class SceneReader {
     const std::string whole = path.substr(0, path.rfind('.') + 1);
     const toml::node *file = values.get(curve_file_key), *number = values.get(curve_number_key);
     if (number != nullptr && file == nullptr)
-      complain({"curve needs curve_file beside it", "both or neither", ""},
-               origin(*number, whole + curve_number_key));
+      throw scene_error({"curve needs curve_file beside it", "both or neither", ""},
+                        origin(*number, whole + curve_number_key));
     if (file == nullptr) return;
     const Origin where = origin(*file, whole + curve_file_key);
     const std::string name = text_of(*file, where, "a text");
     for (const char* key :
          {"east_km", "north_km", "point_brightness", "point_energy_kev", "point_width_km"}) {
       if (values.get(key) != nullptr)
-        complain({std::string(curve_file_key) + " and " + key + " say the same in two ways",
-                  "one of the two forms", "curve_file has all numbers of the curve's points"},
-                 where);
+        throw scene_error({std::string(curve_file_key) + " and " + key + " say the same in two ways",
+                           "one of the two forms", "curve_file has all numbers of the curve's points"},
+                          where);
       scene_.lines[whole + key] = where.line;
     }
     if (values.get("course") != nullptr && scene_.sheets.at(sheet).course != SheetCourse::curve)
-      complain(
+      throw scene_error(
           {"the sheet's course is a sine, which takes nothing from curve_file", "course = \"curve\"", ""},
           where);
     double curtain = 1.0;
@@ -220,12 +222,12 @@ class SceneReader {
       const Origin at = origin(*number, whole + curve_number_key);
       curtain = number_of(*number, at, expected);
       if (!(curtain >= 1.0 && curtain <= 1e9) || curtain != std::floor(curtain))
-        complain({found_text(*number) + " is none", expected, ""}, at);
+        throw scene_error({found_text(*number) + " is none", expected, ""}, at);
     }
     if (!reads_files_)
-      complain({"the scene has no file, in whose folder '" + name + "' could be",
-                "east_km and north_km of the curve's points", ""},
-               where);
+      throw scene_error({"the scene has no file, in whose folder '" + name + "' could be",
+                         "east_km and north_km of the curve's points", ""},
+                        where);
     const std::string place = table_place(scene_, name);
     const InputFile input = read_input(place);
     if (!input.problem.empty())
@@ -248,17 +250,17 @@ class SceneReader {
     if (given == nullptr) return;
     const Origin where = origin(*values.get(given->key), given->table + "." + given->key);
     if (missing != nullptr) {
-      complain({given->key + " needs " + missing->key + " beside it", "both or neither", ""}, where);
+      throw scene_error({given->key + " needs " + missing->key + " beside it", "both or neither", ""}, where);
     }
     for (const std::string& key : form.replaces) {
       if (values.get(key) == nullptr) continue;
-      complain(
+      throw scene_error(
           {given->key + " and " + key + " say the same in two ways", "one of the two forms", form.words()},
           where);
     }
     std::vector<std::vector<double>> numbers;
     for (const FileKey& key : form.keys) numbers.push_back(read_form_key(form, key, *values.get(key.key)));
-    if (const auto complaint = form.convert(scene_, sheet, numbers)) complain(*complaint, where);
+    if (const auto complaint = form.convert(scene_, sheet, numbers)) throw scene_error(*complaint, where);
     for (const std::string& key : form.replaces) {
       const Declaration& d = *find_declaration(given->table, key);
       scene_.lines[key_path(d, scene_, sheet)] = where.line;
@@ -273,11 +275,11 @@ class SceneReader {
                                       : numbers_of(node, form.components.size(), where, key.type);
     for (const double number : numbers) {
       if (number >= form.min && number <= form.max) continue;
-      complain({short_real_text(number) + " is outside the limits",
-                key.type + " from " + short_real_text(form.min) + " to " + short_real_text(form.max) +
-                    (key.unit.empty() ? "" : " (" + key.unit + ")"),
-                ""},
-               where);
+      throw scene_error({short_real_text(number) + " is outside the limits",
+                         key.type + " from " + short_real_text(form.min) + " to " +
+                             short_real_text(form.max) + (key.unit.empty() ? "" : " (" + key.unit + ")"),
+                         ""},
+                        where);
     }
     return numbers;
   }

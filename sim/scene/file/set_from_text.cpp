@@ -18,16 +18,17 @@ namespace {
 /// The text as the value of the one key of a table. A text without quotes is taken as it is.
 toml::table parse_value(const std::string& text, bool may_be_word, const std::string& expected,
                         const Origin& origin) {
-  if (const auto excess = toml_excess("value = " + text)) complain({excess->problem, expected, ""}, origin);
+  if (const auto excess = toml_excess("value = " + text))
+    throw scene_error({excess->problem, expected, ""}, origin);
   toml::table table;
   if (may_be_word && text.find_first_of("\"'") != 0) {
     // A word goes into scenes that are written, which have to be read again.
     try {
       return toml::parse("value = " + quoted_text(text));
     } catch (const toml::parse_error&) {
-      complain({"the text cannot be written in a scene file", "UTF-8",
-                "rename the file, if it is the name of one"},
-               origin);
+      throw scene_error({"the text cannot be written in a scene file", "UTF-8",
+                         "rename the file, if it is the name of one"},
+                        origin);
     }
   }
   try {
@@ -36,7 +37,7 @@ toml::table parse_value(const std::string& text, bool may_be_word, const std::st
     table.clear();
   }
   // More than one key: the text held a line break and went on.
-  if (table.size() != 1) complain({"'" + text + "' cannot be understood", expected, ""}, origin);
+  if (table.size() != 1) throw scene_error({"'" + text + "' cannot be understood", expected, ""}, origin);
   return table;
 }
 

@@ -68,9 +68,9 @@ std::vector<std::string> usable_names(const Scene& scene) {
 Tie tie_of(const Scene& scene, const TiedParameter& tied, const std::vector<std::string>& usable) {
   const std::vector<ParameterPath> paths = paths_of(scene, tied);
   if (paths.size() > 1)
-    complain({"one expression for " + std::to_string(paths.size()) + " numbers", "a path to one number",
-              "tie the components one by one"},
-             {scene.file, tied.line, tied.path});
+    throw scene_error({"one expression for " + std::to_string(paths.size()) + " numbers",
+                       "a path to one number", "tie the components one by one"},
+                      {scene.file, tied.line, tied.path});
   Tie tie{paths.front(), Expression(tied.equals, usable), {}};
   for (const std::string& name : tie.expression.names()) {
     const bool is_named = std::any_of(scene.fit.free.begin(), scene.fit.free.end(),
@@ -103,9 +103,9 @@ class Ordering {
     if (before != way_.end()) {
       std::string circle;
       for (auto at = before; at != way_.end(); ++at) circle += ties_[*at].path.text + ", which needs ";
-      complain({"the ties go in a circle: " + circle + ties_[i].path.text, "numbers that follow from others",
-                "make one of them free"},
-               {scene_.file, lines_[i], ties_[i].path.text});
+      throw scene_error({"the ties go in a circle: " + circle + ties_[i].path.text,
+                         "numbers that follow from others", "make one of them free"},
+                        {scene_.file, lines_[i], ties_[i].path.text});
     }
     way_.push_back(i);
     for (const Tie::Input& input : ties_[i].inputs)

@@ -9,8 +9,8 @@ namespace vegard::sim {
 
 std::string in_line(int line) { return line > 0 ? " in line " + std::to_string(line) : ""; }
 
-void complain(const Complaint& complaint, const Origin& origin) {
-  throw Error(ErrorKind::scene, complaint.problem)
+Error scene_error(const Complaint& complaint, const Origin& origin) {
+  return Error(ErrorKind::scene, complaint.problem)
       .file(origin.file)
       .line(origin.line)
       .key(origin.key)

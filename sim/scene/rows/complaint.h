@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/error.h"
+
 namespace vegard::sim {
 
 /// What is wrong with a value, without the place of the value.
@@ -24,8 +26,8 @@ struct Origin {
 /// Returns " in line 12", or an empty text for 0 (unknown line).
 std::string in_line(int line);
 
-/// Throws Error(scene) with the complaint and its place.
-[[noreturn]] void complain(const Complaint& complaint, const Origin& origin);
+/// Returns Error(scene) with the complaint and its place.
+Error scene_error(const Complaint& complaint, const Origin& origin);
 
 /// Names that are longer than this are never near or nearest to another.
 constexpr std::size_t kMaxHintedLetters = 100;

@@ -43,7 +43,7 @@ class CheckedTable {
     const toml::node* node = get(key);
     if (node == nullptr) return {};
     std::string found = text_of(*node, at(key), expected);
-    if (found.empty()) complain({"it is empty", expected, ""}, at(key));
+    if (found.empty()) throw scene_error({"it is empty", expected, ""}, at(key));
     return found;
   }
 
@@ -51,13 +51,13 @@ class CheckedTable {
     const toml::node* node = get(key);
     if (node == nullptr) return {};
     const toml::array* array = node->as_array();
-    if (array == nullptr) complain({"found " + found_text(*node), expected, ""}, at(key));
+    if (array == nullptr) throw scene_error({"found " + found_text(*node), expected, ""}, at(key));
     std::vector<std::string> found;
     for (const toml::node& element : *array) {
       Origin origin = at(key);
       if (line_of(element) > 0) origin.line = line_of(element);
       found.push_back(text_of(element, origin, expected));
-      if (found.back().empty()) complain({"a text is empty", expected, ""}, origin);
+      if (found.back().empty()) throw scene_error({"a text is empty", expected, ""}, origin);
     }
     return found;
   }
@@ -67,14 +67,16 @@ class CheckedTable {
     if (node == nullptr) return;
     const std::string expected = "a number from " + short_text(least) + " to " + short_text(most);
     const double found = number_of(*node, at(key), expected);
-    if (!(found >= least && found <= most)) complain({found_text(*node) + " is none", expected, ""}, at(key));
+    if (!(found >= least && found <= most))
+      throw scene_error({found_text(*node) + " is none", expected, ""}, at(key));
     value = found;
   }
 
   void whole_number(const std::string& key, int least, int most, int& value) {
     double found = value;
     number(key, least, most, found);
-    if (found != std::floor(found)) complain({"it is no whole number", "a whole number", ""}, at(key));
+    if (found != std::floor(found))
+      throw scene_error({"it is no whole number", "a whole number", ""}, at(key));
     value = static_cast<int>(found);
   }
 
@@ -84,7 +86,7 @@ class CheckedTable {
     if (found.empty()) return;
     std::optional<double> read = utc_seconds(found);
     if (!read && has_form(found, "0000-00-00")) read = utc_seconds(found + "T00:00:00Z");
-    if (!read) complain({"'" + found + "' is no time", expected, ""}, at(key));
+    if (!read) throw scene_error({"'" + found + "' is no time", expected, ""}, at(key));
     seconds = *read;
   }
 
@@ -97,13 +99,13 @@ class CheckedTable {
     if (node == nullptr) return;
     const toml::array* array = node->as_array();
     if (array == nullptr)
-      complain({"found " + found_text(*node), "tables, [[" + at(key).key + "]]", ""}, at(key));
+      throw scene_error({"found " + found_text(*node), "tables, [[" + at(key).key + "]]", ""}, at(key));
     for (const toml::node& element : *array) {
       Origin origin = at(key);
       if (line_of(element) > 0) origin.line = line_of(element);
       const toml::table* table = element.as_table();
       if (table == nullptr)
-        complain({"found " + found_text(element), "tables, [[" + origin.key + "]]", ""}, origin);
+        throw scene_error({"found " + found_text(element), "tables, [[" + origin.key + "]]", ""}, origin);
       CheckedTable inner(*table, file_, origin.key, origin.line);
       read(inner);
       inner.refuse_unknown();
@@ -115,7 +117,7 @@ class CheckedTable {
     const toml::node* node = get(key);
     if (node == nullptr) return;
     if (node->as_table() == nullptr)
-      complain({"found " + found_text(*node), "a table, [" + at(key).key + "]", ""}, at(key));
+      throw scene_error({"found " + found_text(*node), "a table, [" + at(key).key + "]", ""}, at(key));
     CheckedTable inner(*node->as_table(), file_, at(key).key, line_of(*node));
     read(inner);
     inner.refuse_unknown();
@@ -125,7 +127,7 @@ class CheckedTable {
     for (const auto& [key, node] : table_) {
       const std::string name(key.str());
       if (std::find(known_.begin(), known_.end(), name) == known_.end())
-        complain({"unknown key '" + name + "'", "", nearest_hint(name, known_)}, at(name));
+        throw scene_error({"unknown key '" + name + "'", "", nearest_hint(name, known_)}, at(name));
     }
   }
 
@@ -143,8 +145,8 @@ inline toml::table checked_toml(const std::string& text, const std::string& file
   try {
     return parse_toml(text, file);
   } catch (const toml::parse_error& error) {
-    complain({std::string(error.description()), "a TOML file", ""},
-             {file, static_cast<int>(error.source().begin.line), ""});
+    throw scene_error({std::string(error.description()), "a TOML file", ""},
+                      {file, static_cast<int>(error.source().begin.line), ""});
   }
 }
 

@@ -33,15 +33,15 @@ void refuse_common_keys(const Scene& scene, const PhotoEntry& entry, const Param
   const Origin origin = origin_of(scene, entry, std::string(photo_set_key) + "." + path.text);
   const Declaration& declaration = declaration_of(*path.row);
   if (!declaration.of_all_photos.empty())
-    complain({path.text + " is no matter of a single photograph", "a path that a photograph may differ in",
-              declaration.of_all_photos},
-             origin);
+    throw scene_error({path.text + " is no matter of a single photograph",
+                       "a path that a photograph may differ in", declaration.of_all_photos},
+                      origin);
   const std::string text = value.size() > 2 ? value.substr(1, value.size() - 2) : "";
   if ((declaration.names_table && is_table_file(text)) ||
       (declaration.names_folder && !are_built_in_tables(text)))
-    complain({"a table in a file cannot be set for a single photograph", "the name of what is built in",
-              "set " + path.text + " of the scene"},
-             origin);
+    throw scene_error({"a table in a file cannot be set for a single photograph",
+                       "the name of what is built in", "set " + path.text + " of the scene"},
+                      origin);
 }
 
 template <class Code>
@@ -79,9 +79,10 @@ void check_shared_free(const Scene& scene, const PhotoEntry& entry, const Scene&
     if (!free.photo.empty() || free.path.empty()) continue;
     for (const ParameterPath& path : resolve(scene, free.path))
       if (alone.count(path.id) > 0)
-        complain({"free for all photographs, but '" + entry.name + "' sets it for itself",
-                  "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
-                 {scene.file, free.line, path.text});
+        throw scene_error(
+            {"free for all photographs, but '" + entry.name + "' sets it for itself",
+             "shared by all or a matter of each", "give the entry of fit.free photo = \"NAME\""},
+            {scene.file, free.line, path.text});
   }
 }
 
@@ -104,14 +105,14 @@ void refuse_sky_elsewhere(const Scene& scene, const PhotoEntry& entry, const Sce
   for (const EmitterKind& kind : emitter_kinds()) {
     if (!is_in_scene(kind, of_photo)) continue;
     if (kind.stay_at != nullptr) {
-      if (const auto complaint = kind.stay_at(there, scene.site)) complain(*complaint, origin);
+      if (const auto complaint = kind.stay_at(there, scene.site)) throw scene_error(*complaint, origin);
       continue;
     }
     const std::string what = kind.repeated.empty() ? "[" + kind.table + "]" : "[[" + kind.table + "]]";
-    complain({"taken from another site, where the scene's " + what +
-                  " would be elsewhere: only aurora and volumes on the ground are carried over",
-              "photographs of it from one site", "leave the site out of the photograph's set"},
-             origin);
+    throw scene_error({"taken from another site, where the scene's " + what +
+                           " would be elsewhere: only aurora and volumes on the ground are carried over",
+                       "photographs of it from one site", "leave the site out of the photograph's set"},
+                      origin);
   }
 }
 
@@ -140,9 +141,10 @@ Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry) 
       for (const auto& [path, value] : entry.set) {
         if ((path == kLines) != lines) continue;
         if (path == std::string(free_table) + "." + free_key)
-          complain({"fit.free is no matter of a single photograph", "a path that a photograph may differ in",
-                    "give entries of fit.free photo = \"" + entry.name + "\""},
-                   origin_of(scene, entry, photo_set_key));
+          throw scene_error(
+              {"fit.free is no matter of a single photograph", "a path that a photograph may differ in",
+               "give entries of fit.free photo = \"" + entry.name + "\""},
+              origin_of(scene, entry, photo_set_key));
         refuse_common_keys(scene, entry, resolve(own, path).front(), value);
         set_from_text(own, path, value);
       }
@@ -176,22 +178,24 @@ void check_photos(const Scene& scene) {
   std::map<std::string, int> line_of_name;
   for (const PhotoEntry& entry : scene.fit.photos) {
     if (entry.file.empty())
-      complain({"the photograph has no file", "file = \"the name of an image\"", ""},
-               origin_of(scene, entry, ""));
+      throw scene_error({"the photograph has no file", "file = \"the name of an image\"", ""},
+                        origin_of(scene, entry, ""));
     // It becomes part of the names of files.
     if (entry.name.find_first_of("/\\") != std::string::npos || entry.name.empty() || entry.name[0] == '.')
-      complain({"'" + entry.name + "' cannot be part of a file's name", "a name without slashes", ""},
-               origin_of(scene, entry, "name"));
+      throw scene_error(
+          {"'" + entry.name + "' cannot be part of a file's name", "a name without slashes", ""},
+          origin_of(scene, entry, "name"));
     const auto [earlier, is_new] = line_of_name.emplace(entry.name, entry.line);
     if (!is_new)
-      complain({"two photographs are called '" + entry.name + "'" +
-                    (earlier->second > 0 ? ", the first in line " + std::to_string(earlier->second) : ""),
-                "a name of its own for each photograph",
-                "a photograph without a name is called by its file's name without its ending"},
-               origin_of(scene, entry, "name"));
+      throw scene_error(
+          {"two photographs are called '" + entry.name + "'" +
+               (earlier->second > 0 ? ", the first in line " + std::to_string(earlier->second) : ""),
+           "a name of its own for each photograph",
+           "a photograph without a name is called by its file's name without its ending"},
+          origin_of(scene, entry, "name"));
     if (!entry.decoding.empty())
       if (const auto complaint = decoding_complaint(entry.decoding))
-        complain(*complaint, origin_of(scene, entry, "decoding"));
+        throw scene_error(*complaint, origin_of(scene, entry, "decoding"));
   }
   for (const PhotoEntry& entry : scene.fit.photos) check_one(scene, entry);
 }

@@ -15,14 +15,14 @@ Origin at_node(const Origin& origin, const toml::node& node) {
   return {origin.file, origin.line > 0 && line_of(node) > 0 ? line_of(node) : origin.line, origin.key};
 }
 
-[[noreturn]] void fail_type(const toml::node& node, const Origin& origin, const std::string& expected,
-                            const std::string& hint = {}) {
-  complain({"found " + found_text(node), expected, hint}, at_node(origin, node));
+Error wrong_type(const toml::node& node, const Origin& origin, const std::string& expected,
+                 const std::string& hint = {}) {
+  return scene_error({"found " + found_text(node), expected, hint}, at_node(origin, node));
 }
 
 std::int64_t integer_of(const toml::node& node, const Origin& origin, const std::string& expected) {
   if (const auto value = node.value_exact<std::int64_t>()) return *value;
-  fail_type(node, origin, expected);
+  throw wrong_type(node, origin, expected);
 }
 
 struct Assign {
@@ -39,7 +39,7 @@ struct Assign {
   void operator()(std::uint64_t* place) const { *place = static_cast<std::uint64_t>(checked_integer()); }
   void operator()(bool* place) const {
     const auto value = node.value_exact<bool>();
-    if (!value) fail_type(node, origin, expected_text(d));
+    if (!value) throw wrong_type(node, origin, expected_text(d));
     *place = *value;
   }
   void operator()(std::string* place) const {
@@ -62,7 +62,7 @@ struct Assign {
     return integer;
   }
   void check(const std::optional<Complaint>& complaint) const {
-    if (complaint) complain(*complaint, at_node(origin, node));
+    if (complaint) throw scene_error(*complaint, at_node(origin, node));
   }
 };
 
@@ -76,7 +76,7 @@ std::string expected_vector(const Declaration& d) {
 const toml::array& array_of(const toml::node& node, std::optional<std::size_t> count, const Origin& origin,
                             const std::string& expected) {
   const toml::array* array = node.as_array();
-  if (array == nullptr || (count && array->size() != *count)) fail_type(node, origin, expected);
+  if (array == nullptr || (count && array->size() != *count)) throw wrong_type(node, origin, expected);
   return *array;
 }
 
@@ -85,8 +85,9 @@ void set_list(Scene& scene, const Declaration& d, int sheet, const std::vector<d
   if (d.list_rule) {
     if (const auto complaint = d.list_rule(scene, list)) {
       const bool at_one = nodes != nullptr && complaint->element >= 0;
-      complain(*complaint,
-               at_one ? at_node(origin, (*nodes)[static_cast<std::size_t>(complaint->element)]) : origin);
+      throw scene_error(
+          *complaint,
+          at_one ? at_node(origin, (*nodes)[static_cast<std::size_t>(complaint->element)]) : origin);
     }
   }
   d.set_list(scene, sheet, list);
@@ -98,7 +99,8 @@ void assign_list(Scene& scene, const Declaration& d, int sheet, const toml::node
   const toml::array& nodes = array_of(node, std::nullopt, origin, expected_vector(d));
   for (const toml::node& element : nodes) {
     const double number = number_of(element, origin, expected_text(d));
-    if (const auto complaint = number_complaint(d, number)) complain(*complaint, at_node(origin, element));
+    if (const auto complaint = number_complaint(d, number))
+      throw scene_error(*complaint, at_node(origin, element));
     list.push_back(number);
   }
   set_list(scene, d, sheet, list, &nodes, origin);
@@ -145,12 +147,12 @@ std::string found_text(const toml::node& node) {
 double number_of(const toml::node& node, const Origin& origin, const std::string& expected) {
   if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
   if (const auto* real = node.as_floating_point()) return real->get();
-  fail_type(node, origin, expected);
+  throw wrong_type(node, origin, expected);
 }
 
 std::string text_of(const toml::node& node, const Origin& origin, const std::string& expected) {
   if (const auto* text = node.as_string()) return text->get();
-  fail_type(node, origin, expected, node.is_date() || node.is_date_time() ? "put it in quotes" : "");
+  throw wrong_type(node, origin, expected, node.is_date() || node.is_date_time() ? "put it in quotes" : "");
 }
 
 std::vector<double> numbers_of(const toml::node& node, std::optional<std::size_t> count, const Origin& origin,

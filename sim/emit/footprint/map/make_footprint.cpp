@@ -29,7 +29,7 @@ void check_memory(const Scene& scene, const Footprint& f) {
   const double cells = map_cells(f), each = bytes_per_cell(f, sizeof(T));
   if (cells * each <= kMaxMapBytes) return;
   const auto gigabytes = [](double bytes) { return short_real_text(std::round(bytes * 1e-8) * 0.1); };
-  complain(
+  throw scene_error(
       {"the footprint's map of " + short_real_text(cells) + " cells would take " + gigabytes(cells * each) +
            " GB with its derivatives, " + short_real_text(each) + " bytes a cell",
        "at most " + short_real_text(std::floor(kMaxMapBytes / each)) + " cells in a fit",
