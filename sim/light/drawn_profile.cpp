@@ -53,9 +53,9 @@ std::string column_if_any(const CsvTable& table, double wavelength_nm) {
   return found;
 }
 
-[[noreturn]] void fail_without_column(const CsvTable& table, double wavelength_nm) {
-  throw table_error(table, "there is no column of " + short_real_text(wavelength_nm) + " nm beside " +
-                               joined(table.columns))
+Error no_column(const CsvTable& table, double wavelength_nm) {
+  return table_error(table, "there is no column of " + short_real_text(wavelength_nm) + " nm beside " +
+                                joined(table.columns))
       .expected("one called '" + line_name(wavelength_nm) + "' or '" + short_real_text(wavelength_nm) + "'")
       .hint("a line without light has a column of zeros");
 }
@@ -97,7 +97,7 @@ HeightProfile drawn_profile(const std::vector<double>& wavelengths_nm, const Sce
     const std::string column = column_if_any(table, wavelengths_nm[l]);
     const EmissionLine* line = find_emission_line(wavelengths_nm[l]);
     if (column.empty() && (line == nullptr || !is_auroral(*line))) continue;  // of something else
-    if (column.empty()) fail_without_column(table, wavelengths_nm[l]);
+    if (column.empty()) throw no_column(table, wavelengths_nm[l]);
     table.require_within(column, 0.0, std::numeric_limits<float>::max());
     for (int a = 0; a < HeightProfile::kAltitudes; ++a)
       profile.rate[static_cast<std::size_t>(a) * profile.stride + l] = static_cast<float>(

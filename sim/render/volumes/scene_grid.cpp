@@ -23,14 +23,13 @@ std::string formatted(double x, const char* format) {
   return text;
 }
 
-/// Refuses voxels that would take so many bytes. `would_do`: larger ones that will be accepted, or 0;
+/// An error about voxels that would take so many bytes. `would_do`: larger ones that will be accepted, or 0;
 /// `thinnest`: the radius of the thinnest strand.
-[[noreturn]] void refuse_memory(double bytes, const SceneGridOptions& options, double would_do,
-                                double thinnest) {
+Error too_many_voxels(double bytes, const SceneGridOptions& options, double would_do, double thinnest) {
   const double limit = static_cast<double>(options.memory_limit), gb = 1024.0 * 1024.0 * 1024.0;
   const std::string part = "a --box about a part of it";
-  throw Error(ErrorKind::usage, "voxels of " + formatted(options.voxel, "%g") + " would take about " +
-                                    formatted(bytes / gb, "%.2g") + " GB")
+  return Error(ErrorKind::usage, "voxels of " + formatted(options.voxel, "%g") + " would take about " +
+                                     formatted(bytes / gb, "%.2g") + " GB")
       .key("--memory-limit")
       .expected("at most " + formatted(limit / gb, "%.3g") + " GB")
       .hint(would_do > 0.0 ? "Voxels of " + formatted(would_do, "%g") + " would do, or " + part
@@ -202,7 +201,7 @@ SceneGrid grid_with_strands(const Scene& scene, const std::vector<const LightFie
   const double limit = static_cast<double>(options.memory_limit);
   const auto refuse = [&](double bytes) {
     const double would_do = need.voxel_that_would_do(bytes, strand_radius);
-    if (!stopped()) refuse_memory(bytes, options, would_do, strand_radius);
+    if (!stopped()) throw too_many_voxels(bytes, options, would_do, strand_radius);
   };
   const double parts = (scene.sheets.empty() ? 0.0 : 2.0) + static_cast<double>(fields.size());
   double done = 0.0;

@@ -17,11 +17,6 @@ constexpr std::array<const char*, 6> kCurtainColumns = {"curtain",           "ea
                                                         "energy_flux_mw_m2", "energy_kev", "width_km"};
 constexpr double kMinBrightness = 1e-6;  // of point_brightness
 
-[[noreturn]] void fail_in_table(const std::string& problem, const std::string& file,
-                                const std::string& expected, int line = 0) {
-  throw unreadable(file, problem).line(line).expected(expected);
-}
-
 /// The table with no other columns: what stands in those need be no number. Lines stay where they are; one
 /// with too few cells is left as it is, for whoever reads numbers to complain of.
 std::string with_own_columns(std::string_view text) {
@@ -69,18 +64,21 @@ void take_curtain(std::string_view text, const std::string& file, int curtain, b
     if (which == curtain) rows.push_back(row);
   }
   if (rows.empty())
-    fail_in_table("there is no curtain " + std::to_string(curtain) + " in '" + file + "'", file,
-                  last >= 1.0 ? "curve = 1 to " + std::to_string(static_cast<int>(std::min(last, 1e9)))
+    throw unreadable(file, "there is no curtain " + std::to_string(curtain) + " in '" + file + "'")
+        .expected(last >= 1.0 ? "curve = 1 to " + std::to_string(static_cast<int>(std::min(last, 1e9)))
                               : "curtains that count from 1");
   double most = 0.0;
   for (const std::size_t row : rows) {
     const double flux = table.column("energy_flux_mw_m2")[row];
     if (flux < 0.0)
-      fail_in_table("energy_flux_mw_m2 is below 0", file, "an energy flux of at least 0", table.lines[row]);
+      throw unreadable(file, "energy_flux_mw_m2 is below 0")
+          .line(table.lines[row])
+          .expected("an energy flux of at least 0");
     most = std::max(most, flux);
   }
   if (!(most > 0.0))
-    fail_in_table("curtain " + std::to_string(curtain) + " has no light", file, "energy_flux_mw_m2 above 0");
+    throw unreadable(file, "curtain " + std::to_string(curtain) + " has no light")
+        .expected("energy_flux_mw_m2 above 0");
   sheet.course = SheetCourse::curve;
   for (std::vector<double>* list : {&sheet.east_km, &sheet.north_km, &sheet.point_brightness,
                                     &sheet.point_energy_kev, &sheet.point_width_km})

@@ -32,39 +32,40 @@ class MapReader {
     PrecipitationMap map;
     const Image& image = fits_.image;
     if (image.channels() < 2)
-      fail("the image has one plane alone", "a cube: energy flux in mW m-2, energy in keV");
+      throw bad_map("the image has one plane alone").expected("a cube: energy flux in mW m-2, energy in keV");
     for (const char* axis : {"1", "2"}) {
       const std::string name = std::string("CTYPE") + axis, unit = std::string("CUNIT") + axis;
       const std::string wanted = axis[0] == '1' ? "EAST" : "NORTH";
-      if (text(name) != wanted) fail(name + " is '" + text(name) + "'", name + " = '" + wanted + "'");
-      if (text(unit) != "km") fail(unit + " is '" + text(unit) + "'", unit + " = 'km'");
+      if (text(name) != wanted)
+        throw bad_map(name + " is '" + text(name) + "'").expected(name + " = '" + wanted + "'");
+      if (text(unit) != "km") throw bad_map(unit + " is '" + text(unit) + "'").expected(unit + " = 'km'");
     }
     const double east_step = number("CDELT1"), north_step = number("CDELT2");
     if (!(east_step >= kMinCellKm && east_step <= kMaxCellKm) ||
         !(std::abs(north_step - east_step) <= 1e-6 * east_step))
-      fail("cells of " + short_real_text(east_step) + " by " + short_real_text(north_step) + " km",
-           "CDELT1 and CDELT2 alike, from 0.01 to 100 km");
+      throw bad_map("cells of " + short_real_text(east_step) + " by " + short_real_text(north_step) + " km")
+          .expected("CDELT1 and CDELT2 alike, from 0.01 to 100 km");
     map.columns = image.width;
     map.rows = image.height;
     if (static_cast<double>(map.columns) * map.rows > kMaxMapCells)
-      fail("a map of " + std::to_string(map.columns) + " by " + std::to_string(map.rows) + " cells",
-           "at most 4194304 cells");
+      throw bad_map("a map of " + std::to_string(map.columns) + " by " + std::to_string(map.rows) + " cells")
+          .expected("at most 4194304 cells");
     map.cell_km = east_step;
     map.west_km = number("CRVAL1") + (0.5 - number("CRPIX1")) * east_step;
     map.south_km = number("CRVAL2") + (0.5 - number("CRPIX2")) * east_step;
     constexpr double kFarthestKm = 1e5;
     if (!(std::abs(map.west_km) < kFarthestKm && std::abs(map.south_km) < kFarthestKm))
-      fail("the map begins " + short_real_text(map.west_km) + " km to the east and " +
-               short_real_text(map.south_km) + " km to the north",
-           "CRVAL1 and CRVAL2 in km from the site");
+      throw bad_map("the map begins " + short_real_text(map.west_km) + " km to the east and " +
+                    short_real_text(map.south_km) + " km to the north")
+          .expected("CRVAL1 and CRVAL2 in km from the site");
     read_cells(map);
     read_site(map);
     return map;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& problem, const std::string& expected) const {
-    throw unreadable(place_, "'" + place_ + "': " + problem).expected(expected);
+  Error bad_map(const std::string& problem) const {
+    return unreadable(place_, "'" + place_ + "': " + problem);
   }
 
   std::string text(const std::string& keyword) const {
@@ -79,8 +80,8 @@ class MapReader {
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
     if (value.empty() || *end != '\0' || !std::isfinite(number))
-      fail(value.empty() ? "there is no " + keyword : keyword + " is '" + value + "'",
-           "the linear axes of a map: CRPIX, CRVAL and CDELT of both");
+      throw bad_map(value.empty() ? "there is no " + keyword : keyword + " is '" + value + "'")
+          .expected("the linear axes of a map: CRPIX, CRVAL and CDELT of both");
     return number;
   }
 
@@ -106,14 +107,14 @@ class MapReader {
           return " in the cell " + std::to_string(column + 1) + ", " + std::to_string(row + 1);
         };
         if (flux < 0.0f)
-          fail("an energy flux of " + short_real_text(flux) + " mW m-2" + cell(),
-               "an energy flux of at least 0");
+          throw bad_map("an energy flux of " + short_real_text(flux) + " mW m-2" + cell())
+              .expected("an energy flux of at least 0");
         if (flux <= kDarkMapShare * most) continue;
         const bool has_energy = fits_.known[from + 1] != 0 && energy != 0.0f;
         if (has_energy && !(energy >= energy_row.min && energy <= energy_row.max))
-          fail("an energy of " + short_real_text(energy) + " keV" + cell(),
-               "energies from " + short_real_text(energy_row.min) + " to " + short_real_text(energy_row.max) +
-                   " keV where there is an energy flux");
+          throw bad_map("an energy of " + short_real_text(energy) + " keV" + cell())
+              .expected("energies from " + short_real_text(energy_row.min) + " to " +
+                        short_real_text(energy_row.max) + " keV where there is an energy flux");
         const std::size_t to = static_cast<std::size_t>(row) * map.columns + column;
         map.energy_flux_mw_m2[to] = flux;
         if (has_energy) map.energy_kev[to] = energy;
@@ -124,15 +125,15 @@ class MapReader {
     const bool has_latitude = !text("SITELAT").empty(), has_longitude = !text("SITELONG").empty();
     if (!has_latitude && !has_longitude) return;
     if (has_latitude != has_longitude)
-      fail(std::string("there is ") + (has_latitude ? "SITELAT" : "SITELONG") + " alone",
-           "SITELAT and SITELONG, or neither");
+      throw bad_map(std::string("there is ") + (has_latitude ? "SITELAT" : "SITELONG") + " alone")
+          .expected("SITELAT and SITELONG, or neither");
     Site site;
     site.latitude_deg = number("SITELAT");
     site.longitude_deg = number("SITELONG");
     if (!(std::abs(site.latitude_deg) <= 90.0 && std::abs(site.longitude_deg) <= 360.0))
-      fail("a site at latitude " + short_real_text(site.latitude_deg) + ", longitude " +
-               short_real_text(site.longitude_deg),
-           "SITELAT and SITELONG in degrees");
+      throw bad_map("a site at latitude " + short_real_text(site.latitude_deg) + ", longitude " +
+                    short_real_text(site.longitude_deg))
+          .expected("SITELAT and SITELONG in degrees");
     map.site = site;
   }
 

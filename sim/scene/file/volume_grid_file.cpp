@@ -61,10 +61,11 @@ VdbFile read_any(const std::string& place, const std::vector<std::string>& wante
   return file;
 }
 
-template <class Refuse>
-void scale_to_unit(SparseGrid& grid, double ratio, const Refuse& refuse) {
+template <class ErrorAbout>
+void scale_to_unit(SparseGrid& grid, double ratio, const ErrorAbout& error_about) {
   if (!(ratio >= 1e-9 && ratio <= 1e9))
-    refuse("its metadata unit_km is out of range", "a number such as the scene's sun.unit_km", "");
+    throw error_about("its metadata unit_km is out of range")
+        .expected("a number such as the scene's sun.unit_km");
   grid.voxel *= ratio;
   for (double& x : grid.origin) x *= ratio;
 }
@@ -77,9 +78,8 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   VolumeGridFile out;
   out.place = table_place(scene, volume.file);
   const std::string key = "volume." + volume.name + ".file";
-  const auto refuse = [&](const std::string& problem, const std::string& expected,
-                          const std::string& hint = {}) {
-    throw unreadable(out.place, problem).key(key).expected(expected).hint(hint);
+  const auto error_about = [&](const std::string& problem) {
+    return unreadable(out.place, problem).key(key);
   };
   const bool by_density = !volume.density_rayleigh.empty();
   std::vector<std::string> wanted;
@@ -100,14 +100,14 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   if (std::all_of(out.emission.begin(), out.emission.end(), [](int c) { return c < 0; })) {
     const bool others = !by_density && std::any_of(file.names.begin(), file.names.end(), is_emission);
     if (by_density && out.density < 0)
-      refuse("it has no grid of a density for density_rayleigh" +
-                 (file.names.empty() ? std::string() : ", but " + words(file.names)),
-             "a grid \"density\"", "");
+      throw error_about("it has no grid of a density for density_rayleigh" +
+                        (file.names.empty() ? std::string() : ", but " + words(file.names)))
+          .expected("a grid \"density\"");
     if (out.density < 0 || others)
-      refuse(file.names.empty() ? "it has no grid of floats"
-                                : "it has no grid for the scene's lines, but " + words(file.names),
-             "a grid such as " + wanted.front(),
-             others ? "emission.lines may name the lines that it has" : "");
+      throw error_about(file.names.empty() ? "it has no grid of floats"
+                                           : "it has no grid for the scene's lines, but " + words(file.names))
+          .expected("a grid such as " + wanted.front())
+          .hint(others ? "emission.lines may name the lines that it has" : "");
     std::fill(out.emission.begin(), out.emission.end(), out.density);
   }
   if (!wants_density(scene, volume)) out.density = -1;
@@ -119,23 +119,25 @@ VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume) {
   const bool of_sun = frame != file.metadata.texts.end() && frame->second == kSunFrame;
   const bool of_site = file.metadata.numbers.count("site_latitude_deg") > 0;
   if (of_sun != (volume.frame == VolumeFrame::sun) && (of_sun || of_site))
-    refuse(of_sun ? "it stands on the Sun, and the volume's frame is \"site\""
-                  : "it stands on the ground, and the volume's frame is \"sun\"",
-           of_sun ? "frame = \"sun\"" : "frame = \"site\"", "its metadata say where it is at home");
+    throw error_about(of_sun ? "it stands on the Sun, and the volume's frame is \"site\""
+                             : "it stands on the ground, and the volume's frame is \"sun\"")
+        .expected(of_sun ? "frame = \"sun\"" : "frame = \"site\"")
+        .hint("its metadata say where it is at home");
   if (of_sun) {
-    scale_to_unit(out.grid, number("unit_km", scene.sun.unit_km) / scene.sun.unit_km, refuse);
+    scale_to_unit(out.grid, number("unit_km", scene.sun.unit_km) / scene.sun.unit_km, error_about);
     out.site = scene.site;
     return out;
   }
   if (const double cm = number("unit_cm", 1e5); !(std::abs(cm / 1e5 - 1.0) <= 1e-9))
-    refuse("it holds a nebula in a frame of its own", "a grid in km about an observer",
-           "Such a file is for other programs; [[nebula]] is how vegard shows it");
+    throw error_about("it holds a nebula in a frame of its own")
+        .expected("a grid in km about an observer")
+        .hint("Such a file is for other programs; [[nebula]] is how vegard shows it");
   out.site = volume.home.value_or(scene.site);
   const auto in_range = [&](const char* name, double otherwise, double least, double most) {
     const double here = number(name, otherwise);
     if (!(here >= least && here <= most))
-      refuse(std::string("its metadata ") + name + " is out of range",
-             "a number from " + range_text(least) + " to " + range_text(most));
+      throw error_about(std::string("its metadata ") + name + " is out of range")
+          .expected("a number from " + range_text(least) + " to " + range_text(most));
     return here;
   };
   // As in a scene (rows/place.cpp).

@@ -50,10 +50,6 @@ bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 bool begins_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_in_word(char c) { return begins_word(c) || is_decimal(c) || c == '.'; }
 
-[[noreturn]] void fail(const std::string& problem, const std::string& expected, const std::string& hint) {
-  throw Error(ErrorKind::scene, problem).expected(expected).hint(hint);
-}
-
 std::string place_text(const std::string& text, std::size_t at) {
   if (at >= text.size()) return "at its end";
   return "at character " + std::to_string(at + 1) + ", '" + text.substr(at, 20) + "'";
@@ -114,9 +110,11 @@ class Expression::Formula {
       parser_.SetExpr(translated_);
       parser_.Eval();
       if (parser_.GetNumResults() != 1)
-        fail("the expression has several values", "one value", "a decimal point, not a comma?");
+        throw Error(ErrorKind::scene, "the expression has several values")
+            .expected("one value")
+            .hint("a decimal point, not a comma?");
     } catch (const mu::ParserError& error) {
-      refuse(text, error);
+      throw parser_error(text, error);
     }
   }
   Formula(const Formula&) = delete;
@@ -152,8 +150,8 @@ class Expression::Formula {
         at += translate_word(text, at, known, names);
       } else {
         if (std::string(kOperators).find(c) == std::string::npos)
-          fail("the expression cannot be understood " + place_text(text, at),
-               "numbers, names, functions, + - * / ^ and parentheses", "");
+          throw Error(ErrorKind::scene, "the expression cannot be understood " + place_text(text, at))
+              .expected("numbers, names, functions, + - * / ^ and parentheses");
         append(std::string(1, c), at++);
       }
     }
@@ -180,30 +178,33 @@ class Expression::Formula {
     if (std::find(reserved.begin(), reserved.end(), word) == reserved.end()) {
       std::vector<std::string> candidates = known;
       candidates.insert(candidates.end(), reserved.begin(), reserved.end());
-      fail("the expression has an unknown name, '" + word + "'",
-           "a path, a name of an entry of fit.free, or a function", nearest_hint(word, candidates));
+      throw Error(ErrorKind::scene, "the expression has an unknown name, '" + word + "'")
+          .expected("a path, a name of an entry of fit.free, or a function")
+          .hint(nearest_hint(word, candidates));
     }
     append(word, at);
     return word.size();
   }
 
-  [[noreturn]] void refuse(const std::string& text, const mu::ParserError& error) const {
+  Error parser_error(const std::string& text, const mu::ParserError& error) const {
     const int position = error.GetPos();
     const bool is_inside = position >= 0 && static_cast<std::size_t>(position) < origin_.size();
     const std::string place = place_text(text, is_inside ? origin_[position] : text.size());
     switch (error.GetCode()) {
       case mu::ecMISSING_PARENS:
-        fail("the expression has a parenthesis that is not closed", "as many ')' as '('", "");
+        return Error(ErrorKind::scene, "the expression has a parenthesis that is not closed")
+            .expected("as many ')' as '('");
       case mu::ecTOO_MANY_PARAMS:
-        fail("the expression gives a function too many arguments " + place, "",
-             "a decimal point, not a comma?");
+        return Error(ErrorKind::scene, "the expression gives a function too many arguments " + place)
+            .hint("a decimal point, not a comma?");
       case mu::ecTOO_FEW_PARAMS:
-        fail("the expression gives a function too few arguments " + place, "", "");
+        return Error(ErrorKind::scene, "the expression gives a function too few arguments " + place);
       case mu::ecEMPTY_EXPRESSION:
-        fail("the expression is empty", "such as \"0.8 * sheet.a.energy_kev\"", "");
+        return Error(ErrorKind::scene, "the expression is empty")
+            .expected("such as \"0.8 * sheet.a.energy_kev\"");
       default:
-        fail("the expression cannot be understood " + place,
-             "numbers, names, functions, + - * / ^ and parentheses", "");
+        return Error(ErrorKind::scene, "the expression cannot be understood " + place)
+            .expected("numbers, names, functions, + - * / ^ and parentheses");
     }
   }
 

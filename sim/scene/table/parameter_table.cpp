@@ -105,16 +105,15 @@ std::string vector_text(const ParameterPath& path) {
   return path.row->component.empty() ? path.text : path.text.substr(0, path.text.rfind('.'));
 }
 
-[[noreturn]] void fail_unknown(const Scene& scene, const std::string& path) {
-  const auto fail = [&](const std::string& problem, const std::string& hint) {
-    throw Error(ErrorKind::scene, problem).key(path).hint(hint);
-  };
+Error unknown_path(const Scene& scene, const std::string& path) {
   const std::string last = path.substr(path.rfind('.') + 1),
                     of_files = "'" + last + "' is a form for scene files only";
   if (const AlternativeForm* form = find_alternative_form(last))
-    fail(of_files, "name " + form->replaces_text() + " instead");
+    return Error(ErrorKind::scene, of_files).key(path).hint("name " + form->replaces_text() + " instead");
   if (last == curve_file_key || last == curve_number_key)
-    fail(of_files, "name east_km, north_km and the other numbers of the curve's points instead");
+    return Error(ErrorKind::scene, of_files)
+        .key(path)
+        .hint("name east_km, north_km and the other numbers of the curve's points instead");
   std::vector<std::string> known;
   for (const ParameterPath& p : all_paths(scene)) {
     known.push_back(p.text);
@@ -124,10 +123,12 @@ std::string vector_text(const ParameterPath& path) {
   for (const Sheet& sheet : scene.sheets) {
     const std::string key = std::string(sheet_table) + "." + sheet.name + "." + list;
     if (with_only_name(scene, path).compare(0, key.size(), key) != 0 || !sheet.spline_rate.empty()) continue;
-    fail("the sheet has no coefficients of a free-form profile", "set its profile to \"spline\"");
+    return Error(ErrorKind::scene, "the sheet has no coefficients of a free-form profile")
+        .key(path)
+        .hint("set its profile to \"spline\"");
   }
   const RepeatedTable* repeated = repeated_table(path.substr(0, path.find('.')));
-  throw Error(ErrorKind::scene, "no such parameter")
+  return Error(ErrorKind::scene, "no such parameter")
       .key(path)
       .hint(repeated != nullptr && repeated->count(scene) == 0
                 ? "the scene has no " + repeated->table
@@ -233,7 +234,7 @@ std::vector<ParameterPath> resolve(const Scene& scene, const std::string& path) 
   for (ParameterPath& p : all_paths(scene)) {
     if (p.text == full || vector_text(p) == full) found.push_back(std::move(p));
   }
-  if (found.empty()) fail_unknown(scene, path);
+  if (found.empty()) throw unknown_path(scene, path);
   return found;
 }
 

@@ -34,15 +34,13 @@ void for_each_table_key(Scene& scene, const Use& use) {
 
 std::string read_text(const Scene& scene, const TableFile& table) {
   const std::string place = table_place(scene, table.name);
-  const auto fail = [&](const std::string& problem, const std::string& expected) {
-    throw unreadable(scene.file, "'" + place + "': " + problem)
+  InputFile file = read_input(place);
+  if (!file.problem.empty())
+    throw unreadable(scene.file, "'" + place + "': " + file.problem)
         .line(line_of(scene, table.path))
         .key(table.path)
-        .expected(expected)
+        .expected("a CSV file")
         .hint("its name is relative to the scene's file");
-  };
-  InputFile file = read_input(place);
-  if (!file.problem.empty()) fail(file.problem, "a CSV file");
   return std::move(file.bytes);
 }
 

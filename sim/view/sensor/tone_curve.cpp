@@ -95,19 +95,20 @@ void ToneCurve::be_gamma(double gamma) {
 void ToneCurve::be_table(const std::string& text, const std::string& file) {
   kind_ = Kind::file, name_ = file.substr(file.rfind('/') + 1);
   const CsvTable table = read_csv_table(text, file);
-  const auto refuse = [&](const std::string& problem) {
-    throw unreadable(file, problem)
+  const auto bad_curve = [&](const std::string& problem) {
+    return unreadable(file, problem)
         .line(table.lines.front())
         .key("linear")
         .expected("rows from linear 0 to linear 1");
   };
-  if (table.column("linear").size() < 2) refuse("one row is no curve");
+  if (table.column("linear").size() < 2) throw bad_curve("one row is no curve");
   table.require_increasing("linear");
   table.require_increasing("encoded");
   table.require_within("linear", 0.0, 1.0);
   table.require_within("encoded", 0.0, 1.0);
   linear_ = table.column("linear"), encoded_ = table.column("encoded");
-  if (linear_.front() != 0.0 || linear_.back() != 1.0) refuse("the curve does not run from black to white");
+  if (linear_.front() != 0.0 || linear_.back() != 1.0)
+    throw bad_curve("the curve does not run from black to white");
 }
 
 double ToneCurve::encode(double linear) const {

@@ -66,11 +66,11 @@ void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff fallof
   }
 }
 
-[[noreturn]] void refuse_memory(double bytes) {
+Error too_large_strand_grid(double bytes) {
   char text[96];
   std::snprintf(text, sizeof text, "its grid would take more than the %.3g GB that it may",
                 bytes / (1024.0 * 1024.0 * 1024.0));
-  throw Error(ErrorKind::usage, text).expected("larger voxels");
+  return Error(ErrorKind::usage, text).expected("larger voxels");
 }
 
 /// The strands of a block, whose numbers count from its beginning.
@@ -119,7 +119,7 @@ void add_block(const std::vector<PiecesOfStrand>& strands, RadialFalloff falloff
       }
       for (std::size_t n = 0; n < there.size(); ++n) there[n] += made[b][n];
     }
-    if (static_cast<double>(grid.bricks.size()) * brick_bytes > limit) refuse_memory(limit);
+    if (static_cast<double>(grid.bricks.size()) * brick_bytes > limit) throw too_large_strand_grid(limit);
   }
 }
 
