@@ -43,8 +43,8 @@ struct StarRequest {
   bool blind() const { return file.empty(); }
 };
 
-[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::usage, problem).key(key).expected(expected);
+sim::Error bad_argument(const std::string& name, const std::string& problem) {
+  return sim::Error(sim::ErrorKind::usage, problem).key(name);
 }
 
 /// A table's columns as the text of one. Numbers come back to the last bit.
@@ -80,7 +80,8 @@ fit::SkyOfPicture sky_of(const std::optional<std::string>& time,
   if (time) {
     sky.julian_date = sim::julian_date(*time);
     if (!sky.julian_date)
-      refuse("time", "'" + *time + "' is no time", "ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone");
+      throw bad_argument("time", "'" + *time + "' is no time")
+          .expected("ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone");
   }
   if (site) {
     if (site->size() != 2 && site->size() != 3)
@@ -94,13 +95,13 @@ fit::Frame frame_of(const StarRequest& request) {
   if (request.photo) {
     const sim::Image& light = request.photo->linear;
     if (request.size_px && *request.size_px != std::make_pair(light.width, light.height))
-      refuse("size", "the photograph has another size", "no size with photo");
+      throw bad_argument("size", "the photograph has another size").expected("no size with photo");
     return {light.width, light.height, true};
   }
   constexpr int kMaxSide = 65535;
   const auto [width, height] = *request.size_px;
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-    refuse("size", "no such size", "two numbers from 1 to 65535");
+    throw bad_argument("size", "no such size").expected("two numbers from 1 to 65535");
   return {width, height, true};
 }
 
@@ -108,7 +109,8 @@ fit::Frame frame_of(const StarRequest& request) {
 std::vector<fit::StarSighting> recognised(const StarRequest& request, const fit::Frame& frame,
                                           const std::vector<char>& usable, fit::LensSettings& lens) {
   if (!request.sky.julian_date || !request.sky.observer)
-    refuse(request.sky.julian_date ? "site" : "time", "stars are found by when and where", "time and site");
+    throw bad_argument(request.sky.julian_date ? "site" : "time", "stars are found by when and where")
+        .expected("time and site");
   fit::StarFinderSettings finder;
   finder.min_signal = request.min_signal;
   const fit::PictureStars picture = fit::recognise_picture(request.photo->linear, finder, usable);
@@ -181,8 +183,9 @@ Stars calibrate(const py::object& stars, const std::optional<PhotoHandle>& photo
                 const std::optional<double>& first_pixel, const std::optional<std::string>& mask,
                 double faintest) {
   StarRequest request;
-  if (stars.is_none() && !photo) refuse("stars", "no stars", "a table of stars, or a photograph");
-  if (!photo && !size) refuse("size", "the picture's size is missing", "size or photo");
+  if (stars.is_none() && !photo)
+    throw bad_argument("stars", "no stars").expected("a table of stars, or a photograph");
+  if (!photo && !size) throw bad_argument("size", "the picture's size is missing").expected("size or photo");
   if (py::isinstance<py::str>(stars) || py::hasattr(stars, "__fspath__")) {
     request.file = py::module_::import("os").attr("fspath")(stars).cast<std::string>();
   } else if (!stars.is_none()) {
@@ -198,8 +201,8 @@ Stars calibrate(const py::object& stars, const std::optional<PhotoHandle>& photo
   if (lens) {
     request.lens.model = fit::lens_model(*lens);
     if (!request.lens.model)
-      refuse("lens", "no lens '" + *lens + "'",
-             "pinhole, equidistant, equisolid, stereographic, orthographic or polynomial");
+      throw bad_argument("lens", "no lens '" + *lens + "'")
+          .expected("pinhole, equidistant, equisolid, stereographic, orthographic or polynomial");
   }
   request.start = camera;
   request.faintest = faintest;
