@@ -97,8 +97,8 @@ void check_band_sky(const sim::Scene& scene) {
 /// and a grey sensor has no colour.
 void check_what_goes_together(const sim::Scene& scene) {
   const sim::Fit& fit = scene.fit;
-  const auto refuse = [&](const std::string& key, const std::string& problem, const std::string& other) {
-    throw sim::Error(sim::ErrorKind::scene, problem)
+  const auto meaningless = [&](const std::string& key, const std::string& problem, const std::string& other) {
+    return sim::Error(sim::ErrorKind::scene, problem)
         .file(scene.file)
         .key(key)
         .expected("0")
@@ -106,15 +106,15 @@ void check_what_goes_together(const sim::Scene& scene) {
   };
   if (fit.weight[StatisticKind::colour] > 0.0 &&
       sim::response_kind(scene.sensor.response) == sim::ResponseKind::grey)
-    refuse(weight_key(StatisticKind::colour), "a grey sensor has no colours to compare",
-           "choose another sensor.response");
+    throw meaningless(weight_key(StatisticKind::colour), "a grey sensor has no colours to compare",
+                      "choose another sensor.response");
   if (fit.profile_along != sim::ProfileAlong::loop && fit.profile_along != sim::ProfileAlong::limb) return;
   const std::string beside = fit.profile_along == sim::ProfileAlong::loop
                                  ? " beside profiles across a loop"
                                  : " beside profiles away from the limb";
   for (const sim::StatisticFacts& facts : sim::kStatistics)
     if (facts.nonsense != nullptr && fit.weight[facts.kind] > 0.0)
-      refuse(weight_key(facts.kind), facts.nonsense + beside, "choose another fit.profile_along");
+      throw meaningless(weight_key(facts.kind), facts.nonsense + beside, "choose another fit.profile_along");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class MaskFinder {
     if (request_.hot) part("hot or dead", "white", {255, 255, 255}, hot_pixels(photo_, request_.hot_pixels));
     if (request_.stars) stars();
     result_.left_out = left_out(result_.parts, width_, height_);
-    if (result_.used_px() == 0) refuse_all();
+    if (result_.used_px() == 0) throw nothing_left();
     return std::move(result_);
   }
 
@@ -43,13 +43,13 @@ class MaskFinder {
   }
   void note(const std::string& words) { result_.notes.push_back(words); }
 
-  [[noreturn]] void refuse_all() const {
+  sim::Error nothing_left() const {
     std::string whose;
     for (const MaskPart& part : result_.parts)
       if (part.out.count() == part.out.in.size()) whose = part.name;
-    throw usage_error("mask", "it leaves no pixel of " + photo_.file_name,
-                      "some of the photograph to be used",
-                      whose.empty() ? "leave out one of the finders" : "look at '" + whose + "'");
+    return usage_error("mask", "it leaves no pixel of " + photo_.file_name,
+                       "some of the photograph to be used",
+                       whose.empty() ? "leave out one of the finders" : "look at '" + whose + "'");
   }
 
   void drawn() {

@@ -28,37 +28,41 @@ SqliteStatement::SqliteStatement(const SqliteFile& file, const std::string& sql)
   const int code = sqlite3_prepare_v2(file.database_.get(), sql.c_str(), static_cast<int>(sql.size()) + 1,
                                       &statement, nullptr);
   statement_.reset(statement);
-  if (code != SQLITE_OK) fail(code);
+  if (code != SQLITE_OK) throw error_of(code);
 }
 
 void SqliteStatement::Finalizer::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
-void SqliteStatement::fail(int code) const { file_.fail(code, sqlite3_errmsg(file_.database_.get())); }
+sim::Error SqliteStatement::error_of(int code) const {
+  return file_.error_of(code, sqlite3_errmsg(file_.database_.get()));
+}
 
 void SqliteStatement::require(bool is_sound) const {
-  if (!is_sound) file_.fail(SQLITE_CORRUPT, "a value is of another type than its column");
+  if (!is_sound) throw file_.error_of(SQLITE_CORRUPT, "a value is of another type than its column");
 }
 
 SqliteStatement& SqliteStatement::bind(int place, const std::string& text) {
   const int code = sqlite3_bind_text(statement_.get(), place + 1, text.data(), static_cast<int>(text.size()),
                                      SQLITE_TRANSIENT);
-  if (code != SQLITE_OK) fail(code);
+  if (code != SQLITE_OK) throw error_of(code);
   return *this;
 }
 
 SqliteStatement& SqliteStatement::bind(int place, std::int64_t number) {
-  if (const int code = sqlite3_bind_int64(statement_.get(), place + 1, number); code != SQLITE_OK) fail(code);
+  if (const int code = sqlite3_bind_int64(statement_.get(), place + 1, number); code != SQLITE_OK)
+    throw error_of(code);
   return *this;
 }
 
 SqliteStatement& SqliteStatement::bind(int place, double number) {
   if (const int code = sqlite3_bind_double(statement_.get(), place + 1, number); code != SQLITE_OK)
-    fail(code);
+    throw error_of(code);
   return *this;
 }
 
 SqliteStatement& SqliteStatement::bind_null(int place) {
-  if (const int code = sqlite3_bind_null(statement_.get(), place + 1); code != SQLITE_OK) fail(code);
+  if (const int code = sqlite3_bind_null(statement_.get(), place + 1); code != SQLITE_OK)
+    throw error_of(code);
   return *this;
 }
 
@@ -68,7 +72,7 @@ bool SqliteStatement::step() {
   if (code != SQLITE_DONE) {
     const std::string words = sqlite3_errmsg(file_.database_.get());
     sqlite3_reset(statement_.get());
-    file_.fail(code, words);
+    throw file_.error_of(code, words);
   }
   sqlite3_reset(statement_.get());
   return false;
@@ -130,7 +134,8 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2(absolute_name(file).c_str(), &database, flags, nullptr);
   database_.reset(database);
-  if (code != SQLITE_OK) fail(code, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
+  if (code != SQLITE_OK)
+    throw error_of(code, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
   sqlite3_extended_result_codes(database, 1);
   sqlite3_busy_timeout(database, kWait_ms);
   // Of strangers' files: nothing in them is run, and no cell is larger than any of ours.
@@ -152,12 +157,12 @@ void SqliteFile::run(const std::string& sql) {
   if (code == SQLITE_OK) return;
   const std::string text = words != nullptr ? words : sqlite3_errstr(code);
   sqlite3_free(words);
-  fail(code, text);
+  throw error_of(code, text);
 }
 
 std::int64_t SqliteFile::integer(const std::string& sql) const {
   SqliteStatement statement(*this, sql);
-  if (!statement.step()) fail(SQLITE_CORRUPT, "a row is missing");
+  if (!statement.step()) throw error_of(SQLITE_CORRUPT, "a row is missing");
   return statement.integer(0);
 }
 
@@ -176,17 +181,17 @@ void SqliteFile::roll_back() noexcept {
     sqlite3_exec(database_.get(), "ROLLBACK", nullptr, nullptr, nullptr);
 }
 
-void SqliteFile::fail(int code, const std::string& words) const {
+sim::Error SqliteFile::error_of(int code, const std::string& words) const {
   switch (code & 0xff) {
     case SQLITE_NOMEM:
       throw std::bad_alloc();
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw sim::Error(sim::ErrorKind::existing_output, "another process keeps this database")
+      return sim::Error(sim::ErrorKind::existing_output, "another process keeps this database")
           .file(name_)
           .hint("try again when it has ended");
     case SQLITE_FULL:
-      throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: the disk is full")
+      return sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: the disk is full")
           .file(name_)
           .hint("what was finished before is in it, and the same command goes on from there");
     case SQLITE_IOERR:
@@ -194,10 +199,10 @@ void SqliteFile::fail(int code, const std::string& words) const {
     case SQLITE_CANTOPEN:
     case SQLITE_PERM:
       if (writes_)
-        throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: " + words).file(name_);
-      throw sim::unreadable(name_, "cannot be read: " + words);
+        return sim::Error(sim::ErrorKind::unwritable_output, "cannot be written: " + words).file(name_);
+      return sim::unreadable(name_, "cannot be read: " + words);
     default:
-      throw sim::unreadable(name_, "is a damaged database, or none: " + words);
+      return sim::unreadable(name_, "is a damaged database, or none: " + words);
   }
 }
 

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "sim/base/error.h"
+
 struct sqlite3;       // NOLINT(readability-identifier-naming): the library's own names
 struct sqlite3_stmt;  // NOLINT(readability-identifier-naming)
 
@@ -58,7 +60,7 @@ class SqliteStatement {
   std::optional<std::string> text_or_none(int column) const;
 
  private:
-  void fail(int code) const;
+  sim::Error error_of(int code) const;
   void require(bool is_sound) const;
 
   const SqliteFile& file_;
@@ -105,8 +107,8 @@ class SqliteFile {
 
  private:
   friend class SqliteStatement;
-  /// Throws the sim::Error that corresponds to an error code of the library.
-  [[noreturn]] void fail(int code, const std::string& words) const;
+  /// Returns what corresponds to an error code of the library; throws std::bad_alloc for its lack of memory.
+  sim::Error error_of(int code, const std::string& words) const;
   void commit();
   void roll_back() noexcept;
 
