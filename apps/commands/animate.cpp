@@ -87,7 +87,7 @@ void refuse_input_as_output(const AnimateRequest& options, const FrameNames& nam
                             const std::string& what) {
   const std::optional<int> frame = names.frame_of(std::filesystem::path(input).filename().string());
   for (const std::string& output : {options.output, frame ? names.file(*frame) : std::string()})
-    if (same_file(output, input)) refuse_same_file("--output", output, what);
+    if (same_file(output, input)) throw same_file_error("--output", output, what);
 }
 
 /// Throws sim::Error(usage) for an animation that goes beyond the limits of time.start_s.
@@ -170,9 +170,9 @@ std::string checked_camera_file(const AnimateRequest& options, const FrameNames&
                                 const sim::Scene& scene) {
   const std::string camera =
       is_movie(options.output) ? camera_json_name(options.output) : names.companion("camera.json");
-  if (same_file(camera, options.scene.file)) refuse_same_file("--camera-json", camera, "the scene");
+  if (same_file(camera, options.scene.file)) throw same_file_error("--camera-json", camera, "the scene");
   if (same_file(camera, options.scene.camera_file))
-    refuse_same_file("--camera-json", camera, "the camera's file");
+    throw same_file_error("--camera-json", camera, "the camera's file");
   camera_json(scene);
   return camera;
 }

@@ -43,9 +43,10 @@ void check_outputs(const CalibrateOptions& options) {
     for (const std::string& input :
          {request.stars, request.image, request.mask, request.camera, options.maps.azimuth_map,
           options.maps.elevation_map, options.maps.skymap, request.wcs, request.acc})
-      if (same_file(*file, input)) refuse_same_file(key, *file, "an input");
+      if (same_file(*file, input)) throw same_file_error(key, *file, "an input");
     for (const auto& [other_key, other] : outputs)
-      if (std::string(key) > other_key && same_file(*file, *other)) refuse_same_file(key, *file, other_key);
+      if (std::string(key) > other_key && same_file(*file, *other))
+        throw same_file_error(key, *file, other_key);
   }
 }
 

@@ -157,7 +157,8 @@ std::optional<fit::FrameIndex> frames_of_photo(const std::string& photo) {
 }
 
 int run_describe(const DescribeRequest& options) {
-  if (same_file(options.photo, options.output)) refuse_same_file("--output", options.output, "the picture");
+  if (same_file(options.photo, options.output))
+    throw same_file_error("--output", options.output, "the picture");
   const std::string name = file_name_of(options.photo);
   if (options.output.empty() && !fit::frame_name(options.photo).is_chosen())
     if (const std::optional<std::string> other = other_file_text(options.photo)) {

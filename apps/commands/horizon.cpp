@@ -34,7 +34,7 @@ fit::PixelPoint point_of(const std::string& key, const std::string& words) {
 
 int run_horizon(const HorizonWords& options) {
   if (same_file(options.request.photo, options.output))
-    refuse_same_file("--output", options.output, "the picture");
+    throw same_file_error("--output", options.output, "the picture");
   fit::HorizonRequest request = options.request;
   for (const std::string& words : options.points) request.points.push_back(point_of("--points", words));
   if (!options.sky.empty()) request.sky = point_of("--sky", options.sky);

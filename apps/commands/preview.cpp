@@ -35,9 +35,9 @@ sim::PictureSize size_of_words(const std::string& words) {
 /// Names of files in a scene go by its folder, so that it cannot be written elsewhere.
 void check_save(const PreviewOptions& options, const sim::Scene& scene) {
   if (options.save.empty()) return;
-  if (same_file(options.save, options.scene.file)) refuse_same_file("--save", options.save, "the scene");
+  if (same_file(options.save, options.scene.file)) throw same_file_error("--save", options.save, "the scene");
   if (same_file(options.save, options.scene.camera_file))
-    refuse_same_file("--save", options.save, "the camera's file");
+    throw same_file_error("--save", options.save, "the camera's file");
   const bool names_files = !fit::picture_files(scene).empty() || !sim::table_files(scene).empty() ||
                            scene.emission.folder != nullptr;
   const std::string folder = std::filesystem::path(options.scene.file).parent_path().string();

@@ -77,7 +77,8 @@ auto naming_options(const ProfileRequest& options, const std::optional<sim::Scen
 
 /// With --overwrite a slip of the pen would cost the photograph.
 void check_outputs(const ProfileRequest& options) {
-  if (same_file(options.output, options.plot)) refuse_same_file("--plot", options.plot, "the table's name");
+  if (same_file(options.output, options.plot))
+    throw same_file_error("--plot", options.plot, "the table's name");
   std::vector<std::string> inputs = {options.image,
                                      options.mask,
                                      options.scene,
@@ -87,8 +88,8 @@ void check_outputs(const ProfileRequest& options) {
                                      options.maps.skymap};
   for (const fit::FilterFile& filter : filter_files(options.filters)) inputs.push_back(filter.file);
   for (const std::string& input : inputs) {
-    if (same_file(options.output, input)) refuse_same_file("--output", options.output, "an input");
-    if (same_file(options.plot, input)) refuse_same_file("--plot", options.plot, "an input");
+    if (same_file(options.output, input)) throw same_file_error("--output", options.output, "an input");
+    if (same_file(options.plot, input)) throw same_file_error("--plot", options.plot, "an input");
   }
 }
 

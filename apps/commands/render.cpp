@@ -56,10 +56,11 @@ std::string camera_file(const RenderRequest& options) {
 /// With --overwrite a slip of the pen would cost what cannot be had again.
 void spare_what_is_rendered(const RenderRequest& options, const sim::Scene& scene) {
   const auto spare = [&](const std::string& input, const std::string& what) {
-    if (same_file(options.output, input)) refuse_same_file("--output", options.output, what);
-    if (same_file(options.lines, input)) refuse_same_file("--lines", options.lines, what);
-    if (same_file(options.raw, input)) refuse_same_file("--raw", options.raw, what);
-    if (same_file(camera_file(options), input)) refuse_same_file("--camera-json", camera_file(options), what);
+    if (same_file(options.output, input)) throw same_file_error("--output", options.output, what);
+    if (same_file(options.lines, input)) throw same_file_error("--lines", options.lines, what);
+    if (same_file(options.raw, input)) throw same_file_error("--raw", options.raw, what);
+    if (same_file(camera_file(options), input))
+      throw same_file_error("--camera-json", camera_file(options), what);
   };
   spare(options.scene.file, "the scene");
   spare(options.scene.camera_file, "the camera's file");
@@ -73,9 +74,9 @@ void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
   if (options.output.empty() && options.lines.empty() && options.raw.empty())
     throw usage_error("--output", "nothing to write", "-o OUT, --lines OUT.exr, --raw OUT.tif or several");
   if (same_file(options.output, options.lines))
-    refuse_same_file("--lines", options.lines, "the picture's file");
+    throw same_file_error("--lines", options.lines, "the picture's file");
   for (const std::string& other : {options.output, options.lines})
-    if (same_file(options.raw, other)) refuse_same_file("--raw", options.raw, "another output");
+    if (same_file(options.raw, other)) throw same_file_error("--raw", options.raw, "another output");
   spare_what_is_rendered(options, scene);
   if (!options.output.empty()) {
     check_picture_options(options.output, options.picture);

@@ -56,7 +56,7 @@ std::vector<double> distances(const std::vector<std::uint8_t>& marked, const sim
 
 void run_sdf(const SdfRequest& options) {
   end_at_once_when_interrupted();
-  if (same_file(options.output, options.image)) refuse_same_file("--output", options.output, "an input");
+  if (same_file(options.output, options.image)) throw same_file_error("--output", options.output, "an input");
   if (!(options.threshold >= 0.0 && options.threshold < 1.0))
     throw usage_error("--threshold", "a share of white must lie between 0 and 1", "0 <= threshold < 1");
   const sim::ImageFormat format = sim::image_format(options.output);

@@ -48,13 +48,13 @@ std::vector<int> line_indices(const sim::Scene& scene, const std::vector<double>
   return indices;
 }
 
-[[noreturn]] void refuse_darkness(const VolumeRequest& options) {
+sim::Error darkness(const VolumeRequest& options) {
   const std::string where = options.voxels.box.empty() ? "" : " inside the box",
                     of_what = options.lines.empty() ? "" : " in the lines asked for";
-  throw usage_error(!where.empty()     ? "--box"
-                    : !of_what.empty() ? "--lines"
-                                       : "SCENE",
-                    "nothing shines" + where + of_what + ", and nothing is written", "some light");
+  return usage_error(!where.empty()     ? "--box"
+                     : !of_what.empty() ? "--lines"
+                                        : "SCENE",
+                     "nothing shines" + where + of_what + ", and nothing is written", "some light");
 }
 
 int run_volume(const VolumeRequest& options) {
@@ -80,7 +80,7 @@ int run_volume(const VolumeRequest& options) {
     return interrupted;
   }
   const std::size_t bricks = made.grid.bricks.size();
-  if (bricks == 0) refuse_darkness(options);
+  if (bricks == 0) throw darkness(options);
   sim::VdbOptions out;
   out.centre_index = options.convention == "blender" ? 0.5 : 0.0;
   out.overwrite = options.overwrite;

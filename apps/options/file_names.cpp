@@ -40,8 +40,8 @@ bool is_inside(const std::string& file, const std::string& folder) {
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-void refuse_same_file(const std::string& key, const std::string& file, const std::string& other) {
-  throw usage_error(key, "'" + file + "' is " + other + " as well", "", "choose another name");
+sim::Error same_file_error(const std::string& key, const std::string& file, const std::string& other) {
+  return usage_error(key, "'" + file + "' is " + other + " as well", "", "choose another name");
 }
 
 void protect_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
@@ -49,9 +49,9 @@ void protect_outputs(const std::vector<std::pair<std::string, std::string>>& out
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     const auto& [key, file] = *output;
     for (const std::string& input : inputs)
-      if (same_file(file, input)) refuse_same_file(key, file, "an input");
+      if (same_file(file, input)) throw same_file_error(key, file, "an input");
     for (auto other = outputs.begin(); other != output; ++other)
-      if (same_file(file, other->second)) refuse_same_file(key, file, "another output");
+      if (same_file(file, other->second)) throw same_file_error(key, file, "another output");
   }
 }
 
@@ -76,7 +76,7 @@ std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::
 void protect_inputs(const std::string& key, const std::string& output,
                     const std::vector<NamedInput>& inputs) {
   for (const NamedInput& input : inputs)
-    if (same_file(output, input.file)) refuse_same_file(key, output, input.what);
+    if (same_file(output, input.file)) throw same_file_error(key, output, input.what);
 }
 
 void protect_inputs_inside(const std::string& key, const std::string& folder,

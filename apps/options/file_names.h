@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/options/scene_options.h"
+#include "sim/base/error.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
@@ -20,8 +21,8 @@ bool same_file(const std::string& name, const std::string& other);
 /// True if the name refers to the folder itself or to something in it, at any depth. False for an empty name.
 bool is_inside(const std::string& file, const std::string& folder);
 
-/// Throws Error(usage), which says that the file given by the option `key` is also `other` ("an input").
-[[noreturn]] void refuse_same_file(const std::string& key, const std::string& file, const std::string& other);
+/// Returns Error(usage), which says that the file given by the option `key` is also `other` ("an input").
+sim::Error same_file_error(const std::string& key, const std::string& file, const std::string& other);
 
 /// Throws Error(usage) if one of the outputs, each with the option that gives it, is an input or another
 /// output. Empty names are no files.

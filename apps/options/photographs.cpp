@@ -39,14 +39,12 @@ PhotoWords with_frames_chosen(PhotoWords words) {
 
 std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Scene& scene,
                                           fit::PhotoPixels pixels) {
-  const auto refuse = [](const std::string& key, const std::string& problem, const std::string& hint) {
-    throw usage_error(key, problem, "", hint);
-  };
   if (scene.fit.photos.empty()) {
     if (!words.file.empty() && !words.filters.empty())
-      refuse("--line", "a photograph is given as well", "leave out --photo");
+      throw usage_error("--line", "a photograph is given as well", "", "leave out --photo");
     if (words.file.empty() && words.filters.empty())
-      refuse("--photo", "no photograph is given", "name one, or several in the scene's [[fit.photo]]");
+      throw usage_error("--photo", "no photograph is given", "",
+                        "name one, or several in the scene's [[fit.photo]]");
     std::vector<fit::Photo> photos;
     if (words.filters.empty()) {
       photos.push_back(fit::photograph_for(scene, words.file, words.mask, words.decoding, pixels));
@@ -59,11 +57,13 @@ std::vector<fit::Photo> photographs_asked(const PhotoWords& words, const sim::Sc
     return photos;
   }
   if (!words.filters.empty())
-    refuse("--line", "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+    throw usage_error("--line", "the scene names its photographs itself", "",
+                      "leave it out, or [[fit.photo]] of the scene");
   for (const auto& [key, word] :
        {std::pair{"--photo", &words.file}, {"--mask", &words.mask}, {"--decoding", &words.decoding}})
     if (!word->empty())
-      refuse(key, "the scene names its photographs itself", "leave it out, or [[fit.photo]] of the scene");
+      throw usage_error(key, "the scene names its photographs itself", "",
+                        "leave it out, or [[fit.photo]] of the scene");
   return fit::photographs_of(scene, pixels);
 }
 

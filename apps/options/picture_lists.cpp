@@ -24,15 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(sim::ErrorKind kind, const std::string& problem, const std::string& file, int line,
-                       const std::string& expected) {
-  throw sim::Error(kind, problem)
-      .file(file)
-      .line(line)
-      .key(file.empty() ? "--photos" : "")
-      .expected(expected);
-}
-
 std::vector<ListedPhoto> read_list(const std::string& list) {
   std::istringstream stream(sim::input_bytes(list, "a text file"));
   std::vector<ListedPhoto> photos;
@@ -51,23 +42,18 @@ std::vector<ListedPhoto> read_list(const std::string& list) {
       used = std::string::npos;
     }
     if (used != time.size() || !more.empty() || (!time.empty() && !std::isfinite(photo.time_s)))
-      fail(sim::ErrorKind::unreadable_input, "'" + line + "' cannot be understood", list, number,
-           "FILE or FILE TIME_S");
+      throw sim::unreadable(list, "'" + line + "' cannot be understood")
+          .line(number)
+          .expected("FILE or FILE TIME_S");
     photos.push_back(photo);
   }
   if (photos.empty())
-    fail(sim::ErrorKind::unreadable_input, "the list names no photograph", list, 0,
-         "lines of FILE or FILE TIME_S");
+    throw sim::unreadable(list, "the list names no photograph").expected("lines of FILE or FILE TIME_S");
   return photos;
 }
 
 namespace fs = std::filesystem;
 using Kind = fit::PictureTimes::Kind;
-
-[[noreturn]] void unreadable(const std::string& file, int line, const std::string& problem,
-                             const std::string& expected) {
-  throw sim::Error(sim::ErrorKind::unreadable_input, problem).file(file).line(line).expected(expected);
-}
 
 std::string trimmed(const std::string& text) { return std::string(sim::trimmed(text)); }
 
@@ -97,13 +83,19 @@ TimeTable read_times(const std::string& file) {
     const std::string time = comma == std::string::npos ? "" : trimmed(line.substr(comma + 1));
     const std::optional<double> utc = sim::utc_seconds(time), seconds = plain_number(time);
     if (name.empty() || (!utc && !seconds))
-      unreadable(file, number, "'" + line + "' cannot be understood",
-                 "FILE,TIME, the time in ISO 8601 or seconds");
+      throw sim::unreadable(file, "'" + line + "' cannot be understood")
+          .line(number)
+          .expected("FILE,TIME, the time in ISO 8601 or seconds");
     const Kind kind = utc ? Kind::utc : Kind::clock;
     if (table.seconds.empty()) table.kind = kind;
-    if (kind != table.kind) unreadable(file, number, "some times are dates and some are seconds", "one kind");
+    if (kind != table.kind)
+      throw sim::unreadable(file, "some times are dates and some are seconds")
+          .line(number)
+          .expected("one kind");
     if (!table.seconds.emplace(name, utc ? *utc : *seconds).second)
-      unreadable(file, number, "'" + name + "' has a time already", "one line for each picture");
+      throw sim::unreadable(file, "'" + name + "' has a time already")
+          .line(number)
+          .expected("one line for each picture");
   }
   return table;
 }
@@ -116,8 +108,8 @@ fit::PictureTimes from_table(const std::vector<std::string>& files, const std::s
   for (const std::string& file : files) {
     const auto found = table.seconds.find(file_name_of(file));
     if (found == table.seconds.end())
-      unreadable(times_file, 0, "it has no time for " + file_name_of(file),
-                 "a line FILE,TIME for each picture");
+      throw sim::unreadable(times_file, "it has no time for " + file_name_of(file))
+          .expected("a line FILE,TIME for each picture");
     times.seconds.push_back(found->second);
   }
   return times;
@@ -244,8 +236,8 @@ std::vector<SequencePhoto> sequence_photos(const std::vector<std::string>& words
                      (frames_tell_time ? one.time->seconds - listed.front().time->seconds
                                        : static_cast<double>(photos.size()) / scene.time.frames_per_second);
     if (!names.insert(photo.name).second)
-      fail(sim::ErrorKind::usage, "two photographs are called '" + photo.name + "'", "", 0,
-           "a name of its own for each");
+      throw usage_error("--photos", "two photographs are called '" + photo.name + "'",
+                        "a name of its own for each");
     photos.push_back(photo);
   }
   return photos;

@@ -42,10 +42,10 @@ const char* const kMark = "preview";
 void refuse_inputs_in_folder(const sim::Scene& scene, const PreviewOptions& options) {
   for (const std::string& input : fit::picture_files(scene))
     if (is_inside(input, options.output))
-      refuse_same_file("--output", options.output, "a folder of its input");
+      throw same_file_error("--output", options.output, "a folder of its input");
   for (const std::string& input : {options.scene.file, options.scene.camera_file})
     if (is_inside(input, options.output))
-      refuse_same_file("--output", options.output, "a folder of its input");
+      throw same_file_error("--output", options.output, "a folder of its input");
 }
 
 /// True for a PNG with the mark of a preview among the texts before its pixels.

@@ -93,7 +93,7 @@ void run_directions(const DirectionsRequest& options) {
   const std::vector<std::string> names = output_names(options.output);
   for (const std::string& name : names)
     for (const std::string& input : {options.scene.file, options.scene.camera_file})
-      if (same_file(name, input)) refuse_same_file("--output", name, "an input");
+      if (same_file(name, input)) throw same_file_error("--output", name, "an input");
   sim::WholeFiles files(names, options.overwrite);
   const std::string extension = std::filesystem::path(options.output).extension().string();
   if (extension == ".wcs" || extension == ".acc") {

@@ -72,7 +72,7 @@ int run_to_lompe(const ModelRequest& options) {
                       "a name that ends in .nc");
   for (const std::string& map : options.maps)
     if (same_file(options.output, map + "/precipitation.fits") || same_file(options.output, map))
-      refuse_same_file("--output", options.output, "an input");
+      throw same_file_error("--output", options.output, "an input");
   const fit::ModelInputs inputs = model_inputs_of(options, fit::EarthFrame::geographic);
   sim::write_netcdf(fit::lompe_dataset(inputs), options.output, options.overwrite);
   tell_grid(inputs);

@@ -24,7 +24,8 @@ int run_to_netcdf(const NetcdfRequest& options) {
   if (std::filesystem::path(options.output).extension() != ".nc")
     throw usage_error("--output", "'" + options.output + "' is no name of a netCDF file",
                       "a name that ends in .nc");
-  if (same_file(options.output, options.input)) refuse_same_file("--output", options.output, "the input");
+  if (same_file(options.output, options.input))
+    throw same_file_error("--output", options.output, "the input");
   const sim::NetcdfDataset dataset = fit::dataset_of(options.input);
   sim::write_netcdf(dataset, options.output, options.overwrite);
   json_answer() = {{"outputs", json_names({options.output})}, {"variables", dataset.variables().size()}};

@@ -161,14 +161,14 @@ void check_outputs(const PhotometryRequest& options, const fit::RayleighFilter& 
   for (const auto& [key, file] : {std::pair<const char*, const std::string&>{"--output", options.output},
                                   {"--stars-out", options.stars_out}}) {
     for (const std::string& input : {options.camera, filter.dark_file, filter.flat_file})
-      if (same_file(file, input)) refuse_same_file(key, file, "an input");
+      if (same_file(file, input)) throw same_file_error(key, file, "an input");
     for (const std::string& input : options.pictures)
-      if (same_file(file, input)) refuse_same_file(key, file, "an input");
+      if (same_file(file, input)) throw same_file_error(key, file, "an input");
   }
   if (same_file(options.stars_out, options.counts))
-    refuse_same_file("--stars-out", options.stars_out, "an input");
+    throw same_file_error("--stars-out", options.stars_out, "an input");
   if (same_file(options.stars_out, options.output))
-    refuse_same_file("--stars-out", options.stars_out, "--output");
+    throw same_file_error("--stars-out", options.stars_out, "--output");
   if (options.output.empty()) return;
   const auto folder = [](const std::string& file) {
     std::error_code ignored;

@@ -10,10 +10,10 @@
 #include "apps/options/command.h"
 #include "apps/options/refusals.h"
 #include "sim/base/error.h"
-#include "sim/base/shown_text.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/shown_text.h"
 
 namespace vegard::apps {
 namespace {
@@ -43,15 +43,15 @@ bool is_number(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-[[noreturn]] void refuse_slurm(const std::string& program, const ProgramEnd& end) {
+sim::Error slurm_error(const std::string& program, const ProgramEnd& end) {
   constexpr int kNoProgram = 127;
   if (end.exit_code == kNoProgram)
-    throw usage_error(program, "there is no such program on this machine", "Slurm",
-                      "--dry-run shows the script, and vegard survey run --local needs no cluster");
+    return usage_error(program, "there is no such program on this machine", "Slurm",
+                       "--dry-run shows the script, and vegard survey run --local needs no cluster");
   std::string words = end.words;
   words.erase(words.find_last_not_of(" \n") + 1);
   std::replace(words.begin(), words.end(), '\n', ' ');
-  throw usage_error(program, "ended with exit code " + std::to_string(end.exit_code) + ": " + words, "", "");
+  return usage_error(program, "ended with exit code " + std::to_string(end.exit_code) + ": " + words, "", "");
 }
 
 /// A file of ours may be replaced, any other not.
@@ -73,7 +73,7 @@ void note_job(const std::string& folder, const std::string& job) {
 std::string job_with_comment(const std::string& comment) {
   if (comment.empty()) return "";
   const ProgramEnd end = run_program({"squeue", "--noheader", "--me", "--format", "%F %k"});
-  if (end.exit_code != 0) refuse_slurm("squeue", end);
+  if (end.exit_code != 0) throw slurm_error("squeue", end);
   std::istringstream lines(end.words);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
@@ -114,9 +114,9 @@ std::string slurm_script(const SlurmScript& s) {
       throw usage_error("--sbatch", "'" + option + "' is no option of sbatch", "--sbatch=--partition=long");
     text += "#SBATCH " + option + "\n";
   }
-  text += "exec " + sim::in_shell_quotes(s.program) + " survey run " + sim::in_shell_quotes(s.plan) + " --out " +
-          sim::in_shell_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(s.shards) +
-          "\" --threads " + std::to_string(s.threads) + "\n";
+  text += "exec " + sim::in_shell_quotes(s.program) + " survey run " + sim::in_shell_quotes(s.plan) +
+          " --out " + sim::in_shell_quotes(s.folder) + " --shard \"$SLURM_ARRAY_TASK_ID/" +
+          std::to_string(s.shards) + "\" --threads " + std::to_string(s.threads) + "\n";
   return text;
 }
 
@@ -144,7 +144,7 @@ std::string submit_to_slurm(const std::string& folder, const std::string& script
   for (std::string line; std::getline(lines, line);)
     if (is_number(line.substr(0, line.find(';')))) job = line.substr(0, line.find(';'));
   // The note stays: Slurm may have taken the job all the same, and then it is found by its comment.
-  if (end.exit_code != 0 || job.empty()) refuse_slurm("sbatch", end);
+  if (end.exit_code != 0 || job.empty()) throw slurm_error("sbatch", end);
   note_job(folder, job);
   return job;
 }
@@ -153,7 +153,7 @@ std::string state_of_job(const std::string& job) {
   const ProgramEnd end = run_program({"squeue", "--noheader", "--array", "--jobs", job, "--format", "%T"});
   // A job that has left the queue for long is not known any more.
   if (end.exit_code != 0 && end.words.find("Invalid job id") == std::string::npos)
-    refuse_slurm("squeue", end);
+    throw slurm_error("squeue", end);
   std::map<std::string, int> counts;
   if (end.exit_code == 0) {
     std::istringstream lines(end.words);
@@ -171,7 +171,7 @@ std::string state_of_job(const std::string& job) {
 
 void cancel_job(const std::string& job) {
   const ProgramEnd end = run_program({"scancel", job});
-  if (end.exit_code != 0) refuse_slurm("scancel", end);
+  if (end.exit_code != 0) throw slurm_error("scancel", end);
 }
 
 }  // namespace vegard::apps

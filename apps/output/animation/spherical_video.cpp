@@ -19,8 +19,8 @@ constexpr std::uint64_t kMaxMoovBytes = 1u << 30;
 constexpr unsigned char kSphericalUuid[16] = {0xff, 0xcc, 0x82, 0x63, 0xf8, 0x55, 0x4a, 0x93,
                                               0x88, 0x14, 0x58, 0x7a, 0x02, 0x52, 0x1f, 0xdd};
 
-[[noreturn]] void refuse_movie(const std::string& name, const std::string& problem) {
-  throw sim::unreadable(name, problem).expected("an MP4 movie");
+sim::Error bad_movie(const std::string& name, const std::string& problem) {
+  return sim::unreadable(name, problem).expected("an MP4 movie");
 }
 
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
@@ -49,10 +49,10 @@ struct BoxWithin {
 std::vector<BoxWithin> boxes_in(std::string_view content, const std::string& name) {
   std::vector<BoxWithin> boxes;
   while (!content.empty()) {
-    if (content.size() < kBoxHead) refuse_movie(name, "ends within a box");
+    if (content.size() < kBoxHead) throw bad_movie(name, "ends within a box");
     const std::uint32_t size = number_at(content, 0);
     if (size < kBoxHead || size > content.size())
-      refuse_movie(name, "has a box that is larger than what it is in");
+      throw bad_movie(name, "has a box that is larger than what it is in");
     boxes.push_back({std::string(content.substr(4, 4)), content.substr(0, size)});
     content.remove_prefix(size);
   }
@@ -110,11 +110,11 @@ std::string spherical_boxes() {
 /// A table of sample descriptions, each with the boxes at its end.
 std::string with_spherical_samples(std::string_view descriptions, const std::string& name) {
   constexpr std::size_t kBefore = 8;  // version, flags, how many
-  if (descriptions.size() < kBefore) refuse_movie(name, "has no description of its samples");
+  if (descriptions.size() < kBefore) throw bad_movie(name, "has no description of its samples");
   std::string all(descriptions.substr(0, kBefore));
   for (const BoxWithin& one : boxes_in(descriptions.substr(kBefore), name)) {
     if (one.content().size() < kVisualSampleEntry)
-      refuse_movie(name, "has a description of its samples that is cut");
+      throw bad_movie(name, "has a description of its samples that is cut");
     all += box(one.type, std::string(one.content()) + spherical_boxes());
   }
   return all;
@@ -139,7 +139,8 @@ std::string spherical_track(std::string_view track, const std::string& name) {
 
 std::string spherical_moov(const std::string& moov, const std::string& name) {
   const std::vector<BoxWithin> whole = boxes_in(moov, name);
-  if (whole.size() != 1 || whole.front().type != "moov") refuse_movie(name, "has no description of a movie");
+  if (whole.size() != 1 || whole.front().type != "moov")
+    throw bad_movie(name, "has no description of a movie");
   bool any = false;
   std::string content;
   for (const BoxWithin& one : boxes_in(whole.front().content(), name)) {
@@ -150,7 +151,7 @@ std::string spherical_moov(const std::string& moov, const std::string& name) {
       content += one.all;
     }
   }
-  if (!any) refuse_movie(name, "has no track of pictures");
+  if (!any) throw bad_movie(name, "has no track of pictures");
   return box("moov", content);
 }
 
@@ -185,7 +186,7 @@ void mark_as_spherical(const std::string& path, const std::string& name) {
     }
     at += size;
   }
-  refuse_movie(name, "cannot be told to be a panorama: its description is not at its end");
+  throw bad_movie(name, "cannot be told to be a panorama: its description is not at its end");
 }
 
 }  // namespace vegard::apps
