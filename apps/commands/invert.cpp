@@ -104,9 +104,8 @@ class Inversion {
       sim::read_emission_folder(scene, request.tables);
       return sim::emission_tables(scene);
     } catch (const sim::Error& error) {
-      sim::ErrorDetails details = error.details();
-      if (details.key == "emission.tables") details.key = "--tables";
-      throw sim::Error(error.kind(), details);
+      if (error.details().key != "emission.tables") throw;
+      throw sim::Error(error).key("--tables");
     }
   }
 

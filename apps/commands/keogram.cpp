@@ -64,9 +64,7 @@ fit::Region region_of(const KeogramOptions& options, const sim::Scene* scene, in
     return fit::checked_region(roi_px, width, height);
   } catch (const sim::Error& error) {
     if (options.roi_px.empty()) throw scene != nullptr ? with_place(error, *scene) : error;
-    sim::ErrorDetails details = error.details();
-    details.key = "--roi";
-    throw sim::Error(sim::ErrorKind::usage, details);
+    throw sim::Error(error).kind(sim::ErrorKind::usage).key("--roi");
   }
 }
 

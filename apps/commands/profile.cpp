@@ -63,15 +63,10 @@ auto naming_options(const ProfileRequest& options, const std::optional<sim::Scen
   try {
     return call();
   } catch (const sim::Error& error) {
-    sim::ErrorDetails details = error.details();
-    if (details.key == "fit.roi_px" && !options.roi_px.empty()) {
-      details.key = "--roi";
-    } else if (details.key == "fit.bands" && options.bands) {
-      details.key = "--bands";
-    } else {
-      throw scene ? with_place(error, *scene) : error;
-    }
-    throw sim::Error(sim::ErrorKind::usage, details);
+    const std::string& key = error.details().key;
+    const bool is_region = key == "fit.roi_px" && !options.roi_px.empty();
+    if (!is_region && !(key == "fit.bands" && options.bands)) throw scene ? with_place(error, *scene) : error;
+    throw sim::Error(error).kind(sim::ErrorKind::usage).key(is_region ? "--roi" : "--bands");
   }
 }
 

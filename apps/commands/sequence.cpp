@@ -81,24 +81,26 @@ class Folder {
   /// removed, and its tables and the runs of `photos` will be replaced. Throws Error(existing_output) before
   /// anything is touched unless what is there is a sequence of vegard's, and what will be replaced are runs.
   void begin(const std::string& text, bool overwrite, const std::vector<SequencePhoto>& photos) const {
-    const auto refuse = [](const std::string& file, const std::string& problem, const std::string& hint) {
-      throw sim::Error(sim::ErrorKind::existing_output, {problem, file, 0, {}, {}, hint});
+    const auto in_the_way = [](const std::string& file, const std::string& problem) {
+      return sim::Error(sim::ErrorKind::existing_output, problem).file(file);
     };
     std::error_code error;
     const std::string found = sim::read_input(file(kManifest)).bytes;
     const bool is_known = found == text;
     if (!is_known && fs::exists(path_, error) && !fs::is_empty(path_, error)) {
       if (!is_manifest(found))
-        refuse(path_, "exists already, and is no sequence: it has no sequence.json that vegard wrote",
-               "choose another name");
+        throw in_the_way(path_,
+                         "exists already, and is no sequence: it has no sequence.json that vegard wrote")
+            .hint("choose another name");
       if (!overwrite)
-        refuse(path_, "is of another sequence, scene or version",
-               "use --overwrite to fit it again, or choose another name");
+        throw in_the_way(path_, "is of another sequence, scene or version")
+            .hint("use --overwrite to fit it again, or choose another name");
     }
     for (const char* name : {kManifest, kTable, kPlot, kNetcdf}) {
       const fs::file_status status = fs::symlink_status(file(name), error);
       if (fs::exists(status) && !fs::is_regular_file(status))  // what a link leads to would be replaced
-        refuse(file(name), "is in the way, and is no file that vegard wrote", "choose another name");
+        throw in_the_way(file(name), "is in the way, and is no file that vegard wrote")
+            .hint("choose another name");
     }
     for (const SequencePhoto& photo : photos) {
       check_row(row(photo.name));

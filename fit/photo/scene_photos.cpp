@@ -48,11 +48,11 @@ std::vector<Photo> photographs_of(const sim::Scene& scene, PhotoPixels pixels) {
     try {
       photos.push_back(photograph_of_entry(scene, entry, pixels));
     } catch (const sim::Error& error) {
-      sim::ErrorDetails details = error.details();
-      details.problem = "photograph '" + entry.name + "': " + details.problem;
-      if (details.hint.empty() && error.kind() == sim::ErrorKind::unreadable_input)
-        details.hint = "its name is relative to the scene's file";
-      throw sim::Error(error.kind(), details);
+      const sim::ErrorDetails& details = error.details();
+      const bool needs_hint = details.hint.empty() && error.kind() == sim::ErrorKind::unreadable_input;
+      throw sim::Error(error)
+          .problem("photograph '" + entry.name + "': " + details.problem)
+          .hint(needs_hint ? "its name is relative to the scene's file" : details.hint);
     }
   }
   return photos;

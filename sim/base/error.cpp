@@ -45,11 +45,8 @@ std::string hint_for(int error_number) {
 
 }  // namespace
 
-Error::Error(ErrorKind kind, ErrorDetails details)
-    : kind_(kind), details_(std::move(details)), text_(message_of(details_)) {}
-
 Error::Error(ErrorKind kind, std::string problem)
-    : Error(kind, ErrorDetails{std::move(problem), {}, 0, {}, {}, {}}) {}
+    : kind_(kind), details_{std::move(problem), {}, 0, {}, {}, {}}, text_(message_of(details_)) {}
 
 Error&& Error::with(std::string ErrorDetails::*part, std::string text) {
   details_.*part = std::move(text);
@@ -57,11 +54,19 @@ Error&& Error::with(std::string ErrorDetails::*part, std::string text) {
   return std::move(*this);
 }
 
+Error&& Error::problem(std::string what_is_wrong) && {
+  return with(&ErrorDetails::problem, std::move(what_is_wrong));
+}
 Error&& Error::file(std::string name) && { return with(&ErrorDetails::file, std::move(name)); }
 Error&& Error::key(std::string name) && { return with(&ErrorDetails::key, std::move(name)); }
 Error&& Error::hint(std::string what_to_do) && { return with(&ErrorDetails::hint, std::move(what_to_do)); }
 Error&& Error::expected(std::string what_is_right) && {
   return with(&ErrorDetails::expected, std::move(what_is_right));
+}
+
+Error&& Error::kind(ErrorKind other) && {
+  kind_ = other;
+  return std::move(*this);
 }
 
 Error&& Error::line(int number) && {

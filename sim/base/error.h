@@ -29,14 +29,18 @@ struct ErrorDetails {
 };
 
 /// what() is "file:line: key: problem (expected …). Hint.", safe to show on a terminal (shown_text.h). The
-/// parts that a place knows are added by name:
+/// parts that a place knows are added by name, also to a copy of what was caught:
 ///
 ///   throw Error(ErrorKind::scene, "unknown key 'widht'").file(path).line(7).hint("did you mean 'width'?");
+///   throw Error(caught).kind(ErrorKind::usage).key("--width");
+///
+/// A function whose errors have parts in common returns them: throw bad_row(line, "…").expected("…").
 class Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string problem);
-  Error(ErrorKind kind, ErrorDetails details);
 
+  Error&& kind(ErrorKind other) &&;
+  Error&& problem(std::string what_is_wrong) &&;
   Error&& file(std::string name) &&;
   Error&& line(int number) &&;
   Error&& key(std::string name) &&;

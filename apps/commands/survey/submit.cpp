@@ -106,9 +106,9 @@ int run_submit(const SubmitRequest& options) {
   check_planned_eyes(plan);
   const std::string job = job_of_folder(options.out);
   if (const std::string state = job.empty() ? "" : state_of_job(job); !state.empty())
-    throw sim::Error(
-        sim::ErrorKind::existing_output,
-        {"job " + job + " is still at it: " + state, options.out, 0, {}, {}, "vegard survey cancel ends it"});
+    throw sim::Error(sim::ErrorKind::existing_output, "job " + job + " is still at it: " + state)
+        .file(options.out)
+        .hint("vegard survey cancel ends it");
   begin_shard_folder(options.out, script.shards);
   std::error_code error;
   fs::create_directories(options.out + "/log", error);

@@ -39,7 +39,7 @@ struct LoopVolume {
     try {
       return GridBricks(grid, channel, -1, scene.file, scene.site, scene.site);
     } catch (const Error& error) {
-      throw Error(ErrorKind::scene, error.details()).key("loop." + scene.loops[index].name + ".voxel");
+      throw Error(error).kind(ErrorKind::scene).key("loop." + scene.loops[index].name + ".voxel");
     }
   }
 };
@@ -110,7 +110,7 @@ SparseGrid loop_grid(const Scene& scene, std::uint32_t index, double instant_s, 
     for (int pass = 0; pass < loop.blur; ++pass) filter(blur_mask());
     for (int pass = 0; pass < loop.sharpen; ++pass) filter(sharpen_mask());
   } catch (const Error& error) {
-    throw Error(ErrorKind::scene, error.details()).file(scene.file).key("loop." + loop.name + ".voxel");
+    throw Error(error).kind(ErrorKind::scene).file(scene.file).key("loop." + loop.name + ".voxel");
   }
   return grid;
 }

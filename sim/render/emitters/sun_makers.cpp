@@ -94,9 +94,10 @@ std::unique_ptr<const LightField> strand_field(const FieldInputs& in, const Stra
         strands, in.scene.sun, line_light<double>(in.scene, of.rayleigh, temperature_of(of), plain_number),
         static_cast<int>(in.scene.emission.lines.size()), in.memory_limit);
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.problem = "'" + of.name + "': " + details.problem;
-    throw Error(error.kind(), details).key("--memory-limit").hint("Leave it out with --of NAME");
+    throw Error(error)
+        .problem("'" + of.name + "': " + error.details().problem)
+        .key("--memory-limit")
+        .hint("Leave it out with --of NAME");
   }
 }
 

@@ -31,7 +31,7 @@ std::vector<std::shared_ptr<const GridBricks>> read_grids(const Scene& scene) {
       if (volume.home) grid->set_home(*volume.home, scene.site);
       grids.push_back(grid);
     } catch (const Error& error) {
-      throw Error(ErrorKind::unreadable_input, error.details()).key(key);
+      throw Error(error).kind(ErrorKind::unreadable_input).key(key);
     } catch (const std::bad_alloc&) {
       throw Error(ErrorKind::unreadable_input, "there is not enough memory for its grids")
           .file(file.place)

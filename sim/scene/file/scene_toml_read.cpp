@@ -240,7 +240,7 @@ class SceneReader {
       const bool keeps_flux = values.get("energy_flux_mw_m2") != nullptr;
       take_curtain(input.bytes, place, static_cast<int>(curtain), keeps_flux, scene_.sheets.at(sheet));
     } catch (const Error& error) {
-      throw Error(ErrorKind::unreadable_input, error.details()).key(where.key);
+      throw Error(error).kind(ErrorKind::unreadable_input).key(where.key);
     }
   }
 

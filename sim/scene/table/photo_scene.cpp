@@ -49,12 +49,13 @@ void with_entrys_line(const Scene& scene, const PhotoEntry& entry, const Code& c
   try {
     code();
   } catch (const Error& error) {
-    ErrorDetails details = error.details();
-    details.file = scene.file;
-    if (details.line == 0) details.line = entry.line;
-    if (details.problem.find("photograph '") != 0)
-      details.problem = "photograph '" + entry.name + "': " + details.problem;
-    throw Error(error.kind(), details);
+    const ErrorDetails& details = error.details();
+    const std::string whose =
+        details.problem.find("photograph '") != 0 ? "photograph '" + entry.name + "': " : "";
+    throw Error(error)
+        .problem(whose + details.problem)
+        .file(scene.file)
+        .line(details.line == 0 ? entry.line : details.line);
   }
 }
 

@@ -79,21 +79,18 @@ TEST(ShownText, QuotedValuesAreShortenedEachByItself) {
 }
 
 TEST(ShownText, AnErrorIsSafeToShowAndKeepsItsPartsAsTheyAre) {
-  ErrorDetails details;
-  details.file = "a\x1b]0;title\a.toml";
-  details.key = std::string(5000, 'k');
-  details.problem = "'" + std::string(5000, '\x1b') + "' is no number";
-  const Error error(ErrorKind::scene, details);
+  const std::string problem = "'" + std::string(5000, '\x1b') + "' is no number", key(5000, 'k');
+  const Error error = Error(ErrorKind::scene, problem).file("a\x1b]0;title\a.toml").key(key);
   const std::string text = error.what();
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_EQ(text.find('\a'), std::string::npos);
   EXPECT_LT(text.size(), 2000u);
   EXPECT_NE(text.find("is no number"), std::string::npos);
-  EXPECT_EQ(error.details().problem, details.problem);
+  EXPECT_EQ(error.details().problem, problem);
 
   // A file of a list whose name is a megabyte of zeros.
-  details.file = std::string(1000000, '\0');
-  EXPECT_LT(std::string(Error(ErrorKind::unreadable_input, details).what()).size(), 2000u);
+  const Error of_list = Error(ErrorKind::unreadable_input, problem).file(std::string(1000000, '\0')).key(key);
+  EXPECT_LT(std::string(of_list.what()).size(), 2000u);
 }
 
 TEST(ShownText, PagesHaveNoCharacterThatIsNone) {
