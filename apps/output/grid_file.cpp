@@ -18,8 +18,9 @@ std::string listed(const std::vector<std::string>& names) {
   return names.empty() ? "none" : sim::joined(names);
 }
 
-void refuse_channel(const std::string& path, const std::string& name, const std::vector<std::string>& known) {
-  throw usage_error("--channel", path + " has no grid '" + name + "'", "one of its grids: " + listed(known));
+sim::Error no_channel(const std::string& path, const std::string& name,
+                      const std::vector<std::string>& known) {
+  return usage_error("--channel", path + " has no grid '" + name + "'", "one of its grids: " + listed(known));
 }
 
 /// Rayleighs of a unit of length of 1 photon cm^-3 s^-1.
@@ -40,7 +41,7 @@ GridFile read_grid_file(const std::string& path, const std::vector<std::string>&
   GridFile file;
   if (sim::is_volumegrid_name(path)) {
     for (const std::string& name : channels)
-      if (name != "density") refuse_channel(path, name, {"density"});
+      if (name != "density") throw no_channel(path, name, {"density"});
     sim::VolumegridFile read = sim::read_volumegrid(path, max_bytes);
     file.grid = std::move(read.grid);
     file.size = read.size;
@@ -51,7 +52,7 @@ GridFile read_grid_file(const std::string& path, const std::vector<std::string>&
   if (wanted.empty()) wanted = sim::read_vdb(path, {}, max_bytes).names;
   sim::VdbFile read = sim::read_vdb(path, wanted, max_bytes);
   for (const std::string& name : wanted)
-    if (read.grid.channel(name) < 0) refuse_channel(path, name, read.names);
+    if (read.grid.channel(name) < 0) throw no_channel(path, name, read.names);
   if (read.grid.channels.empty())
     throw sim::Error(sim::ErrorKind::unreadable_input, "it has no grid of floats")
         .file(path)
