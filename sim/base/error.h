@@ -35,17 +35,18 @@ struct ErrorDetails {
 ///   throw Error(caught).kind(ErrorKind::usage).key("--width");
 ///
 /// A function whose errors have parts in common returns them: throw bad_row(line, "…").expected("…").
-class Error : public std::exception {
+/// Without its throw that is a warning.
+class [[nodiscard]] Error : public std::exception {
  public:
   Error(ErrorKind kind, std::string problem);
 
-  Error&& kind(ErrorKind other) &&;
-  Error&& problem(std::string what_is_wrong) &&;
-  Error&& file(std::string name) &&;
-  Error&& line(int number) &&;
-  Error&& key(std::string name) &&;
-  Error&& expected(std::string what_is_right) &&;
-  Error&& hint(std::string what_to_do) &&;
+  [[nodiscard]] Error&& kind(ErrorKind other) &&;
+  [[nodiscard]] Error&& problem(std::string what_is_wrong) &&;
+  [[nodiscard]] Error&& file(std::string name) &&;
+  [[nodiscard]] Error&& line(int number) &&;
+  [[nodiscard]] Error&& key(std::string name) &&;
+  [[nodiscard]] Error&& expected(std::string what_is_right) &&;
+  [[nodiscard]] Error&& hint(std::string what_to_do) &&;
 
   const char* what() const noexcept override { return text_.c_str(); }
   ErrorKind kind() const { return kind_; }
