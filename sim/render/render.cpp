@@ -4,7 +4,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
@@ -62,23 +64,22 @@ void compose_layers(const Scene& scene, const Rendering& layers, const Image& ni
 }
 
 /// A picture of a cube's face, where the whole one has it.
-void put_face(const Image& of_face, const CubeFace& face, Image& whole) {
-  const int size = of_face.width, x = face.column * size, y = face.row * size;
-  const std::size_t channels = static_cast<std::size_t>(of_face.channels()), run = size * channels;
+void put_face(const Image& part, const CubeFace& face, Image& whole) {
+  const int size = part.width, x = face.column * size, y = face.row * size;
+  const std::size_t channels = static_cast<std::size_t>(part.channels()), run = size * channels;
   for (int row = 0; row < size; ++row)
-    std::copy_n(of_face.data.begin() + static_cast<std::ptrdiff_t>(row * run), run,
+    std::copy_n(part.data.begin() + static_cast<std::ptrdiff_t>(row * run), run,
                 whole.data.begin() + static_cast<std::ptrdiff_t>(
                                          (static_cast<std::size_t>(y + row) * whole.width + x) * channels));
 }
-void put_face(const VolumePictures& of_face, const CubeFace& face, const Scene& scene,
-              VolumePictures& whole) {
+void put_face(const VolumePictures& parts, const CubeFace& face, const Scene& scene, VolumePictures& whole) {
   const auto put = [&](const Image& part, Image& all) {
     if (part.empty()) return;
     if (all.empty()) all = dark_lines(scene);
     put_face(part, face, all);
   };
-  put(of_face.rayleigh, whole.rayleigh);
-  put(of_face.hidden, whole.hidden);
+  put(parts.rayleigh, whole.rayleigh);
+  put(parts.hidden, whole.hidden);
 }
 
 /// The scene before one of the pinholes that its picture is put together from.
@@ -151,6 +152,171 @@ void add_volume_layers(const Scene& scene, const VolumePictures& volumes, int th
     }
 }
 
+/// The light of a scene's lines as its camera takes it: on one film, or for a cube on six, one after the
+/// other.
+class LineCamera {
+ public:
+  LineCamera(const Scene& scene, const RenderOptions& options)
+      : scene_(scene),
+        options_(options),
+        is_cube_(scene.camera.model == LensModel::cube),
+        faces_(cube_faces(scene.camera.cube_layout)),
+        first_face_(is_cube_ ? seen_by_face(scene, faces_.front()) : Scene()),
+        film_(film_of(first())) {
+    if (scene.blur.model == BlurModel::physical && is_spread_by_beams(first())) return;
+    if (options.memory != nullptr) {
+      exposer_ = &options.memory->exposer(film_);
+      return;
+    }
+    BeamSampling sampling;
+    sampling.path_draw = options.path_draw;
+    own_exposer_ = make_exposer(first(), film_, options.threads, 0.0, sampling);
+    exposer_ = own_exposer_.get();
+  }
+
+  /// The lines in rayleighs and what the sensor makes of them; no picture if the work was stopped.
+  struct TakenLines {
+    Image rayleigh, rgb;
+    std::uint64_t deflection_points = 0;
+  };
+  /// Takes the light of everything, or of one sheet alone (-1: of all).
+  TakenLines take(int only_sheet, const std::function<void(double)>& progress) {
+    return is_cube_ ? take_cube(only_sheet, progress) : take_film(scene_, only_sheet, progress, volumes_);
+  }
+
+  /// What was taken of volumes, if there are any.
+  VolumePictures& volumes() { return volumes_; }
+
+ private:
+  /// A cube is six pictures, all on a film of one size.
+  const Scene& first() const { return is_cube_ ? first_face_ : scene_; }
+  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+
+  TakenLines take_cube(int only_sheet, const std::function<void(double)>& progress) {
+    TakenLines all;
+    all.rayleigh = dark_lines(scene_);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      VolumePictures face_volumes;
+      std::function<void(double)> part;
+      if (progress)
+        part = [&](double share) {
+          progress((static_cast<double>(f) + share) / static_cast<double>(faces_.size()));
+        };
+      const TakenLines face =
+          take_film(f == 0 ? first() : seen_by_face(scene_, faces_[f]), only_sheet, part, face_volumes);
+      if (stopped()) return {};
+      put_face(face.rayleigh, faces_[f], all.rayleigh);
+      put_face(face_volumes, faces_[f], scene_, volumes_);
+      // Every face is shone at by the same points.
+      all.deflection_points = std::max(all.deflection_points, face.deflection_points);
+    }
+    all.rgb = through_the_sensor(scene_, all.rayleigh);
+    return all;
+  }
+
+  /// Takes what one film sees; its volumes, if any, are put into `volumes`.
+  TakenLines take_film(const Scene& view, int only_sheet, const std::function<void(double)>& progress,
+                       VolumePictures& volumes) {
+    return exposer_ == nullptr ? take_spread_by_beams(view, only_sheet, progress, volumes)
+                               : take_exposed(view, only_sheet, progress, volumes);
+  }
+  TakenLines take_spread_by_beams(const Scene& view, int only_sheet,
+                                  const std::function<void(double)>& progress,
+                                  VolumePictures& volumes) const {
+    TakenLines taken;
+    taken.rayleigh = dark_lines(view);
+    taken.deflection_points =
+        add_lines_physically(view, options_.threads, progress, options_.stop, taken.rayleigh, only_sheet);
+    dim_picture_by_air(view, taken.rayleigh, options_.threads);
+    if (only_sheet < 0 && has_volumes(view) && !stopped())
+      volumes = add_volumes_unblurred(view, film_, options_, taken.rayleigh);
+    taken.rgb = through_the_sensor(view, taken.rayleigh);
+    return taken;
+  }
+  TakenLines take_exposed(const Scene& view, int only_sheet, const std::function<void(double)>& progress,
+                          VolumePictures& volumes) {
+    exposer_->expose(view, exposure_, progress, options_.stop, only_sheet);
+    TakenLines taken;
+    taken.deflection_points = exposure_.deflection_points;
+    if (stopped()) return taken;
+    form_lines(view, exposure_, pixels_on(film_, view.camera), options_.threads, taken.rayleigh);
+    if (exposure_.volumes.lines > 0)
+      volumes = volume_pictures(view, film_, exposure_.volumes, true, options_.threads);
+    taken.rgb = scene_.blur.order == BlurOrder::rgb
+                    ? blurred_colours(view, film_, exposure_.rayleigh.data(), pixels_on(film_, view.camera),
+                                      options_.threads)
+                    : through_the_sensor(view, taken.rayleigh);
+    return taken;
+  }
+
+  const Scene& scene_;
+  const RenderOptions& options_;
+  bool is_cube_;
+  std::array<CubeFace, 6> faces_;
+  Scene first_face_;  ///< where the picture is a cube
+  FilmGeometry film_;
+  std::unique_ptr<Exposer> own_exposer_;
+  Exposer* exposer_ = nullptr;  ///< null: beams spread the light of metastable lines
+  Exposure exposure_;
+  VolumePictures volumes_;
+};
+
+/// Fills the aurora's light, that of all sheets and where layers are asked for that of each. Returns the
+/// volumes' pictures.
+VolumePictures fill_aurora(const Scene& scene, const RenderOptions& options, Rendering& result) {
+  const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
+  const std::size_t exposures = options.sheet_layers ? 1 + scene.sheets.size() : 1;
+  const auto progress_of = [&](std::size_t n) {
+    if (!options.progress) return std::function<void(double)>();
+    return std::function<void(double)>([&options, n, exposures](double share) {
+      options.progress((static_cast<double>(n) + share) / static_cast<double>(exposures));
+    });
+  };
+  LineCamera camera(scene, options);
+  LineCamera::TakenLines all = camera.take(-1, progress_of(0));
+  result.rayleigh = std::move(all.rayleigh);
+  result.aurora = std::move(all.rgb);
+  result.deflection_points = all.deflection_points;
+  for (std::size_t s = 0; s + 1 < exposures && !stopped(); ++s) {
+    LineCamera::TakenLines one = camera.take(static_cast<int>(s), progress_of(1 + s));
+    result.sheets.push_back({scene.sheets[s].name, std::move(one.rayleigh), std::move(one.rgb)});
+  }
+  return std::move(camera.volumes());
+}
+
+/// Fills the light of the night sky and of the stars.
+void add_sky_layers(const Scene& scene, const RenderOptions& options, Rendering& result) {
+  if (has_night_sky(scene))
+    result.night_sky =
+        options.memory != nullptr ? options.memory->night_sky() : night_sky_light(scene, options.threads);
+  if (has_stars(scene) && (options.memory == nullptr || scene.camera.model == LensModel::cube))
+    result.stars = stars_of(scene, options.stop, options.threads);
+  else if (has_stars(scene))
+    result.stars = options.memory->stars(options.stop);
+}
+
+/// Fills the user's own pictures behind and before the light.
+void add_given_pictures(const Scene& scene, const CompositePictures& pictures, Rendering& result) {
+  if (!pictures.background.empty()) {
+    result.background = Image(scene.camera.width, scene.camera.height, {"R", "G", "B"});
+    add_light(pictures.background, scene.composite.background_gain, result.background);
+  }
+  if (!pictures.foreground.empty()) {
+    result.foreground = pictures.foreground;
+    scale_light(scene.composite.foreground_gain, result.foreground);
+  }
+}
+
+/// The light on the ground. It is that of the scene as given: it does not depend on the picture's beams.
+GroundIllumination ground_illumination(const Scene& as_given, const RenderOptions& options) {
+  RenderOptions sky_options;
+  sky_options.threads = options.threads;
+  sky_options.stop = options.stop;
+  const auto on_ground = [&] { return light_on_ground(as_given, sky_options); };
+  return options.memory != nullptr ? options.memory->on_ground(as_given, options.stop, on_ground)
+                                   : on_ground();
+}
+
 }  // namespace
 
 Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
@@ -162,123 +328,19 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) 
 }
 
 Rendering render(const Scene& as_given, const RenderOptions& options) {
-  const int width = as_given.camera.width, height = as_given.camera.height;
-  // A cube is six pictures, all on a film of one size.
-  const bool is_cube = as_given.camera.model == LensModel::cube;
-  const std::array<CubeFace, 6> faces = cube_faces(as_given.camera.cube_layout);
   const Scene scene = is_panorama(as_given.camera.model) ? with_enough_beams_around(as_given)
                                                          : with_enough_beams(as_given, film_of(as_given));
-  const Scene first_face = is_cube ? seen_by_face(scene, faces.front()) : Scene();
-  const Scene& first = is_cube ? first_face : scene;
-  const FilmGeometry film = film_of(first);
-  BeamSampling sampling;
-  sampling.path_draw = options.path_draw;
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
-  const std::size_t exposures = options.sheet_layers ? 1 + scene.sheets.size() : 1;
-  const auto progress_of = [&](std::size_t n) {
-    if (!options.progress) return std::function<void(double)>();
-    return std::function<void(double)>([&options, n, exposures](double share) {
-      options.progress((static_cast<double>(n) + share) / static_cast<double>(exposures));
-    });
-  };
-
   if (options.memory != nullptr) options.memory->look_at(scene, options.threads);
   Rendering result;
-  VolumePictures volumes;
-  {
-    std::unique_ptr<Exposer> own_exposer;
-    Exposure exposure;
-    Exposer* exposer = nullptr;
-    const bool by_beams = scene.blur.model == BlurModel::physical && is_spread_by_beams(first);
-    if (!by_beams)
-      exposer = options.memory != nullptr
-                    ? &options.memory->exposer(film)
-                    : (own_exposer = make_exposer(first, film, options.threads, 0.0, sampling)).get();
-    const bool blurs_colours = scene.blur.order == BlurOrder::rgb;
-    // Returns the lines of one camera, with its linear RGB; its volumes, if any, are put into `of_volumes`.
-    const auto lines_before = [&](const Scene& view, const std::function<void(double)>& progress,
-                                  int only_sheet, std::uint64_t& points, VolumePictures& of_volumes,
-                                  Image& aurora) {
-      if (!exposer) {
-        Image lines = dark_lines(view);
-        points = add_lines_physically(view, options.threads, progress, options.stop, lines, only_sheet);
-        dim_picture_by_air(view, lines, options.threads);
-        if (only_sheet < 0 && has_volumes(view) && !stopped())
-          of_volumes = add_volumes_unblurred(view, film, options, lines);
-        aurora = through_the_sensor(view, lines);
-        return lines;
-      }
-      exposer->expose(view, exposure, progress, options.stop, only_sheet);
-      points = exposure.deflection_points;
-      if (stopped()) return Image();
-      Image lines;
-      form_lines(view, exposure, pixels_on(film, view.camera), options.threads, lines);
-      if (exposure.volumes.lines > 0)
-        of_volumes = volume_pictures(view, film, exposure.volumes, true, options.threads);
-      aurora = blurs_colours ? blurred_colours(view, film, exposure.rayleigh.data(),
-                                               pixels_on(film, view.camera), options.threads)
-                             : through_the_sensor(view, lines);
-      return lines;
-    };
-    const auto lines_of = [&](std::size_t n, int only_sheet, std::uint64_t& points, Image& aurora) {
-      const std::function<void(double)> progress = progress_of(n);
-      if (!is_cube) return lines_before(scene, progress, only_sheet, points, volumes, aurora);
-      Image all = dark_lines(scene);
-      points = 0;
-      for (std::size_t f = 0; f < faces.size(); ++f) {
-        std::uint64_t points_of_face = 0;
-        VolumePictures of_volumes;
-        std::function<void(double)> part;
-        if (progress)
-          part = [&](double share) {
-            progress((static_cast<double>(f) + share) / static_cast<double>(faces.size()));
-          };
-        const Image one = lines_before(f == 0 ? first : seen_by_face(scene, faces[f]), part, only_sheet,
-                                       points_of_face, of_volumes, aurora);
-        if (stopped()) return Image();
-        put_face(one, faces[f], all);
-        put_face(of_volumes, faces[f], scene, volumes);
-        points = std::max(points, points_of_face);  // every face is shone at by the same
-      }
-      aurora = through_the_sensor(scene, all);
-      return all;
-    };
-    result.rayleigh = lines_of(0, -1, result.deflection_points, result.aurora);
-    if (stopped()) return {};
-    for (std::size_t s = 0; s + 1 < exposures; ++s) {
-      std::uint64_t points_of_sheet = 0;
-      SheetLayer layer{scene.sheets[s].name, {}, {}};
-      layer.rayleigh = lines_of(1 + s, static_cast<int>(s), points_of_sheet, layer.aurora);
-      if (stopped()) return {};
-      result.sheets.push_back(std::move(layer));
-    }
-  }
-  add_volume_layers(scene, volumes, options.threads, result);
-  if (has_night_sky(scene))
-    result.night_sky =
-        options.memory != nullptr ? options.memory->night_sky() : night_sky_light(scene, options.threads);
-  if (has_stars(scene) && (options.memory == nullptr || is_cube))
-    result.stars = stars_of(scene, options.stop, options.threads);
-  else if (has_stars(scene))
-    result.stars = options.memory->stars(options.stop);
+  const VolumePictures volumes = fill_aurora(scene, options, result);
   if (stopped()) return {};
-  if (options.pictures != nullptr && !options.pictures->background.empty()) {
-    result.background = Image(width, height, {"R", "G", "B"});
-    add_light(options.pictures->background, scene.composite.background_gain, result.background);
-  }
-  if (options.pictures != nullptr && !options.pictures->foreground.empty()) {
-    result.foreground = options.pictures->foreground;
-    scale_light(scene.composite.foreground_gain, result.foreground);
-  }
+  add_volume_layers(scene, volumes, options.threads, result);
+  add_sky_layers(scene, options, result);
+  if (stopped()) return {};
+  if (options.pictures != nullptr) add_given_pictures(scene, *options.pictures, result);
   if (scene.ground.shown) {
-    RenderOptions of_sky;
-    of_sky.threads = options.threads;
-    of_sky.stop = options.stop;
-    // The light on the ground is that of the scene as given: it does not depend on this picture's beams.
-    const auto on_ground = [&] { return light_on_ground(as_given, of_sky); };
-    const GroundIllumination light = options.memory != nullptr
-                                         ? options.memory->on_ground(as_given, options.stop, on_ground)
-                                         : on_ground();
+    const GroundIllumination light = ground_illumination(as_given, options);
     if (stopped()) return {};
     result.ground = ground_layer(scene, light, options.threads);
   }
@@ -290,11 +352,11 @@ Rendering render(const Scene& as_given, const RenderOptions& options) {
 
 GroundIllumination light_on_ground(const Scene& scene, const RenderOptions& options) {
   const Scene sky = sky_over_ground(scene);
-  RenderOptions of_sky;
-  of_sky.threads = options.threads;
-  of_sky.stop = options.stop;
-  of_sky.progress = options.progress;
-  const Rendering all = render(sky, of_sky);
+  RenderOptions sky_options;
+  sky_options.threads = options.threads;
+  sky_options.stop = options.stop;
+  sky_options.progress = options.progress;
+  const Rendering all = render(sky, sky_options);
   if (all.rgb.empty()) return {};  // stopped
   return light_of_sky(sky, all.rayleigh, all.rgb, all.night_sky, all.stars);
 }
