@@ -1,8 +1,10 @@
 #include "sim/render/slab_spread.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
@@ -21,6 +23,80 @@ double bilinear_px2(const FilmGeometry& film) {
   return 0.5 * kVarianceOfBilinear *
          (film.cell_width_px * film.cell_width_px + film.cell_height_px * film.cell_height_px);
 }
+
+/// The variance in px^2 on the film per square radian of variance in direction.
+double px2_per_rad2(const PlaceSlopes& slopes) {
+  double squares = 0.0;
+  for (const auto& axis : slopes.slope)
+    for (const double slope : axis) squares += slope * slope;
+  return 0.5 * squares;
+}
+
+/// Light after the wind has carried it: its place and spread on the film, and its distance.
+struct CarriedLight {
+  double x_px = 0.0, y_px = 0.0, px2 = 0.0, far_km = 0.0;
+  float gain = 0.0f;
+};
+
+/// The wind that carries a slab's excited atoms before they shine.
+class WindShift {
+ public:
+  WindShift(const Scene& scene, const AltitudeSlab& slab)
+      : view_(camera_view(scene.camera)),
+        carried_km_{1e-3 * scene.blur.wind_m_s.east * slab.lifetime_s,
+                    1e-3 * scene.blur.wind_m_s.north * slab.lifetime_s} {}
+
+  bool moves() const { return carried_km_[0] != 0.0 || carried_km_[1] != 0.0; }
+
+  /// Returns where light at a distance along a direction goes; none if it leaves what the lens sees, or comes
+  /// too near.
+  std::optional<CarriedLight> carried(const std::array<float, 3>& enu, double far_km) const {
+    double place[3], length2 = 0.0;
+    for (int i = 0; i < 3; ++i) place[i] = enu[i] * far_km + (i < 2 ? carried_km_[i] : 0.0);
+    for (const double axis : place) length2 += axis * axis;
+    double in_camera[3];
+    for (int r = 0; r < 3; ++r) {
+      in_camera[r] = 0.0;
+      for (int i = 0; i < 3; ++i) in_camera[r] += view_.camera_from_enu[r][i] * place[i] / std::sqrt(length2);
+    }
+    CarriedLight light;
+    if (!(length2 > kNearestKm * kNearestKm && project(view_.lens, in_camera, light.x_px, light.y_px)))
+      return std::nullopt;
+    // Photons come from all of its volume, and go as 1 / (r^2 Omega).
+    const PlaceSlopes there = place_slopes(view_.lens, in_camera);
+    const double here = solid_angle_scale(enu);
+    light.px2 = px2_per_rad2(there);
+    light.gain = here > 0.0
+                     ? static_cast<float>(std::abs(there.determinant()) / here * far_km * far_km / length2)
+                     : 0.0f;
+    light.far_km = std::sqrt(length2);
+    return light;
+  }
+
+ private:
+  /// The area on the film, in px^2, of a steradian in a direction.
+  double solid_angle_scale(const std::array<float, 3>& enu) const {
+    double in_camera[3];
+    for (int r = 0; r < 3; ++r) {
+      in_camera[r] = 0.0;
+      for (int i = 0; i < 3; ++i) in_camera[r] += view_.camera_from_enu[r][i] * enu[i];
+    }
+    return std::abs(place_slopes(view_.lens, in_camera).determinant());
+  }
+
+  CameraView<double> view_;
+  double carried_km_[2];
+};
+
+/// The levels of the ladder that some light goes to.
+struct LevelRange {
+  int least, most;
+
+  void include(const LevelShare& share) {
+    least = std::min(least, share.lower);
+    most = std::max(most, share.lower + (share.upper_share > 0.0f ? 1 : 0));
+  }
+};
 
 }  // namespace
 
@@ -52,12 +128,9 @@ FilmSight film_sight(const Scene& scene, const FilmGeometry& film, bool with_dir
       double in_camera[3], enu[3];
       if (!unproject(view.lens, x_px, y_px, in_camera) || !enu_of_pixel(view, x_px, y_px, enu)) continue;
       const PlaceSlopes slopes = place_slopes(view.lens, in_camera);
-      double squares = 0.0;
-      for (const auto& of_place : slopes.slope)
-        for (const double slope : of_place) squares += slope * slope;
       const std::size_t cell = row * film.columns + column;
       sight.sine[cell] = static_cast<float>(enu[2]);
-      sight.px2[cell] = static_cast<float>(0.5 * squares);
+      sight.px2[cell] = static_cast<float>(px2_per_rad2(slopes));
       if (with_directions)
         for (int i = 0; i < 3; ++i) sight.enu[i][cell] = static_cast<float>(enu[i]);
     }
@@ -95,10 +168,8 @@ SlabPlaces SlabSpread::places(const Scene& scene, const FilmSight& sight, const 
   const double variance_km2 = is_calm ? slab.calm_variance_km2 : slab.variance_km2;
   // Wide cells have spread it by so much already.
   const double already_px2 = std::max(0.0, bilinear_px2(film) - bilinear_px2(film_));
-  const double carried_km[2] = {1e-3 * scene.blur.wind_m_s.east * slab.lifetime_s,
-                                1e-3 * scene.blur.wind_m_s.north * slab.lifetime_s};
-  const bool is_carried = !is_calm && !sight.enu[0].empty() && (carried_km[0] != 0.0 || carried_km[1] != 0.0);
-  const CameraView<double> view = camera_view(scene.camera);
+  const WindShift wind(scene, slab);
+  const bool is_carried = !is_calm && !sight.enu[0].empty() && wind.moves();
   SlabPlaces places;
   places.lower.assign(cells, 0);
   places.upper_share.assign(cells, 0.0f);
@@ -107,64 +178,34 @@ SlabPlaces SlabSpread::places(const Scene& scene, const FilmSight& sight, const 
     places.y_px.assign(cells, 0.0f);
     places.gain.assign(cells, 0.0f);
   }
-  struct Levels {
-    int least, most;
-  };
-  std::vector<Levels> of_row(static_cast<std::size_t>(film.rows),
-                             Levels{static_cast<int>(levels_.size()) - 1, 0});
-  parallel_for(of_row.size(), threads, [&](std::size_t row, int) {
+  std::vector<LevelRange> row_levels(static_cast<std::size_t>(film.rows),
+                                     LevelRange{static_cast<int>(levels_.size()) - 1, 0});
+  parallel_for(row_levels.size(), threads, [&](std::size_t row, int) {
     for (int column = 0; column < film.columns; ++column) {
       const std::size_t cell = row * film.columns + column;
       double px2 = sight.px2[cell];
       if (px2 > 0.0) {
         double far_km =
             range_to_altitude_km(observer_km, sight.sine[cell], slab.altitude_km, scene.body.radius_km);
-        if (is_carried) {
-          double place[3], length2 = 0.0, x_px = 0.0, y_px = 0.0;
-          for (int i = 0; i < 3; ++i) place[i] = sight.enu[i][cell] * far_km + (i < 2 ? carried_km[i] : 0.0);
-          for (const double axis : place) length2 += axis * axis;
-          double in_camera[3];
-          for (int r = 0; r < 3; ++r) {
-            in_camera[r] = 0.0;
-            for (int i = 0; i < 3; ++i)
-              in_camera[r] += view.camera_from_enu[r][i] * place[i] / std::sqrt(length2);
+        if (is_carried)
+          if (const auto carried = wind.carried(sight.direction(cell), far_km)) {
+            places.x_px[cell] = static_cast<float>(carried->x_px);
+            places.y_px[cell] = static_cast<float>(carried->y_px);
+            places.gain[cell] = carried->gain;
+            px2 = carried->px2;
+            far_km = carried->far_km;
           }
-          if (length2 > kNearestKm * kNearestKm && project(view.lens, in_camera, x_px, y_px)) {
-            // Photons come from all of its volume, and go as 1 / (r^2 Omega).
-            const PlaceSlopes there = place_slopes(view.lens, in_camera);
-            double unmoved[3];
-            for (int r = 0; r < 3; ++r) {
-              unmoved[r] = 0.0;
-              for (int i = 0; i < 3; ++i) unmoved[r] += view.camera_from_enu[r][i] * sight.enu[i][cell];
-            }
-            const double here = std::abs(place_slopes(view.lens, unmoved).determinant());
-            double squares = 0.0;
-            for (const auto& of_place : there.slope)
-              for (const double slope : of_place) squares += slope * slope;
-            px2 = 0.5 * squares;
-            places.x_px[cell] = static_cast<float>(x_px);
-            places.y_px[cell] = static_cast<float>(y_px);
-            places.gain[cell] =
-                here > 0.0
-                    ? static_cast<float>(std::abs(there.determinant()) / here * far_km * far_km / length2)
-                    : 0.0f;
-            far_km = std::sqrt(length2);
-          }
-        }
         px2 = std::clamp(variance_km2 * px2 / (far_km * far_km) - already_px2, 0.0, widest_px_ * widest_px_);
-      } else if (is_carried) {
-        places.gain[cell] = 0.0f;
       }
       const LevelShare share =
           level_share(variance_px2_.data(), static_cast<int>(levels_.size()), static_cast<float>(px2));
       places.lower[cell] = static_cast<std::uint8_t>(share.lower);
       places.upper_share[cell] = share.upper_share;
-      of_row[row].least = std::min(of_row[row].least, share.lower);
-      of_row[row].most = std::max(of_row[row].most, share.lower + (share.upper_share > 0.0f ? 1 : 0));
+      row_levels[row].include(share);
     }
   });
   places.least = static_cast<int>(levels_.size()) - 1;
-  for (const Levels& levels : of_row) {
+  for (const LevelRange& levels : row_levels) {
     places.least = std::min(places.least, levels.least);
     places.most = std::max(places.most, levels.most);
   }
@@ -190,8 +231,8 @@ void SlabSpread::add(const std::vector<SlabLight>& light, int width, float* plan
           const int lower = places.lower[cell];
           if (lower != index && lower + 1 != index) continue;
           double share = lower == index ? 1.0 - places.upper_share[cell] : places.upper_share[cell];
-          const float* of_cell = from.planes + cell * from.stride;
-          if (share == 0.0 || std::all_of(of_cell, of_cell + width, [](float x) { return x == 0.0f; }))
+          const float* cell_light = from.planes + cell * from.stride;
+          if (share == 0.0 || std::all_of(cell_light, cell_light + width, [](float x) { return x == 0.0f; }))
             continue;
           any = true;
           double x_px = film.x0_px + (column + 0.5) * film.cell_width_px,
@@ -201,7 +242,7 @@ void SlabSpread::add(const std::vector<SlabLight>& light, int width, float* plan
             y_px = places.y_px[cell];
             share *= places.gain[cell];
           }
-          splat_on_film_level(level, x_px, y_px, share * per_cell, of_cell, width, cells.data());
+          splat_on_film_level(level, x_px, y_px, share * per_cell, cell_light, width, cells.data());
         }
     }
     return any;

@@ -9,6 +9,8 @@
 // ground.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +34,11 @@ struct FilmSight {
   std::vector<float>
       px2;  ///< [cell] variance in px^2 on the film per square radian of variance in direction; 0: not seen
   std::vector<float> enu[3];  ///< [cell] the direction, if requested
+
+  /// The direction of a cell, where directions were requested.
+  std::array<float, 3> direction(std::size_t cell) const {
+    return {enu[0][cell], enu[1][cell], enu[2][cell]};
+  }
 };
 FilmSight film_sight(const Scene& scene, const FilmGeometry& film, bool with_directions, int threads);
 
