@@ -50,14 +50,14 @@ std::vector<DerivativePass> derivative_passes(const Scene& scene, const std::vec
   std::set<int> shared;
   for (std::size_t i = 0; i < free.size(); ++i) {
     const std::set<int> own = local_inputs_of(scene, free[i]);
-    std::set<int> together = shared;
-    together.insert(own.begin(), own.end());
-    if (passes.back().count == kTangentWidth || together.size() > kMaxShared) {
+    std::set<int> joined = shared;
+    joined.insert(own.begin(), own.end());
+    if (passes.back().count == kTangentWidth || joined.size() > kMaxShared) {
       passes.push_back({i, 0});
-      together = own;
+      joined = own;
     }
     ++passes.back().count;
-    shared = together;
+    shared = joined;
   }
   return passes;
 }
@@ -68,6 +68,54 @@ BeamLayout laid_out(Scene scene, const FilmGeometry& film, double beyond, const 
     return BeamLayout(scene, beyond, sheet_nodes(scene, film, sampling.smooth_px, sampling.fineness));
   return BeamLayout(scene, beyond);
 }
+
+/// Which of a pass's parameters are the local inputs and the energies of each sheet.
+class PassParameters {
+ public:
+  PassParameters(const Scene& scene, const std::vector<ParameterId>& free, const DerivativePass& pass,
+                 const BeamLayout& layout, std::size_t profiles)
+      : energy_parameter_(profiles, -1), chains_(scene.sheets.size()) {
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
+      SharedChain& chain = chains_[s];
+      std::fill_n(chain.parameter_of_local, local_inputs, -1);
+      chain.parameter_of_energy = energy_parameter_.data();
+      // The order is reversed so that the first entry counts for a number that is listed twice.
+      for (std::size_t i = pass.count; i-- > 0;) {
+        const ParameterId& id = free[pass.first + i];
+        const int k = local_input_of(scene, static_cast<int>(s), id);
+        if (k >= 0) chain.parameter_of_local[k] = static_cast<int>(i);
+        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s)))
+          set_energy(scene, static_cast<int>(s), static_cast<int>(i), layout);
+      }
+    }
+  }
+  PassParameters(const PassParameters&) = delete;
+  PassParameters& operator=(const PassParameters&) = delete;
+
+  const SharedChain& chain(int sheet) const { return chains_[sheet]; }
+
+  /// The factor of each parameter's derivatives: the mean over the instants; the kernel's energy tangents are
+  /// by log(E0).
+  std::vector<float> scale(const Scene& scene, int instants) const {
+    const float mean = 1.0f / static_cast<float>(instants);
+    std::vector<float> scale(kTangentWidth, mean);
+    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
+      if (energy_parameter_[s] >= 0)
+        scale[energy_parameter_[s]] = mean / static_cast<float>(scene.sheets[s].energy_kev);
+    return scale;
+  }
+
+ private:
+  void set_energy(const Scene& scene, int sheet, int parameter, const BeamLayout& layout) {
+    energy_parameter_[sheet] = parameter;
+    const bool is_ladder = profiles_of_sheet(scene, sheet).ladder.count > 0;
+    for (int age = 1; !is_ladder && age < layout.ages().count(sheet); ++age)
+      energy_parameter_[layout.ages().first_profile(scene, sheet, age)] = parameter;
+  }
+
+  std::vector<int> energy_parameter_;  ///< by profile, to which the chains point; -1: none
+  std::vector<SharedChain> chains_;    ///< by sheet
+};
 
 }  // namespace
 
@@ -101,7 +149,7 @@ struct BeamExposer::Workspace {
   std::uint64_t fall(const Scene& scene, const std::vector<HeightProfile>& profiles, int stride,
                      int only_sheet, const std::function<void(double)>& progress = {},
                      const std::atomic<bool>* stop = nullptr) {
-    const std::vector<KernelScene> of_sheets = kernels(scene, profiles);
+    const std::vector<KernelScene> sheet_kernels = kernels(scene, profiles);
     clear_slots(stride);
     std::atomic<std::uint64_t> points{0};
     std::atomic<std::size_t> done{0};
@@ -113,8 +161,8 @@ struct BeamExposer::Workspace {
         return;
       }
       PackedChunk& packed = slot_chunks[slot];
-      layout.pack(scene, chunk, of_sheets[chunk.sheet], packed);
-      points += fall_on_film(of_sheets[chunk.sheet], packed.groups.data(), packed.groups.size(),
+      layout.pack(scene, chunk, sheet_kernels[chunk.sheet], packed);
+      points += fall_on_film(sheet_kernels[chunk.sheet], packed.groups.data(), packed.groups.size(),
                              slot_films[slot].data());
       const std::size_t finished = ++done;
       if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
@@ -157,6 +205,63 @@ struct BeamExposer::Workspace {
     if (film.turn_columns > 0)
       parallel_for(static_cast<std::size_t>(lines), threads,
                    [&](std::size_t l, int) { close_turn(film, out.rayleigh.data() + l * cells); });
+  }
+
+  /// Lets all beams fall on the slots' films and their derivatives on the shards' tangent films. Returns the
+  /// deflection points.
+  std::uint64_t fall_with_tangents(const Scene& scene, const std::vector<KernelScene>& kernels,
+                                   const Seeds& seeds, const PassParameters& parameters, int lines) {
+    const std::vector<Chunk>& chunks = layout.chunks();
+    const std::size_t shards = std::min<std::size_t>(kShards, std::max<std::size_t>(1, chunks.size()));
+    tangents.resize(shards);
+    std::atomic<std::uint64_t> points{0};
+    parallel_for(shards, threads, [&](std::size_t shard, int slot) {
+      if (tangents[shard] && tangents[shard]->lines() == lines)
+        tangents[shard]->clear();
+      else
+        tangents[shard] = std::make_unique<TangentFilm>(film.columns, film.rows, lines);
+      PackedChunk& packed = slot_chunks[slot];
+      for (std::size_t c = chunks.size() * shard / shards; c < chunks.size() * (shard + 1) / shards; ++c) {
+        const Chunk& chunk = chunks[c];
+        if (is_dark(chunk)) continue;
+        layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
+        points += fall_on_film_with_tangents(kernels[chunk.sheet], parameters.chain(chunk.sheet),
+                                             packed.groups.data(), packed.chains.data(), packed.groups.size(),
+                                             slot_films[slot].data(), *tangents[shard]);
+      }
+    });
+    return points;
+  }
+
+  /// Sums the shards' tangents of a pass whose parameters begin at `first`. The entries beyond its own
+  /// parameters are zero: the next pass overwrites them, and the last one fills the row to its end.
+  void collect_tangents(std::size_t first, bool is_last, const std::vector<float>& scale,
+                        Exposure& out) const {
+    const std::size_t cells = out.cells(), out_stride = static_cast<std::size_t>(out.free_stride);
+    const int lines = out.lines;
+    constexpr int kTile = TangentFilm::kTileColumns;
+    // Most tiles are lit by one share alone, or by two.
+    std::vector<std::vector<const float*>> lit((film.columns + kTile - 1) / kTile);
+    for (std::size_t tile = 0; tile < lit.size(); ++tile)
+      for (const auto& share : tangents)
+        if (share->tile_if_any(static_cast<int>(tile)) != nullptr)
+          lit[tile].push_back(share->tile_if_any(static_cast<int>(tile)));
+    parallel_for(static_cast<std::size_t>(film.rows), threads, [&](std::size_t row, int) {
+      for (int column = 0; column < film.columns; ++column) {
+        const std::vector<const float*>& tiles = lit[column / kTile];
+        const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
+        float* to = out.derivative.data() + ((row * film.columns + column) * out_stride + first);
+        for (int l = 0; l < lines; ++l, to += cells * out_stride) {
+          float sum[kTangentWidth] = {};
+          for (const float* tile : tiles) {
+            const float* cell = tile + in_tile + static_cast<std::size_t>(l) * kTangentWidth;
+            for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
+          }
+          for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
+          if (is_last) std::fill(to + kTangentWidth, to + (out_stride - first), 0.0f);
+        }
+      }
+    });
   }
 };
 
@@ -211,83 +316,14 @@ void BeamExposer::expose_with_derivatives(const Scene& scene, const std::vector<
   out.free_stride = static_cast<int>((end + kTangentWidth - 1) / kTangentWidth * kTangentWidth);
   const std::size_t cells = static_cast<std::size_t>(w.film.rows) * w.film.columns;
   out.derivative.resize(cells * lines * out.free_stride);
-
-  const std::size_t shards =
-      std::min<std::size_t>(kShards, std::max<std::size_t>(1, w.layout.chunks().size()));
   for (const DerivativePass& pass : passes) {
     const Seeds seeds(scene, free, pass.first, pass.count);
-    std::vector<int> of_energy(profiles.size(), -1);
-    std::vector<SharedChain> of_sheets(scene.sheets.size());
-    for (std::size_t s = 0; s < scene.sheets.size(); ++s) {
-      std::fill_n(of_sheets[s].parameter_of_local, local_inputs, -1);
-      of_sheets[s].parameter_of_energy = of_energy.data();
-      // The order is reversed so that the first entry counts for a number that is listed twice.
-      for (std::size_t i = pass.count; i-- > 0;) {
-        const ParameterId& id = free[pass.first + i];
-        const int k = local_input_of(scene, static_cast<int>(s), id);
-        if (k >= 0) of_sheets[s].parameter_of_local[k] = static_cast<int>(i);
-        if (id == parameter_with(ParameterRole::energy, static_cast<int>(s))) {
-          of_energy[s] = static_cast<int>(i);
-          const bool is_ladder = profiles_of_sheet(scene, static_cast<int>(s)).ladder.count > 0;
-          for (int age = 1; !is_ladder && age < w.layout.ages().count(static_cast<int>(s)); ++age)
-            of_energy[w.layout.ages().first_profile(scene, static_cast<int>(s), age)] = static_cast<int>(i);
-        }
-      }
-    }
-
+    const PassParameters parameters(scene, free, pass, w.layout, profiles.size());
     w.clear_slots(stride);
-    std::vector<std::unique_ptr<TangentFilm>>& tangents = w.tangents;
-    tangents.resize(shards);
-    std::atomic<std::uint64_t> points{0};
-    parallel_for(shards, w.threads, [&](std::size_t shard, int slot) {
-      if (tangents[shard] && tangents[shard]->lines() == lines)
-        tangents[shard]->clear();
-      else
-        tangents[shard] = std::make_unique<TangentFilm>(w.film.columns, w.film.rows, lines);
-      PackedChunk& packed = w.slot_chunks[slot];
-      for (std::size_t c = w.layout.chunks().size() * shard / shards;
-           c < w.layout.chunks().size() * (shard + 1) / shards; ++c) {
-        const Chunk& chunk = w.layout.chunks()[c];
-        if (w.is_dark(chunk)) continue;
-        w.layout.pack(scene, chunk, kernels[chunk.sheet], seeds, packed);
-        // The kernel's energy tangents are by log(E0).
-        points += fall_on_film_with_tangents(kernels[chunk.sheet], of_sheets[chunk.sheet],
-                                             packed.groups.data(), packed.chains.data(), packed.groups.size(),
-                                             w.slot_films[slot].data(), *tangents[shard]);
-      }
-    });
-    out.deflection_points = points;
+    out.deflection_points = w.fall_with_tangents(scene, kernels, seeds, parameters, lines);
     w.collect(lines, stride, out);
-
-    const float mean = 1.0f / static_cast<float>(w.layout.instants());
-    std::vector<float> scale(kTangentWidth, mean);
-    for (std::size_t s = 0; s < scene.sheets.size(); ++s)
-      if (of_energy[s] >= 0) scale[of_energy[s]] = mean / static_cast<float>(scene.sheets[s].energy_kev);
-    const std::size_t out_stride = static_cast<std::size_t>(out.free_stride);
-    constexpr int kTile = TangentFilm::kTileColumns;
-    // Most tiles are lit by one share alone, or by two.
-    std::vector<std::vector<const float*>> lit((w.film.columns + kTile - 1) / kTile);
-    for (std::size_t tile = 0; tile < lit.size(); ++tile)
-      for (const auto& share : tangents)
-        if (share->tile_if_any(static_cast<int>(tile)) != nullptr)
-          lit[tile].push_back(share->tile_if_any(static_cast<int>(tile)));
-    parallel_for(static_cast<std::size_t>(w.film.rows), w.threads, [&](std::size_t row, int) {
-      for (int column = 0; column < w.film.columns; ++column) {
-        const std::vector<const float*>& tiles = lit[column / kTile];
-        const std::size_t in_tile = (row * kTile + column % kTile) * lines * kTangentWidth;
-        // Entries beyond the pass's own parameters are zero, and the next pass overwrites them.
-        float* to = out.derivative.data() + ((row * w.film.columns + column) * out_stride + pass.first);
-        for (int l = 0; l < lines; ++l, to += cells * out_stride) {
-          float sum[kTangentWidth] = {};
-          for (const float* tile : tiles) {
-            const float* cell = tile + in_tile + static_cast<std::size_t>(l) * kTangentWidth;
-            for (int i = 0; i < kTangentWidth; ++i) sum[i] += cell[i];
-          }
-          for (int i = 0; i < kTangentWidth; ++i) to[i] = sum[i] * scale[i];
-          if (&pass == &passes.back()) std::fill(to + kTangentWidth, to + (out_stride - pass.first), 0.0f);
-        }
-      }
-    });
+    w.collect_tangents(pass.first, &pass == &passes.back(), parameters.scale(scene, w.layout.instants()),
+                       out);
   }
   w.add_volumes(scene, out, {}, nullptr, true);
   if (w.volumes && w.volumes_shine)
@@ -301,9 +337,10 @@ void BeamExposer::expose_profiles(const Scene& scene, int sheet, const std::vect
   std::vector<HeightProfile> profiles = w.layout.profiles(scene);
   const LightAges& ages = w.layout.ages();
   const int rungs = profiles_of_sheet(scene, sheet).count();
-  std::vector<int> of_sheet;  // its profiles: interval by interval of age the rungs
+  std::vector<int> own_profiles;  // its profiles: interval by interval of age the rungs
   for (int age = 0; age < ages.count(sheet); ++age)
-    for (int rung = 0; rung < rungs; ++rung) of_sheet.push_back(ages.first_profile(scene, sheet, age) + rung);
+    for (int rung = 0; rung < rungs; ++rung)
+      own_profiles.push_back(ages.first_profile(scene, sheet, age) + rung);
   const auto largest = [](const std::vector<float>& numbers) {
     float most = 0.0f;
     for (const float x : numbers) most = std::max(most, std::abs(x));
@@ -311,7 +348,7 @@ void BeamExposer::expose_profiles(const Scene& scene, int sheet, const std::vect
   };
   // The rates are scaled to the sheet's own light, so that the film's integer units are as fine for them.
   float usual = 0.0f;
-  for (const int own : of_sheet) usual = std::max(usual, largest(profiles[own].rate));
+  for (const int own : own_profiles) usual = std::max(usual, largest(profiles[own].rate));
   if (!(usual > 0.0f)) usual = 1.0f;
   out.geometry = w.film;
   out.lines = static_cast<int>(rates.size());
@@ -330,18 +367,18 @@ void BeamExposer::expose_profiles(const Scene& scene, int sheet, const std::vect
       const float most = largest(rates[first + l]);
       if (most > 0.0f) back[l] = most / usual;
     }
-    for (std::size_t part = 0; part < of_sheet.size(); ++part) {
-      HeightProfile& profile = profiles[of_sheet[part]];
+    for (std::size_t part = 0; part < own_profiles.size(); ++part) {
+      HeightProfile& profile = profiles[own_profiles[part]];
       profile.lines = lanes;
       profile.rate.assign(static_cast<std::size_t>(HeightProfile::kAltitudes) * stride, 0.0f);
       for (int l = 0; l < lanes; ++l) {
         const std::vector<float>& rate = rates[first + l];
-        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * of_sheet.size());
+        assert(rate.size() == static_cast<std::size_t>(HeightProfile::kAltitudes) * own_profiles.size());
         const float most = largest(rate);
         if (!(most > 0.0f)) continue;
-        const float* of_part = rate.data() + part * HeightProfile::kAltitudes;
+        const float* part_rate = rate.data() + part * HeightProfile::kAltitudes;
         for (int a = 0; a < HeightProfile::kAltitudes; ++a)
-          profile.rate[static_cast<std::size_t>(a) * stride + l] = of_part[a] * (usual / most);
+          profile.rate[static_cast<std::size_t>(a) * stride + l] = part_rate[a] * (usual / most);
       }
     }
     out.deflection_points += w.fall(scene, profiles, stride, sheet);
