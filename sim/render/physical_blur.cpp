@@ -112,90 +112,126 @@ FilmGeometry film_of_all(const std::vector<BlurLevel>& levels, double carried_px
   return all;
 }
 
+/// One metastable line, whose atoms move before they emit: the films of all levels of blur that its light
+/// falls on.
+class SlowLine {
+ public:
+  SlowLine(const Scene& scene, const EmissionLine& line, const BeamLayout& layout, int threads)
+      : line_scene_(with_lines(scene, {line.wavelength_nm})),
+        layout_(layout),
+        threads_(threads),
+        spread_(spread_profile(line, 1e3 * wind_km_s(scene))),
+        calm_(spread_profile(line, 0.0)),
+        levels_(level_ladder(scene.camera.width, scene.camera.height,
+                             widest_spread_px(scene, spread_, highest_km(scene)))),
+        slots_(threads) {
+    for (const BlurLevel& level : levels_) {
+      films_.push_back(level.film);
+      variances_px2_.push_back(static_cast<float>(level.variance_px2));
+      first_cell_.push_back(first_cell_.back() + level.cells());
+    }
+    moved_.lifetime_s = spread_.lifetime_s.data();
+    moved_.variance_km2 = spread_.variance_km2.data();
+    moved_.wind_enu_km_s[0] = 1e-3 * scene.blur.wind_m_s.east;
+    moved_.wind_enu_km_s[1] = 1e-3 * scene.blur.wind_m_s.north;
+    moved_.count = static_cast<int>(levels_.size());
+    moved_.films = films_.data();
+    moved_.variance_px2 = variances_px2_.data();
+    aged_ = moved_;
+    aged_.variance_km2 = calm_.variance_km2.data();
+    std::fill(aged_.wind_enu_km_s, aged_.wind_enu_km_s + 3, 0.0);
+    make_kernels(scene);
+  }
+  SlowLine(const SlowLine&) = delete;
+  SlowLine& operator=(const SlowLine&) = delete;
+
+  /// Lets the beams of one sheet, or of all (-1), fall on the levels. Returns the deflection points.
+  std::uint64_t fall(const std::function<void(double)>& progress, const std::atomic<bool>* stop,
+                     int only_sheet) {
+    std::atomic<std::uint64_t> points{0};
+    std::atomic<std::size_t> done{0};
+    parallel_for(layout_.chunks().size(), threads_, [&](std::size_t c, int s) {
+      if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
+      Slot& slot = slots_[s];
+      if (slot.cells.empty()) {
+        slot.cells.assign(first_cell_.back(), 0);
+        for (std::size_t l = 0; l < levels_.size(); ++l)
+          slot.films.push_back(slot.cells.data() + first_cell_[l]);
+      }
+      const Chunk& chunk = layout_.chunks()[c];
+      if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
+      layout_.pack(line_scene_, chunk, kernels_[chunk.sheet], slot.packed);
+      points += fall_on_levels(kernels_[chunk.sheet], layout_.ages().lags(chunk.sheet) ? aged_ : moved_,
+                               slot.packed.groups.data(), slot.packed.groups.size(), slot.films.data());
+      const std::size_t finished = ++done;
+      if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout_.chunks().size()));
+    });
+    return points;
+  }
+
+  /// Blurs the levels and adds them to a channel.
+  void add_to(Image& rayleigh, int channel) const {
+    const double rayleighs_per_unit = 1.0 / (kFilmUnitsPerRayleigh * layout_.instants());
+    for (std::size_t l = 0; l < levels_.size(); ++l) {
+      std::vector<float> cells(levels_[l].cells());
+      std::atomic<bool> lit{false};
+      parallel_for(static_cast<std::size_t>(levels_[l].film.rows), threads_, [&](std::size_t row, int) {
+        const std::size_t first = row * levels_[l].film.columns;
+        std::int64_t any = 0;
+        for (std::size_t i = first; i < first + levels_[l].film.columns; ++i) {
+          std::int64_t sum = 0;
+          for (const Slot& slot : slots_)
+            if (!slot.cells.empty()) sum += slot.films[l][i];
+          any |= sum;
+          cells[i] = static_cast<float>(static_cast<double>(sum) * rayleighs_per_unit);
+        }
+        if (any != 0) lit = true;
+      });
+      if (lit) add_level(levels_[l], cells, rayleigh, channel, threads_);
+    }
+  }
+
+ private:
+  /// What one thread adds up.
+  struct Slot {
+    std::vector<std::int64_t> cells;  ///< of all levels
+    std::vector<std::int64_t*> films;
+    PackedChunk packed;
+  };
+
+  void make_kernels(const Scene& scene) {
+    const double carried_px = std::min(diagonal_px(scene), largest_px(scene, highest_km(scene), [&](int a) {
+                                         return wind_km_s(scene) * spread_.lifetime_s[a];
+                                       }));
+    profiles_ = layout_.profiles(line_scene_);
+    const FilmGeometry seen = film_of_all(levels_, carried_px);
+    for (std::size_t s = 0; s < line_scene_.sheets.size(); ++s)
+      kernels_.push_back(kernel_scene(line_scene_, line_scene_.sheets[s],
+                                      layout_.path_step(static_cast<int>(s)), seen, profiles_));
+  }
+
+  Scene line_scene_;
+  const BeamLayout& layout_;
+  int threads_;
+  SpreadProfile spread_, calm_;  ///< with the wind, and without
+  std::vector<BlurLevel> levels_;
+  std::vector<FilmGeometry> films_;
+  std::vector<float> variances_px2_;
+  std::vector<std::size_t> first_cell_ = {0};  ///< of each level, in Slot::cells
+  KernelLevels moved_;
+  KernelLevels aged_;  ///< of light that has ages: the wind has carried it for as long, beam by beam
+  std::vector<HeightProfile> profiles_;
+  std::vector<KernelScene> kernels_;  ///< which point to the profiles
+  std::vector<Slot> slots_;
+};
+
 /// One metastable line into one channel.
 std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const BeamLayout& layout,
                             int threads, const std::function<void(double)>& progress,
                             const std::atomic<bool>* stop, Image& rayleigh, int channel, int only_sheet) {
-  const SpreadProfile spread = spread_profile(line, 1e3 * wind_km_s(scene));
-  const double top_km = highest_km(scene);
-  const std::vector<BlurLevel> levels =
-      level_ladder(scene.camera.width, scene.camera.height, widest_spread_px(scene, spread, top_km));
-  const double carried_px =
-      std::min(diagonal_px(scene),
-               largest_px(scene, top_km, [&](int a) { return wind_km_s(scene) * spread.lifetime_s[a]; }));
-  std::vector<FilmGeometry> films;
-  std::vector<float> variances_px2;
-  std::vector<std::size_t> first_cell = {0};
-  for (const BlurLevel& level : levels) {
-    films.push_back(level.film);
-    variances_px2.push_back(static_cast<float>(level.variance_px2));
-    first_cell.push_back(first_cell.back() + level.cells());
-  }
-  KernelLevels kernel_levels;
-  kernel_levels.lifetime_s = spread.lifetime_s.data();
-  kernel_levels.variance_km2 = spread.variance_km2.data();
-  kernel_levels.wind_enu_km_s[0] = 1e-3 * scene.blur.wind_m_s.east;
-  kernel_levels.wind_enu_km_s[1] = 1e-3 * scene.blur.wind_m_s.north;
-  kernel_levels.count = static_cast<int>(levels.size());
-  kernel_levels.films = films.data();
-  kernel_levels.variance_px2 = variances_px2.data();
-
-  const Scene of_line = with_lines(scene, {line.wavelength_nm});
-  // Light that has ages has been carried by the wind for as long, beam by beam.
-  const SpreadProfile calm = spread_profile(line, 0.0);
-  KernelLevels of_ages = kernel_levels;
-  of_ages.variance_km2 = calm.variance_km2.data();
-  std::fill(of_ages.wind_enu_km_s, of_ages.wind_enu_km_s + 3, 0.0);
-  const std::vector<HeightProfile> profiles = layout.profiles(of_line);
-  const FilmGeometry seen = film_of_all(levels, carried_px);
-  std::vector<KernelScene> kernels;
-  for (std::size_t s = 0; s < of_line.sheets.size(); ++s)
-    kernels.push_back(
-        kernel_scene(of_line, of_line.sheets[s], layout.path_step(static_cast<int>(s)), seen, profiles));
-
-  struct Slot {
-    std::vector<std::int64_t> cells;  // of all levels
-    std::vector<std::int64_t*> films;
-    PackedChunk packed;
-  };
-  std::vector<Slot> slots(threads);
-  std::atomic<std::uint64_t> points{0};
-  std::atomic<std::size_t> done{0};
-  parallel_for(layout.chunks().size(), threads, [&](std::size_t c, int s) {
-    if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
-    Slot& slot = slots[s];
-    if (slot.cells.empty()) {
-      slot.cells.assign(first_cell.back(), 0);
-      for (std::size_t l = 0; l < levels.size(); ++l) slot.films.push_back(slot.cells.data() + first_cell[l]);
-    }
-    const Chunk& chunk = layout.chunks()[c];
-    if (only_sheet >= 0 && chunk.sheet != only_sheet) return;
-    layout.pack(of_line, chunk, kernels[chunk.sheet], slot.packed);
-    points += fall_on_levels(kernels[chunk.sheet], layout.ages().lags(chunk.sheet) ? of_ages : kernel_levels,
-                             slot.packed.groups.data(), slot.packed.groups.size(), slot.films.data());
-    const std::size_t finished = ++done;
-    if (progress) progress(static_cast<double>(finished) / static_cast<double>(layout.chunks().size()));
-  });
-  if (stop != nullptr && stop->load()) return points;
-
-  const double rayleighs_per_unit = 1.0 / (kFilmUnitsPerRayleigh * layout.instants());
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    std::vector<float> cells(levels[l].cells());
-    std::atomic<bool> lit{false};
-    parallel_for(static_cast<std::size_t>(levels[l].film.rows), threads, [&](std::size_t row, int) {
-      const std::size_t first = row * levels[l].film.columns;
-      std::int64_t any = 0;
-      for (std::size_t i = first; i < first + levels[l].film.columns; ++i) {
-        std::int64_t sum = 0;
-        for (const Slot& slot : slots)
-          if (!slot.cells.empty()) sum += slot.films[l][i];
-        any |= sum;
-        cells[i] = static_cast<float>(static_cast<double>(sum) * rayleighs_per_unit);
-      }
-      if (any != 0) lit = true;
-    });
-    if (lit) add_level(levels[l], cells, rayleigh, channel, threads);
-  }
+  SlowLine slow(scene, line, layout, threads);
+  const std::uint64_t points = slow.fall(progress, stop, only_sheet);
+  if (stop == nullptr || !stop->load()) slow.add_to(rayleigh, channel);
   return points;
 }
 
@@ -245,8 +281,8 @@ std::uint64_t add_lines_physically(const Scene& scene, int threads,
   std::size_t pass = 0;
   std::function<void(double)> share;
   if (progress)
-    share = [&](double of_pass) {
-      progress((static_cast<double>(pass) + of_pass) / static_cast<double>(passes));
+    share = [&](double pass_share) {
+      progress((static_cast<double>(pass) + pass_share) / static_cast<double>(passes));
     };
   std::uint64_t points = 0;
   const BeamLayout layout(scene, 0.0);
