@@ -40,6 +40,8 @@ struct SegmentLight {
 
 namespace segment_detail {
 
+inline constexpr double kParallel = 1e-12;
+
 inline const GaussLegendre<3> kThree;
 inline const GaussLegendre<4> kFour;
 inline const GaussLegendre<7> kSeven;
@@ -54,6 +56,32 @@ T falloff_at(RadialFalloff falloff, const T& square) {
   return left * left;
 }
 
+/// Returns a joint's radius and its density, both after a thin strand is widened.
+template <class T>
+T widened_radius(const PlacedJoint<T>& at, double blur, T& density) {
+  const T least = at.distance * blur;
+  density = at.joint.along;
+  if (value_of(at.joint.radius) >= value_of(least)) return at.joint.radius;
+  const T ratio = at.joint.radius / least;
+  density = density * ratio * ratio;
+  return least;
+}
+
+/// Cuts the path from `low` to `high` at a plane, from which the ray is at + by s away, and keeps the part on
+/// the plane's side; false if there is none.
+template <class T>
+bool clip_at_plane(const T& at, const T& by, double side, T& low, T& high) {
+  const double rise = value_of(by) * side;
+  if (std::abs(rise) < kParallel) return side > 0.0 ? value_of(at) >= 0.0 : value_of(at) < 0.0;
+  const T cut = (T(0.0) - at) / by;
+  if (rise > 0.0) {
+    if (value_of(cut) > value_of(low)) low = cut;
+  } else if (value_of(cut) < value_of(high)) {
+    high = cut;
+  }
+  return true;
+}
+
 }  // namespace segment_detail
 
 /// Integrates from s = `first` to `last` along the ray. Returns false if the ray misses the segment.
@@ -61,20 +89,13 @@ template <class T>
 bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFalloff falloff, double blur,
                    const Vec3<T>& nearest, const Vec3<T>& direction, const T& first, const T& last,
                    SegmentLight<T>& out) {
-  constexpr double kParallel = 1e-12, kGrazing = 1e-12;
+  using namespace segment_detail;
+  constexpr double kGrazing = 1e-12;
   const Vec3<T> way = minus3(b.joint.place, a.joint.place);
   const T square = dot3(way, way);
   if (!(value_of(square) > 0.0)) return false;
-  const auto widened = [blur](const PlacedJoint<T>& at, T& density) {
-    const T least = at.distance * blur;
-    density = at.joint.along;
-    if (value_of(at.joint.radius) >= value_of(least)) return at.joint.radius;
-    const T ratio = at.joint.radius / least;
-    density = density * ratio * ratio;
-    return least;
-  };
   T density_a, density_b;
-  const T radius_a = widened(a, density_a), radius_b = widened(b, density_b);
+  const T radius_a = widened_radius(a, blur, density_a), radius_b = widened_radius(b, blur, density_b);
   const double most = std::max(value_of(radius_a), value_of(radius_b));
 
   // The ray's square distance from the axis is miss + slant (s - closest)².
@@ -96,18 +117,7 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
   const T at_a = dot3(from_a, a.joint.normal), by_a = dot3(direction, a.joint.normal),
           at_b = dot3(minus3(nearest, b.joint.place), b.joint.normal), by_b = dot3(direction, b.joint.normal);
   T low = first, high = last;
-  const auto keep = [&](const T& at, const T& by, double side) {
-    const double rise = value_of(by) * side;
-    if (std::abs(rise) < kParallel) return side > 0.0 ? value_of(at) >= 0.0 : value_of(at) < 0.0;
-    const T cut = (T(0.0) - at) / by;
-    if (rise > 0.0) {
-      if (value_of(cut) > value_of(low)) low = cut;
-    } else if (value_of(cut) < value_of(high)) {
-      high = cut;
-    }
-    return true;
-  };
-  if (!keep(at_a, by_a, 1.0) || !keep(at_b, by_b, -1.0)) return false;
+  if (!clip_at_plane(at_a, by_a, 1.0, low, high) || !clip_at_plane(at_b, by_b, -1.0, low, high)) return false;
   if (!(value_of(low) < value_of(high))) return false;
 
   // Distances along the axis times both of its products with the planes' normals: only their ratio counts.
@@ -139,7 +149,6 @@ bool segment_light(const PlacedJoint<T>& a, const PlacedJoint<T>& b, RadialFallo
     if (!within(radius, from, to)) return false;
   }
 
-  using namespace segment_detail;
   const T per_square = T(1.0) / (radius * radius);
   out.column = T(0.0);
   out.weighted_s = 0.0;
