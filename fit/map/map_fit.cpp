@@ -181,12 +181,12 @@ class CellReader {
       cells[c].flux_mw_m2 = static_cast<float>(flux[c]);
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      double sum = 0.0, of_energy = 0.0;
+      double sum = 0.0, ln_sum = 0.0;
       for (const auto& [cell, weight] : near_[c]) {
         sum += weight * flux[cell];
-        of_energy += weight * ln[cell];
+        ln_sum += weight * ln[cell];
       }
-      cells[c].ln_energy = sum > 0.0 ? static_cast<float>(of_energy / sum) : 0.0f;
+      cells[c].ln_energy = sum > 0.0 ? static_cast<float>(ln_sum / sum) : 0.0f;
     }
     return cells;
   }
@@ -256,6 +256,10 @@ class Mapping {
   MapSolution solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                     std::vector<float> start, double sparsity, int steps, const std::string& stage,
                     double from, double to, std::vector<float> cell_factor = {}) const;
+  /// Solves with one prior after the other, each time without some cells, and writes how well it predicts
+  /// them.
+  StepOutput try_priors(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
+                        const std::vector<float>& start) const;
   double choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                          const std::vector<float>& start, MapResult& result);
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapObservation>& pictures,
@@ -405,63 +409,99 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells,
   return map;
 }
 
+/// One prior's prediction of what was left out: the loss of each value, log(1 + r^2 / 2).
+struct PredictionLoss {
+  double sum = 0.0, squares = 0.0, values = 0.0;
+
+  void add(double residual) {
+    const double loss = std::log1p(0.5 * residual * residual);
+    sum += loss;
+    squares += loss * loss;
+    values += 1.0;
+  }
+  double mean() const { return sum / values; }
+  /// The standard error of the mean: a block's values are as good as one.
+  double error() const {
+    const double independent = values / (kBlock_cells * kBlock_cells);
+    return std::sqrt(std::max(0.0, squares / values - sum / values * (sum / values)) / independent);
+  }
+};
+
+/// Squares of a film's cells, one in ten by chance: 1 in each cell that is left out.
+std::vector<std::uint8_t> left_out_blocks(const MapObservation& picture, std::uint64_t seed,
+                                          std::uint32_t number) {
+  const sim::FilmGeometry& film = picture.film();
+  std::vector<std::uint8_t> out(picture.cells(), 0);
+  for (int row = 0; row < film.rows; ++row)
+    for (int column = 0; column < film.columns; ++column) {
+      const auto block_row = static_cast<std::uint32_t>(row / kBlock_cells);
+      const auto block = static_cast<std::uint32_t>(column / kBlock_cells);
+      const sim::Words words = sim::random_words(seed, sim::Stream::bootstrap, block, block_row, number);
+      if (words[0] % kBlockOneIn == 0) out[static_cast<std::size_t>(row) * film.columns + column] = 1;
+    }
+  return out;
+}
+
+/// How well a map that was made without some cells predicts them.
+PredictionLoss prediction_loss(std::vector<MapObservation>& pictures, const std::vector<float>& map,
+                               const std::vector<std::vector<std::uint8_t>>& left_out) {
+  PredictionLoss loss;
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    MapLight model, residual;
+    pictures[p].forward(map, model);
+    pictures[p].residual(model, residual);
+    for (std::size_t i = 0; i < model.size(); ++i) {
+      const double sigma = pictures[p].sigma()[i];
+      if (sigma == 0.0 || left_out[p][i / 3] == 0) continue;
+      loss.add((model[i] + pictures[p].sky()[i] - pictures[p].data()[i]) / sigma);
+    }
+  }
+  return loss;
+}
+
+/// Returns the strongest prior that is no worse than the best by more than a standard error (Breiman and
+/// others 1984, "Classification and Regression Trees", section 3.4.3).
+double strongest_good_prior(const std::vector<MapTrial>& trials) {
+  std::size_t best = 0;
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    if (trials[t].left_out < trials[best].left_out) best = t;
+  for (std::size_t t = 0; t < best; ++t)
+    if (trials[t].left_out <= trials[best].left_out + trials[best].error) return trials[t].sparsity;
+  return trials[best].sparsity;
+}
+
+StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
+                               const std::vector<float>& start) const {
+  std::vector<std::vector<std::uint8_t>> left_out;
+  for (std::size_t p = 0; p < pictures.size(); ++p)
+    left_out.push_back(left_out_blocks(pictures[p], scene_.seed, static_cast<std::uint32_t>(p)));
+  StepOutput trials;
+  const int count = static_cast<int>(std::size(kTrials));
+  double least = std::numeric_limits<double>::infinity();
+  int worse = 0;
+  for (int t = 0; t < count && worse < kWorseTrials && !stopped(); ++t) {
+    for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(left_out[p]);
+    const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
+                                share_.prior * std::min(1.0, t / kUsualTrials),
+                                share_.prior * std::min(1.0, (t + 1) / kUsualTrials));
+    const PredictionLoss loss = prediction_loss(pictures, s.map, left_out);
+    trials.numbers["sparsity"].push_back(kTrials[t]);
+    trials.numbers["left_out"].push_back(loss.mean());
+    trials.numbers["error"].push_back(loss.error());
+    worse = loss.mean() > least ? worse + 1 : 0;
+    least = std::min(least, loss.mean());
+  }
+  for (MapObservation& picture : pictures) {
+    picture.leave_out({});
+    picture.gain = {1.0, 1.0, 1.0};
+  }
+  trials.whole = !stopped();
+  return trials;
+}
+
 double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
                                 const std::vector<float>& start, MapResult& result) {
-  const auto try_all = [&] {
-    // Squares of the film's cells, one in ten by chance.
-    std::vector<std::vector<std::uint8_t>> out;
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-      const sim::FilmGeometry& film = pictures[p].film();
-      out.emplace_back(pictures[p].cells(), 0);
-      for (int row = 0; row < film.rows; ++row)
-        for (int column = 0; column < film.columns; ++column) {
-          const auto block_row = static_cast<std::uint32_t>(row / kBlock_cells);
-          const auto block = static_cast<std::uint32_t>(column / kBlock_cells);
-          const sim::Words words = sim::random_words(scene_.seed, sim::Stream::bootstrap, block, block_row,
-                                                     static_cast<std::uint32_t>(p));
-          if (words[0] % kBlockOneIn == 0) out[p][static_cast<std::size_t>(row) * film.columns + column] = 1;
-        }
-    }
-    StepOutput trials;
-    const int count = static_cast<int>(std::size(kTrials));
-    double least = std::numeric_limits<double>::infinity();
-    int worse = 0;
-    for (int t = 0; t < count && worse < kWorseTrials && !stopped(); ++t) {
-      for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(out[p]);
-      const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
-                                  share_.prior * std::min(1.0, t / kUsualTrials),
-                                  share_.prior * std::min(1.0, (t + 1) / kUsualTrials));
-      double sum = 0.0, squares = 0.0, n = 0.0;
-      for (std::size_t p = 0; p < pictures.size(); ++p) {
-        MapLight model, residual;
-        pictures[p].forward(s.map, model);
-        pictures[p].residual(model, residual);
-        for (std::size_t i = 0; i < model.size(); ++i) {
-          const double sigma = pictures[p].sigma()[i];
-          if (sigma == 0.0 || out[p][i / 3] == 0) continue;
-          const double r = (model[i] + pictures[p].sky()[i] - pictures[p].data()[i]) / sigma;
-          const double loss = std::log1p(0.5 * r * r);
-          sum += loss;
-          squares += loss * loss;
-          n += 1.0;
-        }
-      }
-      trials.numbers["sparsity"].push_back(kTrials[t]);
-      trials.numbers["left_out"].push_back(sum / n);
-      // A block's values are as good as one.
-      const double independent = n / (kBlock_cells * kBlock_cells);
-      trials.numbers["error"].push_back(
-          std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)) / independent));
-      worse = sum / n > least ? worse + 1 : 0;
-      least = std::min(least, sum / n);
-    }
-    for (MapObservation& picture : pictures) {
-      picture.leave_out({});
-      picture.gain = {1.0, 1.0, 1.0};
-    }
-    trials.whole = !stopped();
-    return trials;
-  };
+  const auto try_all = [&] { return try_priors(pictures, grid, start); };
   const StepOutput trials =
       options_.journal != nullptr ? options_.journal->step("prior", try_all) : try_all();
   if (trials.numbers.empty()) return kUsualSparsity;  // stopped before the first
@@ -469,17 +509,8 @@ double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim
   const std::vector<double>& left = trials.numbers_at("left_out", sparsity.size());
   const std::vector<double>& error = trials.numbers_at("error", sparsity.size());
   if (sparsity.empty()) throw trials.error_at("sparsity");
-  std::size_t best = 0;
-  for (std::size_t t = 0; t < left.size(); ++t) {
-    result.trials.push_back({sparsity[t], left[t], error[t]});
-    if (left[t] < left[best]) best = t;
-  }
-  // The strongest prior that is no worse than the best by more than a standard error (Breiman and others
-  // 1984, "Classification and Regression Trees", section 3.4.3).
-  for (std::size_t t = 0; t < best; ++t)
-    if (result.trials[t].left_out <= result.trials[best].left_out + result.trials[best].error)
-      return result.trials[t].sparsity;
-  return result.trials[best].sparsity;
+  for (std::size_t t = 0; t < left.size(); ++t) result.trials.push_back({sparsity[t], left[t], error[t]});
+  return strongest_good_prior(result.trials);
 }
 
 /// A film of independent normal numbers, drawn again for each replicate.
@@ -755,8 +786,9 @@ std::vector<CellError> cell_errors(const MapResult& result) {
       energy += std::pow(replicate[c].ln_energy - result.cells[c].ln_energy, 2);
     }
     const auto count = static_cast<double>(result.replicates.size());
-    const double flux_of = result.cells[c].flux_mw_m2;
-    errors[c].relative_flux = count > 0.0 && flux_of > 0.0 ? std::sqrt(flux / count) / flux_of : sim::kNaN;
+    const double cell_flux = result.cells[c].flux_mw_m2;
+    errors[c].relative_flux =
+        count > 0.0 && cell_flux > 0.0 ? std::sqrt(flux / count) / cell_flux : sim::kNaN;
     errors[c].ln_energy =
         count > 0.0 ? std::hypot(kEnergyInflation * std::sqrt(energy / count),
                                  static_cast<double>(result.cells[c].ln_energy) - result.ln_energy_around[c])

@@ -1,8 +1,11 @@
 #include "fit/map/map_observation.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -23,6 +26,110 @@ constexpr double kTownHeight_deg = 8.0;
 constexpr double kClipped =
     0.9;  // of the file's white: what is not usable above was clipped, or masked there
 constexpr double kSpread_px = 2.0;  // of what was clipped
+
+/// The light of a window of cells, and its variance about a surface.
+using LightAndVariance = std::pair<double, double>;
+
+/// The quadratic surface through the 7 x 7 cells about each: noise that a camera or JPEG has smoothed counts
+/// in full in what is left of it. It is a sum of orthogonal polynomials over the window: 1, x, y, x y,
+/// x^2 - m, y^2 - m.
+class QuadraticSurface {
+ public:
+  QuadraticSurface() {
+    for (int dy = -kReach; dy <= kReach; ++dy)
+      for (int dx = -kReach; dx <= kReach; ++dx)
+        for (int t = 0; t < kTerms; ++t) squares_[t] += std::pow(terms(dx, dy)[t], 2);
+  }
+
+  /// Returns every second window of a channel that is used throughout, by their light.
+  std::vector<LightAndVariance> windows(const sim::FilmGeometry& film, const MapLight& data,
+                                        const std::vector<std::uint8_t>& used, int channel) const {
+    std::vector<LightAndVariance> found;
+    for (int row = kReach; row + kReach < film.rows; row += 2)
+      for (int column = kReach; column + kReach < film.columns; column += 2) {
+        double sum_of_squares = 0.0;
+        std::array<double, kTerms> sums{};
+        bool whole = true;
+        for (int dy = -kReach; dy <= kReach && whole; ++dy)
+          for (int dx = -kReach; dx <= kReach; ++dx) {
+            const std::size_t i =
+                (static_cast<std::size_t>(row + dy) * film.columns + column + dx) * 3 + channel;
+            whole = whole && used[i] != 0;
+            const double v = data[i];
+            const std::array<double, kTerms> f = terms(dx, dy);
+            for (int t = 0; t < kTerms; ++t) sums[t] += v * f[t];
+            sum_of_squares += v * v;
+          }
+        if (!whole) continue;
+        double left = sum_of_squares;
+        for (int t = 0; t < kTerms; ++t) left -= sums[t] * sums[t] / squares_[t];
+        found.emplace_back(sums[0] / kWindow, std::max(0.0, left) / (kWindow - kTerms));
+      }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  static constexpr int kReach = 3, kSide = 2 * kReach + 1, kWindow = kSide * kSide, kTerms = 6;
+  static constexpr double kSquare = kReach * (kReach + 1) / 3.0;  // m, the mean of x^2
+
+  static std::array<double, kTerms> terms(int dx, int dy) {
+    return {1.0,
+            static_cast<double>(dx),
+            static_cast<double>(dy),
+            static_cast<double>(dx * dy),
+            dx * dx - kSquare,
+            dy * dy - kSquare};
+  }
+
+  std::array<double, kTerms> squares_{};  ///< sums of the terms' squares over the window
+};
+
+/// A variance that is linear in the light.
+struct NoiseByLight {
+  double floor = 0.0, slope = 0.0;
+};
+
+/// Returns the mean of the variances below twice their median: rays are no quadratic surfaces.
+double trimmed_mean(std::vector<double> variances) {
+  const double bound = 2.0 * sim::quantile(variances, 0.5);
+  double sum = 0.0;
+  int below = 0;
+  for (const double v : variances)
+    if (v <= bound) {
+      sum += v;
+      ++below;
+    }
+  return sum / std::max(1, below);
+}
+
+/// Fits the line through the variances of classes of light.
+NoiseByLight noise_by_light(const std::vector<LightAndVariance>& windows) {
+  constexpr int kClasses = 12;
+  double s0 = 0.0, s1 = 0.0, s2 = 0.0, t0 = 0.0, t1 = 0.0;
+  for (int k = 0; k < kClasses; ++k) {
+    const std::size_t first = windows.size() * k / kClasses, last = windows.size() * (k + 1) / kClasses;
+    if (last - first < 8) continue;
+    std::vector<double> variances;
+    double mean = 0.0;
+    for (std::size_t i = first; i < last; ++i) {
+      variances.push_back(windows[i].second);
+      mean += windows[i].first / (last - first);
+    }
+    const double variance = trimmed_mean(variances);
+    const double w = 1.0 / std::pow(variance + 1e-12, 2);
+    s0 += w;
+    s1 += w * mean;
+    s2 += w * mean * mean;
+    t0 += w * variance;
+    t1 += w * variance * mean;
+  }
+  const double det = s0 * s2 - s1 * s1;
+  NoiseByLight noise;
+  noise.slope = det > 0.0 ? std::max(0.0, (s0 * t1 - s1 * t0) / det) : 0.0;
+  noise.floor = s0 > 0.0 ? std::max((t0 - noise.slope * s1) / s0, 0.0) : 0.0;
+  return noise;
+}
 
 }  // namespace
 
@@ -78,12 +185,12 @@ void MapObservation::bin(const Photo& photo, const MapObservationOptions& option
       if (!sim::enu_of_cell(view, film_, row, column, enu) || enu[2] < lowest) continue;
       const std::size_t cell = static_cast<std::size_t>(row) * film_.columns + column;
       for (int c = 0; c < 3; ++c) {
-        double sum = 0.0, of_all = 0.0;
+        double sum = 0.0, whole_sum = 0.0;
         int count = 0;
         for (int y = y0; y < y0 + b; ++y)
           for (int x = x0; x < x0 + b; ++x) {
             const std::size_t i = photo.linear.index(x, y, c);
-            of_all += photo.linear.data[i];
+            whole_sum += photo.linear.data[i];
             if (photo.usable[i] == 0) {
               if (photo.linear.data[i] > kClipped) clipped[cell] = 1;
               continue;
@@ -91,7 +198,7 @@ void MapObservation::bin(const Photo& photo, const MapObservationOptions& option
             sum += photo.linear.data[i];
             ++count;
           }
-        data_[cell * 3 + c] = static_cast<float>(of_all / (b * b));  // to be looked at, if no more
+        data_[cell * 3 + c] = static_cast<float>(whole_sum / (b * b));  // it can be looked at, if no more
         if (2 * count < b * b || !has_channel(scene_, c)) continue;
         data_[cell * 3 + c] = static_cast<float>(sum / count);
         used[cell * 3 + c] = 1;
@@ -99,12 +206,13 @@ void MapObservation::bin(const Photo& photo, const MapObservationOptions& option
     }
   leave_out_beside(clipped, used);
   estimate_noise(photo, options, used);
-  // Light from as far outside as the blur reaches.
-  const int reach = blur_.empty() ? 0 : [&] {
-    int widest = 0;
-    for (const sim::PlaneBlur& blur : blur_) widest = std::max(widest, blur.down.radius());
-    return widest;
-  }();
+  want_light_around();
+}
+
+/// Marks the cells whose light must be computed: the blur brings it from as far outside as it reaches.
+void MapObservation::want_light_around() {
+  int reach = 0;
+  for (const sim::PlaneBlur& blur : blur_) reach = std::max(reach, blur.down.radius());
   wanted_.assign(cells(), 0);
   for (int row = 0; row < film_.rows; ++row)
     for (int column = 0; column < film_.columns; ++column) {
@@ -130,92 +238,24 @@ void MapObservation::leave_out_beside(const std::vector<std::uint8_t>& clipped,
     }
 }
 
-/// Standard deviations of the cells' means. The noise is what is left of a quadratic surface through the
-/// 7 x 7 cells about each, so that noise which a camera or JPEG has smoothed counts in full; in classes of
-/// light, the mean of each below twice its median, since rays are no quadratic surfaces; a variance that
-/// is linear in the light goes through them. What compression put upon a whole block is not seen so, and
-/// comes to it.
 void MapObservation::estimate_noise(const Photo& photo, const MapObservationOptions& options,
                                     const std::vector<std::uint8_t>& used) {
-  constexpr int kReach = 3;
-  constexpr int kSide = 2 * kReach + 1, kWindow = kSide * kSide;
-  constexpr int kClasses = 12;
   const double cell_pixels = film_.cell_width_px * film_.cell_height_px;
-  // Orthogonal polynomials over the window: 1, x, y, x y, x^2 - m, y^2 - m, with the sums of their squares.
-  constexpr int kTerms = 6;
-  constexpr double kSquare = kReach * (kReach + 1) / 3.0;  // m, the mean of x^2
-  const auto terms = [&](int dx, int dy) {
-    return std::array<double, kTerms>{1.0,
-                                      static_cast<double>(dx),
-                                      static_cast<double>(dy),
-                                      static_cast<double>(dx * dy),
-                                      dx * dx - kSquare,
-                                      dy * dy - kSquare};
-  };
-  std::array<double, kTerms> squares{};
-  for (int dy = -kReach; dy <= kReach; ++dy)
-    for (int dx = -kReach; dx <= kReach; ++dx)
-      for (int t = 0; t < kTerms; ++t) squares[t] += std::pow(terms(dx, dy)[t], 2);
+  const QuadraticSurface surface;
   for (int c = 0; c < 3; ++c) {
-    std::vector<std::pair<double, double>> found;  // light, variance about the surface
-    for (int row = kReach; row + kReach < film_.rows; row += 2)
-      for (int column = kReach; column + kReach < film_.columns; column += 2) {
-        double sum_of_squares = 0.0;
-        std::array<double, kTerms> sums{};
-        bool whole = true;
-        for (int dy = -kReach; dy <= kReach && whole; ++dy)
-          for (int dx = -kReach; dx <= kReach; ++dx) {
-            const std::size_t i = (static_cast<std::size_t>(row + dy) * film_.columns + column + dx) * 3 + c;
-            whole = whole && used[i] != 0;
-            const double v = data_[i];
-            const std::array<double, kTerms> f = terms(dx, dy);
-            for (int t = 0; t < kTerms; ++t) sums[t] += v * f[t];
-            sum_of_squares += v * v;
-          }
-        if (!whole) continue;
-        double left = sum_of_squares;
-        for (int t = 0; t < kTerms; ++t) left -= sums[t] * sums[t] / squares[t];
-        found.emplace_back(sums[0] / kWindow, std::max(0.0, left) / (kWindow - kTerms));
-      }
-    if (found.empty()) continue;
-    std::sort(found.begin(), found.end());
-    const double dark = found[found.size() / 20].first;
-    double s0 = 0.0, s1 = 0.0, s2 = 0.0, t0 = 0.0, t1 = 0.0;
-    for (int k = 0; k < kClasses; ++k) {
-      const std::size_t first = found.size() * k / kClasses, last = found.size() * (k + 1) / kClasses;
-      if (last - first < 8) continue;
-      std::vector<double> variances;
-      double mean = 0.0;
-      for (std::size_t i = first; i < last; ++i) {
-        variances.push_back(found[i].second);
-        mean += found[i].first / (last - first);
-      }
-      const double bound = 2.0 * sim::quantile(variances, 0.5);
-      double sum = 0.0;
-      int below = 0;
-      for (const double v : variances)
-        if (v <= bound) {
-          sum += v;
-          ++below;
-        }
-      const double variance = sum / std::max(1, below);
-      const double w = 1.0 / std::pow(variance + 1e-12, 2);
-      s0 += w;
-      s1 += w * mean;
-      s2 += w * mean * mean;
-      t0 += w * variance;
-      t1 += w * variance * mean;
-    }
-    const double det = s0 * s2 - s1 * s1;
-    const double slope = det > 0.0 ? std::max(0.0, (s0 * t1 - s1 * t0) / det) : 0.0;
-    const double floor = s0 > 0.0 ? std::max((t0 - slope * s1) / s0, 0.0) : 0.0;
+    const std::vector<LightAndVariance> windows = surface.windows(film_, data_, used, c);
+    if (windows.empty()) continue;
+    const double dark = windows[windows.size() / 20].first;
+    const NoiseByLight noise = noise_by_light(windows);
     for (std::size_t cell = 0; cell < cells(); ++cell) {
       const std::size_t i = cell * 3 + c;
       if (used[i] == 0) continue;
       const double above = std::max(0.0, data_[i] - dark);
       const double step = code_step(photo, data_[i]);
-      const double variance = std::max(floor + slope * data_[i], step * step / (12.0 * cell_pixels)) +
-                              std::pow(photo.block_error[c] * step, 2);
+      // What compression put upon a whole block is not seen in the windows, and comes to it.
+      const double variance =
+          std::max(noise.floor + noise.slope * data_[i], step * step / (12.0 * cell_pixels)) +
+          std::pow(photo.block_error[c] * step, 2);
       noise_[i] = static_cast<float>(std::sqrt(variance));
       sigma_[i] = static_cast<float>(std::sqrt(variance + std::pow(options.model_error * above, 2)));
     }

@@ -85,7 +85,9 @@ class MapObservation {
 
  private:
   void bin(const Photo& photo, const MapObservationOptions& options);
+  void want_light_around();
   void leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used);
+  /// Fills the standard deviations of the cells' means.
   void estimate_noise(const Photo& photo, const MapObservationOptions& options,
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
