@@ -85,6 +85,32 @@ int brightest_channel(const Profile& cells) {
   return best;
 }
 
+/// Returns how far each chromosphere is shifted in one realisation.
+std::vector<std::array<double, 3>> drawn_shifts(const sim::Scene& scene, std::uint32_t realisation) {
+  std::vector<std::array<double, 3>> shifts;
+  for (std::size_t c = 0; c < scene.chromospheres.size(); ++c) {
+    const sim::Words words =
+        sim::random_words(scene.seed, sim::Stream::search, realisation, static_cast<std::uint32_t>(c));
+    shifts.push_back({});
+    for (int i = 0; i < 3; ++i)
+      shifts.back()[i] = kFarShift * (words[static_cast<std::size_t>(i)] / 4294967296.0);
+  }
+  return shifts;
+}
+
+/// The variance of ln(power) over realisations, of which each band has kForScatter, in that of Gaussian
+/// light.
+double scatter_ratio(const std::vector<std::vector<double>>& ln_power, const PowerSpectrum& spectrum) {
+  double ratio = 0.0;
+  for (std::size_t b = 0; b < ln_power.size(); ++b) {
+    double sum = 0.0, square = 0.0;
+    for (const double x : ln_power[b]) sum += x;
+    for (const double x : ln_power[b]) square += std::pow(x - sum / kForScatter, 2);
+    ratio += square / (kForScatter - 1) / spectrum.relative_variance(b);
+  }
+  return ratio / static_cast<double>(ln_power.size());
+}
+
 }  // namespace
 
 GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo& photo, const Region& region,
@@ -118,16 +144,8 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
   spectrum_ = std::make_unique<PowerSpectrum>(grid->positions, grid->groups, std::move(window));
 
   for (const sim::Chromosphere& c : scene.chromospheres) start_scale_.push_back(c.scale);
-  for (std::size_t k = 0; k < kForScatter; ++k) {
-    drawn_.emplace_back();
-    for (std::size_t c = 0; c < scene.chromospheres.size(); ++c) {
-      const sim::Words words = sim::random_words(
-          scene.seed, sim::Stream::search, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(c));
-      drawn_.back().push_back({});
-      for (int i = 0; i < 3; ++i)
-        drawn_.back().back()[i] = kFarShift * (words[static_cast<std::size_t>(i)] / 4294967296.0);
-    }
-  }
+  for (std::size_t k = 0; k < kForScatter; ++k)
+    drawn_.push_back(drawn_shifts(scene, static_cast<std::uint32_t>(k)));
   model_ = std::make_unique<ProfileModel>(scene, photo, std::vector<std::shared_ptr<const BinGrid>>{grid},
                                           1.0, 0.0, threads);
 
@@ -145,14 +163,7 @@ GranulationStatistic::GranulationStatistic(const sim::Scene& scene, const Photo&
     const std::vector<double> power = spectrum_->of(model_cells).power;
     for (std::size_t b = 0; b < power.size(); ++b) ln_power[b].push_back(std::log(power[b] + noise));
   }
-  double ratio = 0.0;
-  for (std::size_t b = 0; b < ln_power.size(); ++b) {
-    double sum = 0.0, square = 0.0;
-    for (const double x : ln_power[b]) sum += x;
-    for (const double x : ln_power[b]) square += std::pow(x - sum / kForScatter, 2);
-    ratio += square / (kForScatter - 1) / spectrum_->relative_variance(b);
-  }
-  const double scatter = std::max(1.0, ratio / static_cast<double>(ln_power.size()));
+  const double scatter = std::max(1.0, scatter_ratio(ln_power, *spectrum_));
   for (std::size_t b = 0; b < spectrum_->bands(); ++b) {
     if (!(noise < kMaxNoise * seen.power[b])) continue;
     const double relative = scatter * spectrum_->relative_variance(b);
