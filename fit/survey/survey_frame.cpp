@@ -120,10 +120,10 @@ WorkAnswer fit_answer(const FrameFit& fit, const sim::Scene& scene, const Photo&
     const auto found = std::find_if(answer.quantities.begin(), answer.quantities.end(),
                                     [&](const SurveyQuantity& q) { return q.name == d.name; });
     SurveyQuantity quantity{0, d.name, d.unit, {}, {}, {}, {}};
-    SurveyQuantity& of = found != answer.quantities.end() ? *found : quantity;
-    of.trust = trust_name(d.trust);
+    SurveyQuantity& entry = found != answer.quantities.end() ? *found : quantity;
+    entry.trust = trust_name(d.trust);
     const std::string& reason = d.why_none.empty() ? d.trust_reason : d.why_none;
-    if (!reason.empty()) of.reason = reason;
+    if (!reason.empty()) entry.reason = reason;
     if (found == answer.quantities.end() && !d.why_none.empty()) answer.quantities.push_back(quantity);
   }
   return answer;
@@ -162,6 +162,27 @@ class FrameInHand {
 Photo masked(Photo photo, const std::string& mask) {
   if (!mask.empty()) apply_mask(photo, mask);
   return photo;
+}
+
+/// Measures or fits one frame, whose time and clock are those of `scene`; none if it was interrupted.
+std::optional<WorkAnswer> work_answer(SurveyWork work, const FrameTask& task, const SurveyEye& eye,
+                                      const sim::Scene& scene, const FitOptions& options,
+                                      FrameInHand& frame) {
+  if (work == SurveyWork::border) return border_answer(masked(frame.whole(), eye.mask), scene, eye.channel);
+  if (work == SurveyWork::profile) return profile_answer(masked(frame.whole(), eye.mask), scene, eye.channel);
+  if (work == SurveyWork::map) {
+    MapOptions map_options;
+    map_options.threads = options.threads;
+    map_options.replicates = kSurveyReplicates;
+    map_options.stop = options.stop;
+    return map_answer(masked(frame.whole(), eye.mask), scene, map_options);
+  }
+  const Photo photo = masked(frame.for_fit(), eye.mask);
+  const double clock_s = scene.time.start_s;
+  const SequenceRow before = task.before != nullptr ? row_of_answer(*task.before) : SequenceRow();
+  const FrameFit fit = fit_frame(scene, photo, clock_s, task.before != nullptr ? &before : nullptr, options);
+  if (fit.result.verdict == Verdict::interrupted) return std::nullopt;
+  return fit_answer(fit, scene, photo, clock_s);
 }
 
 void give_up(FrameAnswer& answer, FrameStatus status, const std::string& reason) {
@@ -218,8 +239,7 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
   if (answer.status != FrameStatus::done) return answer;
   sim::Scene scene = eye->scene;
   // The clock of the scene begins with the block: what drifts goes on from frame to frame.
-  const double clock_s = scene.time.start_s + planned.time_s - block.frames.front().time_s;
-  scene.time.start_s = clock_s;
+  scene.time.start_s = scene.time.start_s + planned.time_s - block.frames.front().time_s;
   scene.site.time_utc = sim::utc_text(planned.time_s);
   FrameInHand frame(picture, *eye, scene);
   const bool only_fits = std::all_of(plan.work.begin(), plan.work.end(),
@@ -238,26 +258,10 @@ std::optional<FrameAnswer> survey_frame(const FrameTask& task, const SurveyEye* 
         if (has_arc(found.scores)) continue;
         give_up(answer, FrameStatus::filtered, "no arc: " + found.sky);
         break;
-      } else if (work == SurveyWork::border) {
-        answer.works.push_back(border_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
-      } else if (work == SurveyWork::profile) {
-        answer.works.push_back(profile_answer(masked(frame.whole(), eye->mask), scene, eye->channel));
-      } else if (work == SurveyWork::map) {
-        MapOptions of_map;
-        of_map.threads = options.threads;
-        of_map.replicates = kSurveyReplicates;
-        of_map.stop = options.stop;
-        std::optional<WorkAnswer> map = map_answer(masked(frame.whole(), eye->mask), scene, of_map);
-        if (!map) return std::nullopt;
-        answer.works.push_back(std::move(*map));
-      } else {
-        const Photo photo = masked(frame.for_fit(), eye->mask);
-        const SequenceRow before = task.before != nullptr ? row_of_answer(*task.before) : SequenceRow();
-        const FrameFit fit =
-            fit_frame(scene, photo, clock_s, task.before != nullptr ? &before : nullptr, options);
-        if (fit.result.verdict == Verdict::interrupted) return std::nullopt;
-        answer.works.push_back(fit_answer(fit, scene, photo, clock_s));
       }
+      std::optional<WorkAnswer> done = work_answer(work, task, *eye, scene, options, frame);
+      if (!done) return std::nullopt;
+      answer.works.push_back(std::move(*done));
     } catch (const sim::Error& error) {
       answer.works.push_back(refused_work(work, error));
     }
