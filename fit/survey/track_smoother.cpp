@@ -58,14 +58,14 @@ Innovation innovation_of(const TrackEstimate& estimate, const TrackPoint& point)
   return {point.value - estimate.state[0], estimate.covariance(0, 0) + point.sigma * point.sigma};
 }
 
-/// Returns the estimate with the number taken in.
+/// Returns the estimate updated with a number.
 TrackEstimate updated(const TrackEstimate& estimate, const Innovation& innovation) {
   const TrackState gain = estimate.covariance.col(0) / innovation.variance;
-  TrackEstimate after;
-  after.state = estimate.state + gain * innovation.difference;
-  after.covariance = estimate.covariance - gain * estimate.covariance.row(0);
-  after.covariance = 0.5 * (after.covariance + after.covariance.transpose()).eval();
-  return after;
+  TrackEstimate filtered;
+  filtered.state = estimate.state + gain * innovation.difference;
+  filtered.covariance = estimate.covariance - gain * estimate.covariance.row(0);
+  filtered.covariance = 0.5 * (filtered.covariance + filtered.covariance.transpose()).eval();
+  return filtered;
 }
 
 bool measures_position(const TrackPoint& point) {
@@ -243,7 +243,7 @@ class TrackSegmenter {
   TrackSegmenter(const std::vector<TrackPoint>& points, const Indices& measured, double q, double limit)
       : points_(points), measured_(measured), q_(q), limit_(limit) {}
 
-  Segmentation sort() {
+  Segmentation segment() {
     std::size_t next = begin_piece(0);
     while (next < measured_.size()) next = take(next);
     leave_out_held();
@@ -349,15 +349,15 @@ struct BackwardStep {
     transition = transition_over(-time_s);
     noise = transition * process_noise_over(time_s, q) * transition.transpose();
   }
-  /// Takes in a number that measures `row` times the state.
-  void take(const Eigen::RowVector2d& row, double value, double variance) {
+  /// Updates the step with a number that measures `row` times the state.
+  void update(const Eigen::RowVector2d& row, double value, double variance) {
     const TrackState gain = noise * row.transpose() / (row * noise * row.transpose() + variance);
     const TrackCovariance left = TrackCovariance::Identity() - gain * row;
     offset = left * offset + gain * value;
     transition = left * transition;
     noise = left * noise;
   }
-  TrackEstimate of(const TrackEstimate& later) const {
+  TrackEstimate estimate_before(const TrackEstimate& later) const {
     return {transition * later.state + offset,
             transition * later.covariance * transition.transpose() + noise};
   }
@@ -370,30 +370,31 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
                   std::vector<char>& is_known) {
   if (piece.size() < 2) return;
   const std::size_t second = piece[1];
-  std::vector<TrackEstimate> before(last - second + 1),
-      after(last - second + 1);  // of each point from the second on
-  after[0] = first_estimate(points[piece[0]], points[second], q);
+  // The estimates of the forward pass at each point from the second on: without its own number, and with it.
+  std::vector<TrackEstimate> prediction(last - second + 1), filtered(last - second + 1);
+  filtered[0] = first_estimate(points[piece[0]], points[second], q);
   std::size_t next = 2;
   for (std::size_t i = second + 1; i <= last; ++i) {
     const std::size_t k = i - second;
-    before[k] = predicted(after[k - 1], points[i].time_s - points[i - 1].time_s, q);
-    after[k] = before[k];
+    prediction[k] = predicted(filtered[k - 1], points[i].time_s - points[i - 1].time_s, q);
+    filtered[k] = prediction[k];
     if (next < piece.size() && piece[next] == i) {
-      after[k] = updated(before[k], innovation_of(before[k], points[i]));
+      filtered[k] = updated(prediction[k], innovation_of(prediction[k], points[i]));
       ++next;
     }
   }
-  smoothed[last] = after[last - second];
+  // The backward pass.
+  smoothed[last] = filtered[last - second];
   is_known[last] = 1;
   for (std::size_t i = last; i-- > second;) {
     const std::size_t k = i - second;
     const TrackCovariance transition = transition_over(points[i + 1].time_s - points[i].time_s);
     const TrackCovariance gain =
-        before[k + 1].covariance.ldlt().solve(transition * after[k].covariance).transpose();
-    smoothed[i].state = after[k].state + gain * (smoothed[i + 1].state - before[k + 1].state);
+        prediction[k + 1].covariance.ldlt().solve(transition * filtered[k].covariance).transpose();
+    smoothed[i].state = filtered[k].state + gain * (smoothed[i + 1].state - prediction[k + 1].state);
     smoothed[i].covariance =
-        after[k].covariance +
-        gain * (smoothed[i + 1].covariance - before[k + 1].covariance) * gain.transpose();
+        filtered[k].covariance +
+        gain * (smoothed[i + 1].covariance - prediction[k + 1].covariance) * gain.transpose();
     is_known[i] = 1;
   }
   // Before the second number the filter has no state: from there on backwards.
@@ -402,9 +403,9 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
     BackwardStep back(points[i + 1].time_s - points[i].time_s, q);
     if (i >= piece[0]) {
       const double since = points[i].time_s - begin.time_s;
-      back.take({1.0, -since}, begin.value, begin.sigma * begin.sigma + q * since * since * since / 3.0);
+      back.update({1.0, -since}, begin.value, begin.sigma * begin.sigma + q * since * since * since / 3.0);
     }
-    smoothed[i] = back.of(smoothed[i + 1]);
+    smoothed[i] = back.estimate_before(smoothed[i + 1]);
     is_known[i] = 1;
   }
 }
@@ -454,11 +455,11 @@ std::vector<PieceReach> reaches_of(const Pieces& pieces, std::size_t points) {
 /// Returns the segmentation with the largest likelihood, over all q.
 Segmentation best_segmentation(const std::vector<TrackPoint>& points, const Indices& measured, double limit) {
   const NoiseLimits limits = noise_limits(points, {measured});
-  if (!limits.any) return TrackSegmenter(points, measured, 0.0, limit).sort();
+  if (!limits.any) return TrackSegmenter(points, measured, 0.0, limit).segment();
   Segmentation best;
   best.deviance = std::numeric_limits<double>::infinity();
   for (const double node : noise_nodes(limits)) {
-    Segmentation segmentation = TrackSegmenter(points, measured, std::exp(node), limit).sort();
+    Segmentation segmentation = TrackSegmenter(points, measured, std::exp(node), limit).segment();
     if (segmentation.deviance < best.deviance) best = std::move(segmentation);
   }
   return best;
@@ -502,6 +503,55 @@ SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const 
   return sum;
 }
 
+/// Takes numbers out of the pieces that do not lie between all others, until there are none.
+void leave_out_jumps(const std::vector<TrackPoint>& points, double q, double limit,
+                     Segmentation& segmentation) {
+  constexpr int kMaxRounds = 50;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const SmoothedStates now = smoothed_states(points, segmentation.pieces, q);
+    bool any = false;
+    for (Indices& piece : segmentation.pieces) {
+      if (piece.size() < 4) continue;
+      const auto jumps = jumps_between(points, piece, now.states, limit);
+      // From behind, so that the places before stay; three at least are left to agree.
+      for (auto jump = jumps.rbegin(); jump != jumps.rend() && piece.size() > 3; ++jump) {
+        segmentation.outliers.emplace_back(piece[jump->first], jump->second);
+        piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(jump->first));
+        any = true;
+      }
+    }
+    if (!any) break;
+  }
+}
+
+void put_states(const SmoothedStates& all, SmoothedTrack& track) {
+  for (std::size_t i = 0; i < track.points.size(); ++i) {
+    if (all.is_known[i] == 0) continue;
+    SmoothedPoint& to = track.points[i];
+    const TrackEstimate& estimate = all.states[i];
+    to.position = estimate.state[0];
+    to.velocity = estimate.state[1];
+    to.position_sigma = std::sqrt(std::max(0.0, estimate.covariance(0, 0)));
+    to.velocity_sigma = std::sqrt(std::max(0.0, estimate.covariance(1, 1)));
+  }
+}
+
+/// Flags outliers and breaks. An outlier's chi2 is by the track as it is in the end, which has no part of it.
+void put_flags(const std::vector<TrackPoint>& points, const Segmentation& segmentation,
+               const SmoothedStates& all, SmoothedTrack& track) {
+  for (const auto& [i, chi2] : segmentation.breaks) {
+    track.points[i].flag = TrackFlag::broken;
+    track.points[i].chi2 = chi2;
+  }
+  for (const auto& [i, chi2] : segmentation.outliers) {
+    SmoothedPoint& to = track.points[i];
+    to.flag = TrackFlag::outlier;
+    const double difference = points[i].value - to.position;
+    const double variance = points[i].sigma * points[i].sigma + to.position_sigma * to.position_sigma;
+    to.chi2 = all.is_known[i] != 0 ? difference * difference / variance : chi2;
+  }
+}
+
 }  // namespace
 
 const char* track_flag_name(TrackFlag flag) {
@@ -527,48 +577,13 @@ SmoothedTrack smooth_track(const std::vector<TrackPoint>& points, double false_a
     return track;
   }
   Segmentation segmentation = best_segmentation(points, measured, limit);
-  double q = best_noise(points, segmentation.pieces);
-  constexpr int kMaxRounds = 50;
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const SmoothedStates now = smoothed_states(points, segmentation.pieces, q);
-    bool any = false;
-    for (Indices& piece : segmentation.pieces) {
-      if (piece.size() < 4) continue;
-      const auto jumps = jumps_between(points, piece, now.states, limit);
-      // From behind, so that the places before stay; three at least are left to agree.
-      for (auto jump = jumps.rbegin(); jump != jumps.rend() && piece.size() > 3; ++jump) {
-        segmentation.outliers.emplace_back(piece[jump->first], jump->second);
-        piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(jump->first));
-        any = true;
-      }
-    }
-    if (!any) break;
-  }
-  q = best_noise(points, segmentation.pieces);
+  leave_out_jumps(points, best_noise(points, segmentation.pieces), limit, segmentation);
+  const double q = best_noise(points, segmentation.pieces);
   SmoothedStates all = states_of_all_noise(points, segmentation.pieces);
   // Nothing says how a track of two bends, nor whether one of them jumps.
   if (!noise_limits(points, segmentation.pieces).any) std::fill(all.is_known.begin(), all.is_known.end(), 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (all.is_known[i] == 0) continue;
-    SmoothedPoint& to = track.points[i];
-    const TrackEstimate& estimate = all.states[i];
-    to.position = estimate.state[0];
-    to.velocity = estimate.state[1];
-    to.position_sigma = std::sqrt(std::max(0.0, estimate.covariance(0, 0)));
-    to.velocity_sigma = std::sqrt(std::max(0.0, estimate.covariance(1, 1)));
-  }
-  for (const auto& [i, chi2] : segmentation.breaks) {
-    track.points[i].flag = TrackFlag::broken;
-    track.points[i].chi2 = chi2;
-  }
-  for (const auto& [i, chi2] : segmentation.outliers) {
-    SmoothedPoint& to = track.points[i];
-    to.flag = TrackFlag::outlier;
-    // By the track as it is in the end, which has no part of it.
-    const double difference = points[i].value - to.position;
-    const double variance = points[i].sigma * points[i].sigma + to.position_sigma * to.position_sigma;
-    to.chi2 = all.is_known[i] != 0 ? difference * difference / variance : chi2;
-  }
+  put_states(all, track);
+  put_flags(points, segmentation, all, track);
   track.process_noise = q;
   track.outliers = static_cast<int>(segmentation.outliers.size());
   track.breaks = static_cast<int>(segmentation.breaks.size());
