@@ -192,8 +192,8 @@ bool wants_report(const SequenceRequest& options, fit::Verdict verdict) {
   return options.reports == "all" || (options.reports == "doubtful" && verdict != fit::Verdict::good);
 }
 
-int run_sequence(const SequenceRequest& options, const std::string& command) {
-  const sim::Scene scene = scene_of(options.scene);
+/// Refuses a scene of several photographs at once.
+void check_sequence(const sim::Scene& scene) {
   if (!scene.fit.photos.empty())
     throw with_place(sim::Error(sim::ErrorKind::scene, "a sequence fits one photograph after another")
                          .file(scene.file)
@@ -201,27 +201,67 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
                          .expected("a scene without [[fit.photo]]")
                          .hint("vegard fit fits them all at once"),
                      scene);
-  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
-  const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);
+}
+
+void check_decoding_of_sequence(const SequenceRequest& options, const sim::Scene& scene) {
   if (decoding_of(options.decoding, scene.fit.decoding, &scene).kind == fit::Decoding::Kind::unknown)
     throw usage_error(
         "--decoding", "a sequence is of one camera, and so of one transfer curve", "one that is known",
         "fit one frame by itself with --decoding unknown, and give all the curve that it finds");
-  check_memory_of_fit(scene, options.threads, options.memory_limit);
-  const auto read_frame = [&](const std::string& file) {
-    fit::Photo photo = fit::read_photo(file, decoding_of(options.decoding, scene.fit.decoding, &scene),
-                                       &scene, fit::averaging_for_fit(scene));
-    if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
-    return photo;
-  };
-  for (const SequencePhoto& photo : photos) read_frame(photo.file);  // now, not after hours
+}
+
+/// The files that the sequence reads, which its folder must not replace.
+std::vector<NamedInput> inputs_of_sequence(const SequenceRequest& options, const sim::Scene& scene,
+                                           const std::vector<SequencePhoto>& photos) {
   std::vector<NamedInput> inputs = inputs_of_scene(options.scene, scene);
   for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "the photograph"});
   for (const std::string& word : options.photos) inputs.push_back({word, "the list of photographs"});
   inputs.push_back({options.mask, "the mask"});
   if (!options.decoding.empty())
     inputs.push_back({sim::decoding_word(options.decoding).file, "the transfer curve"});
-  protect_inputs_inside("--out", options.out, inputs);
+  return inputs;
+}
+
+fit::Photo read_frame(const SequenceRequest& options, const sim::Scene& scene, const std::string& file) {
+  fit::Photo photo = fit::read_photo(file, decoding_of(options.decoding, scene.fit.decoding, &scene), &scene,
+                                     fit::averaging_for_fit(scene));
+  if (!options.mask.empty()) fit::apply_mask(photo, options.mask);
+  return photo;
+}
+
+/// Writes the run of a frame where it is wanted. An older one is removed, with its row.
+void write_frame_run(const SequenceRequest& options, const Folder& folder, const std::string& frame,
+                     const fit::FitResult& result, const fit::Photo& photo) {
+  std::error_code ignored;
+  fs::remove(folder.row(frame), ignored);
+  if (!wants_report(options, result.verdict)) {
+    folder.drop_run(frame);
+    return;
+  }
+  fit::RunContext context;
+  context.threads = options.threads;
+  context.netcdf = options.netcdf;
+  fit::write_run(folder.run(frame), true, result, photo, context);
+}
+
+/// Says where the table is, and answers with all rows.
+void tell_sequence(const Folder& folder, const std::vector<fit::SequenceRow>& rows) {
+  json_answer() = {{"outputs", json_names({folder.file("sequence.csv"), folder.file("sequence.svg")})},
+                   {"frames", Json::array()}};
+  for (const fit::SequenceRow& row : rows)
+    json_answer()["frames"].push_back(Json::parse(fit::sequence_row_json(row)));
+  say("%s\n", folder.file("sequence.csv").c_str());
+}
+
+int run_sequence(const SequenceRequest& options, const std::string& command) {
+  const sim::Scene scene = scene_of(options.scene);
+  check_sequence(scene);
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
+  const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);
+  check_decoding_of_sequence(options, scene);
+  check_memory_of_fit(scene, options.threads, options.memory_limit);
+  for (const SequencePhoto& photo : photos) read_frame(options, scene, photo.file);  // now, not after hours
+  protect_inputs_inside("--out", options.out, inputs_of_sequence(options, scene, photos));
   const Folder folder(options.out);
   folder.begin(manifest(options, scene), options.overwrite, photos);
 
@@ -232,7 +272,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
   std::vector<fit::SequenceRow> rows;
   bool chain_is_old = true;  // a frame depends on the one before it
   for (const SequencePhoto& frame : photos) {
-    const fit::Photo photo = read_frame(frame.file);
+    const fit::Photo photo = read_frame(options, scene, frame.file);
     if (chain_is_old)
       if (const auto row = folder.done(frame, photo)) {
         rows.push_back(*row);
@@ -249,27 +289,14 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     }
     fitted.result.inputs = fit::inputs_of(options.scene.file, scene_sha256, {photo});
     fitted.result.command = command;
-    std::error_code ignored;
-    fs::remove(folder.row(frame.name), ignored);
-    if (wants_report(options, fitted.result.verdict)) {
-      fit::RunContext context;
-      context.threads = options.threads;
-      context.netcdf = options.netcdf;
-      fit::write_run(folder.run(frame.name), true, fitted.result, photo, context);
-    } else {
-      folder.drop_run(frame.name);
-    }
+    write_frame_run(options, folder, frame.name, fitted.result, photo);
     rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
     sim::write_whole(folder.row(frame.name), fit::sequence_row_json(rows.back()));
     write_tables(folder, rows, options.netcdf);
     tell_row(rows.back(), false);
   }
   write_tables(folder, rows, options.netcdf);
-  json_answer() = {{"outputs", json_names({folder.file("sequence.csv"), folder.file("sequence.svg")})},
-                   {"frames", Json::array()}};
-  for (const fit::SequenceRow& row : rows)
-    json_answer()["frames"].push_back(Json::parse(fit::sequence_row_json(row)));
-  say("%s\n", folder.file("sequence.csv").c_str());
+  tell_sequence(folder, rows);
   return exit_code_of(rows);
 }
 
