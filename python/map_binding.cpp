@@ -3,8 +3,8 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_raster.h"
 #include "fit/map/map_verdicts.h"
+#include "fit/map/rasterised_map.h"
 #include "fit/report/map_run.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -16,7 +16,7 @@ namespace {
 
 struct Map {
   std::shared_ptr<const fit::MapResult> result;
-  std::shared_ptr<const fit::MapImage> image;
+  std::shared_ptr<const fit::RasterisedMap> image;
   std::shared_ptr<const std::vector<fit::Curtain>> curtains;
   std::shared_ptr<const fit::MapRunFacts> facts;
 };
@@ -52,7 +52,7 @@ Map map_scene(const SceneHandle& self, const py::object& photo, int threads, int
     for (std::size_t i = 0; i < photos.size(); ++i)
       facts->decodings.emplace_back(result->photos[i].name, photos[i].decoding);
     facts->faint = fit::find_faint_curtains(*result);
-    return Map{result, std::make_shared<const fit::MapImage>(fit::map_image(*result)),
+    return Map{result, std::make_shared<const fit::RasterisedMap>(fit::rasterised_map(*result)),
                std::make_shared<const std::vector<fit::Curtain>>(fit::find_curtains(*result)), facts};
   });
 }

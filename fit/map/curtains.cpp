@@ -25,12 +25,12 @@ constexpr double kLookAside_km = 12.0;
 constexpr double kSides_km = 6.0;  // of a ridge that must be in view, or as much as its cell is deep
 
 struct RidgeField {
-  MapRaster raster;
+  RasterGrid raster;
   std::vector<double> smooth;
   std::vector<std::uint8_t> is_ridge;
   std::vector<double> along_x, along_y, at_x, at_y;  ///< direction along the ridge; its place in pixels
 
-  explicit RidgeField(const MapRaster& r, std::vector<double> s)
+  explicit RidgeField(const RasterGrid& r, std::vector<double> s)
       : raster(r),
         smooth(std::move(s)),
         is_ridge(r.size(), 0),
@@ -78,7 +78,7 @@ struct RidgeField {
 };
 
 /// Where a raster's values are between its pixels.
-double value_at(const MapRaster& raster, const std::vector<double>& values, sim::EastNorth km) {
+double value_at(const RasterGrid& raster, const std::vector<double>& values, sim::EastNorth km) {
   const double x = (km.east - raster.west_km) / raster.step_km,
                y = (km.north - raster.south_km) / raster.step_km;
   const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
@@ -187,7 +187,7 @@ struct Section {
 };
 
 /// Mean of three sections, over the way from one of the curtain's points to the next.
-Section section(const MapRaster& raster, const std::vector<double>& smooth, const RasterFlux& flux,
+Section section(const RasterGrid& raster, const std::vector<double>& smooth, const RasterFlux& flux,
                 sim::EastNorth at, sim::EastNorth across) {
   const auto moved = [&](double t, double along = 0.0) {
     return sim::EastNorth{at.east + t * across.east + along * across.north,
@@ -448,7 +448,7 @@ class CurtainFinder {
   }
 
   const MapResult& result_;
-  const MapRaster raster_;
+  const RasterGrid raster_;
   const SmoothedFlux best_;
   const std::vector<double> in_view_;
   std::vector<SmoothedFlux> replicates_;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fit/map/map_fit.h"
-#include "fit/map/map_raster.h"
+#include "fit/map/raster_grid.h"
 
 namespace vegard::fit {
 

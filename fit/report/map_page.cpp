@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "fit/map/map_raster.h"
+#include "fit/map/raster_grid.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/report_style.h"
 #include "sim/base/file/number_text.h"
@@ -136,7 +136,7 @@ double round_grid_step(double range) {
 }
 
 /// Lines of latitude and longitude over a map, dashed.
-void add_geographic_grid(const MapResult& result, const MapRaster& raster, Panel& panel) {
+void add_geographic_grid(const MapResult& result, const RasterGrid& raster, Panel& panel) {
   double south = 90.0, north = -90.0, west = 1e9, east = -1e9;
   for (const double x : {0.0, 0.5, 1.0})
     for (const double y : {0.0, 0.5, 1.0}) {
@@ -181,7 +181,7 @@ std::string range_words(double low, double high, const char* unit) {
 }
 
 std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) {
-  const MapRaster raster = raster_over(result);
+  const RasterGrid raster = raster_over(result);
   const RasterFlux flux = raster_flux(result, raster, result.cells);
   const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
   double most = 0.0;

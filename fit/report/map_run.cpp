@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "fit/map/map_raster.h"
 #include "fit/map/map_record.h"
+#include "fit/map/rasterised_map.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
@@ -64,8 +64,8 @@ sim::KnownFolder look_at_map(const std::string& directory) {
 sim::DirectoryKind map_kind() { return {"a map", look_at_map, {kMapJson}}; }
 
 std::string precipitation_fits(const MapResult& result) {
-  const MapImage map = map_image(result);
-  const MapRaster& raster = map.raster;
+  const RasterisedMap map = rasterised_map(result);
+  const RasterGrid& raster = map.raster;
   std::vector<sim::FitsKeyword> keywords = {
       {"CTYPE1", "EAST", "feet in the site's tangent plane"},
       {"CUNIT1", "km", ""},

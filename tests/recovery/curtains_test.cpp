@@ -12,7 +12,7 @@
 #include "fit/fit.h"
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_raster.h"
+#include "fit/map/raster_grid.h"
 #include "fit/report/table/curve_steps_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_curve.h"
@@ -59,12 +59,12 @@ double quantile(std::vector<double> values, double share) {
 struct CurveLight {
   std::vector<double> flux, flux_ln_energy;
 
-  CurveLight(const std::vector<sim::Sheet>& sheets, const MapRaster& raster, double smooth_km)
+  CurveLight(const std::vector<sim::Sheet>& sheets, const RasterGrid& raster, double smooth_km)
       : flux(raster.size(), 0.0), flux_ln_energy(raster.size(), 0.0) {
     for (const sim::Sheet& sheet : sheets) add(sheet, raster, smooth_km);
   }
 
-  void add(const sim::Sheet& sheet, const MapRaster& raster, double smooth_km) {
+  void add(const sim::Sheet& sheet, const RasterGrid& raster, double smooth_km) {
     constexpr double kStep_km = 0.5;
     const sim::CurveLayout layout = sim::curve_layout(sheet);
     const sim::SheetCurve<double> curve(
@@ -108,7 +108,7 @@ struct Figures {
 
 /// Degree by degree of azimuth: the brightest place of what was found and of the truth along it, where the
 /// truth is at least a quarter of its median.
-Figures figures(const char* what, const MapRaster& raster, const std::vector<std::uint8_t>& in_view,
+Figures figures(const char* what, const RasterGrid& raster, const std::vector<std::uint8_t>& in_view,
                 const std::vector<double>& flux, const std::vector<double>& ln, const CurveLight& truth) {
   struct Along {
     double found = 0.0, brightness = 0.0, distance = 0.0, true_distance = 0.0, ln = 0.0, true_ln = 0.0;
@@ -176,7 +176,7 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   MapOptions options;
   options.replicates = 2;
   const MapResult map = map_photos(camera(), {photo}, options);
-  const MapRaster raster = raster_over(map);
+  const RasterGrid raster = raster_over(map);
   const std::vector<std::uint8_t> in_view = places_in_view(map, raster);
   const RasterFlux flux = raster_flux(map, raster, map.cells);
   constexpr double kSmooth_km = 2.0;

@@ -13,7 +13,7 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_raster.h"
+#include "fit/map/raster_grid.h"
 #include "fit/photo/photo.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
@@ -44,8 +44,8 @@ struct Truth {
   }
 };
 
-MapRaster truth_raster() {
-  MapRaster raster;
+RasterGrid truth_raster() {
+  RasterGrid raster;
   raster.west_km = raster.south_km = Truth::kFirst_km;
   raster.step_km = Truth::kStep_km;
   raster.columns = raster.rows = Truth::kSide;
@@ -124,7 +124,7 @@ struct Score {
 /// bright as its median: the brightest place of the map and of the truth along the azimuth, both smoothed by
 /// 2 km.
 Score score(const MapResult& result, const Truth& truth, const nlohmann::json& camera) {
-  const MapRaster raster = truth_raster();
+  const RasterGrid raster = truth_raster();
   const RasterFlux found = raster_flux(result, raster, result.cells);
   const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
   const std::vector<CellError> errors = cell_errors(result);

@@ -1,8 +1,7 @@
-#include "fit/map/map_raster.h"
+#include "fit/map/raster_grid.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vegard::fit {
 namespace {
@@ -13,7 +12,7 @@ constexpr int kPartsOfPixel = 4;  // of a pixel's side, at the middles of which 
 
 }  // namespace
 
-MapRaster raster_over(const MapResult& result) {
+RasterGrid raster_over(const MapResult& result) {
   double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
   for (int c = 0; c < result.grid.cells(); ++c) {
     const sim::EastNorth m = result.grid.middle_km(c);
@@ -22,7 +21,7 @@ MapRaster raster_over(const MapResult& result) {
     south = std::min(south, m.north);
     north = std::max(north, m.north);
   }
-  MapRaster raster;
+  RasterGrid raster;
   raster.step_km = std::max(kPixel_km, std::max(east - west, north - south) / kMaxSide);
   const auto below = [&](double km) {
     return (std::floor(km / raster.step_km) - kMargin_px) * raster.step_km;
@@ -34,8 +33,8 @@ MapRaster raster_over(const MapResult& result) {
   return raster;
 }
 
-std::vector<double> rasterised(const MapResult& result, const MapRaster& raster,
-                               const std::vector<double>& of_cell) {
+std::vector<double> rasterised(const MapResult& result, const RasterGrid& raster,
+                               const std::vector<double>& cell_values) {
   std::vector<double> values(raster.size(), 0.0);
   for (int row = 0; row < raster.rows; ++row)
     for (int column = 0; column < raster.columns; ++column) {
@@ -45,14 +44,15 @@ std::vector<double> rasterised(const MapResult& result, const MapRaster& raster,
           const sim::EastNorth at =
               raster.place(column + (x + 0.5) / kPartsOfPixel - 0.5, row + (y + 0.5) / kPartsOfPixel - 0.5);
           const int cell = result.grid.cell_at(at.east, at.north);
-          if (cell >= 0) sum += of_cell[static_cast<std::size_t>(cell)];
+          if (cell >= 0) sum += cell_values[static_cast<std::size_t>(cell)];
         }
       values[static_cast<std::size_t>(row) * raster.columns + column] = sum / (kPartsOfPixel * kPartsOfPixel);
     }
   return values;
 }
 
-RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const std::vector<CellFlux>& cells) {
+RasterFlux raster_flux(const MapResult& result, const RasterGrid& raster,
+                       const std::vector<CellFlux>& cells) {
   std::vector<double> flux, ln;
   for (const CellFlux& cell : cells) {
     flux.push_back(cell.flux_mw_m2);
@@ -61,7 +61,7 @@ RasterFlux raster_flux(const MapResult& result, const MapRaster& raster, const s
   return {rasterised(result, raster, flux), rasterised(result, raster, ln)};
 }
 
-std::vector<std::uint8_t> places_in_view(const MapResult& result, const MapRaster& raster) {
+std::vector<std::uint8_t> places_in_view(const MapResult& result, const RasterGrid& raster) {
   std::vector<std::uint8_t> in_view(raster.size(), 0);
   for (int row = 0; row < raster.rows; ++row)
     for (int column = 0; column < raster.columns; ++column)
@@ -70,7 +70,7 @@ std::vector<std::uint8_t> places_in_view(const MapResult& result, const MapRaste
   return in_view;
 }
 
-std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<double>& values,
+std::vector<double> smoothed_raster(const RasterGrid& raster, const std::vector<double>& values,
                                     double sigma_px) {
   const int reach = static_cast<int>(std::ceil(4.0 * sigma_px));
   std::vector<double> weight;
@@ -94,48 +94,6 @@ std::vector<double> smoothed_raster(const MapRaster& raster, const std::vector<d
             weight[static_cast<std::size_t>(k + reach)] *
             across[static_cast<std::size_t>(row + k) * raster.columns + column];
   return out;
-}
-
-namespace {
-
-constexpr double kMinLitShare = 1e-4;  // of the brightest pixel: a flux below it has no energy
-
-}  // namespace
-
-MapImage map_image(const MapResult& result) {
-  const MapRaster raster = raster_over(result);
-  const RasterFlux flux = raster_flux(result, raster, result.cells);
-  const std::vector<CellError> errors = cell_errors(result);
-  // Errors are means by flux, so that dark cells do not speak for lit ones.
-  std::vector<double> relative, of_energy, sensitivity(result.sensitivity.begin(), result.sensitivity.end());
-  for (std::size_t c = 0; c < errors.size(); ++c) {
-    const double q = result.cells[c].flux_mw_m2;
-    relative.push_back(q > 0.0 ? q * errors[c].relative_flux : 0.0);
-    of_energy.push_back(q > 0.0 ? q * errors[c].ln_energy : 0.0);
-  }
-  const std::vector<double> flux_error = rasterised(result, raster, relative);
-  const std::vector<double> energy_error = rasterised(result, raster, of_energy);
-  const std::vector<double> seen = rasterised(result, raster, sensitivity);
-  double most = 0.0;
-  for (const double q : flux.flux) most = std::max(most, q);
-  sim::Image image(raster.columns, raster.rows, {"Q", "E0", "Q_error", "lnE0_error", "sensitivity"});
-  constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-  const std::vector<std::uint8_t> in_view = places_in_view(result, raster);
-  for (int row = 0; row < raster.rows; ++row)
-    for (int column = 0; column < raster.columns; ++column) {
-      const std::size_t i = static_cast<std::size_t>(row) * raster.columns + column;
-      const int y = raster.rows - 1 - row;  // the picture's first row is the northernmost
-      const double q = flux.flux[i];
-      const bool lit = q > kMinLitShare * most;
-      const bool is_in_view = in_view[i] != 0;
-      image.at(column, y, 0) = is_in_view ? static_cast<float>(q) : kNone;
-      image.at(column, y, 1) =
-          is_in_view && lit ? static_cast<float>(std::exp(flux.flux_ln_energy[i] / q)) : kNone;
-      image.at(column, y, 2) = is_in_view && lit ? static_cast<float>(flux_error[i] / q) : kNone;
-      image.at(column, y, 3) = is_in_view && lit ? static_cast<float>(energy_error[i] / q) : kNone;
-      image.at(column, y, 4) = static_cast<float>(seen[i]);
-    }
-  return {raster, std::move(image)};
 }
 
 }  // namespace vegard::fit
