@@ -6,7 +6,7 @@
 namespace vegard::fit {
 namespace {
 
-FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
+FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const StoredMap* map,
                       const FitOptions& options) {
   if (map != nullptr) return fit_curtains(scene, photos, map->curtains, map->faint, options);
   if (!scene.fit.photos.empty()) return fit_photos(scene, photos, options);
@@ -16,7 +16,7 @@ FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const
 
 }  // namespace
 
-FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
+FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const StoredMap* map,
                     const SceneFitOptions& options) {
   FitResult result = fit_by_kind(scene, photos, map, options);
   if (options.stability) assess_stability(photos, options, result);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/answer/fit_result.h"
-#include "fit/map/map_record.h"
+#include "fit/map/stored_map.h"
 #include "fit/photo/photo.h"
 #include "fit/search/fit_options.h"
 #include "sim/scene/structs/scene.h"
@@ -18,7 +18,7 @@ struct SceneFitOptions : FitOptions {
 /// Calls fit_curtains() if there is a map, fit_photos() where the scene names its photographs, and else
 /// fit_photo() or, where the transfer curve is unknown, fit_photo_and_transfer_curve(). The latter leaves the
 /// photograph decoded by the curve that was found. Throws as these functions do.
-FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const MapRecord* map,
+FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const StoredMap* map,
                     const SceneFitOptions& options);
 
 }  // namespace vegard::fit

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fit/map/map_record.h"
+#include "fit/map/stored_map.h"
 #include "fit/needed_memory.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/result_json.h"
@@ -66,9 +66,9 @@ Fit fit_scene(const SceneHandle& self, const py::object& photo, const FitWords& 
     for (const auto& one : given) photos->push_back(*one);
     fit::require_memory_of_fit(*scene, words.threads, {sim::usable_memory_bytes(), false, "fit"});
     const std::vector<fit::InputFile> inputs = inputs_of_work(*scene, *photos);
-    std::optional<fit::MapRecord> map;
+    std::optional<fit::StoredMap> map;
     if (words.from_map) {
-      map = fit::read_map_record(*words.from_map);
+      map = fit::read_stored_map(*words.from_map);
       std::vector<std::string> decodings;
       for (const fit::Photo& one : *photos) decodings.push_back(one.decoding);
       fit::check_same_subject(*map, *scene, inputs, decodings);

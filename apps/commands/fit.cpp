@@ -24,7 +24,7 @@
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/derivative_check.h"
-#include "fit/map/map_record.h"
+#include "fit/map/stored_map.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/curve_steps_table.h"
@@ -164,7 +164,7 @@ class Account {
 /// All that the answer depends on. Comments and the order of keys in the scene's file do not count.
 fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scene,
                                const std::vector<fit::Photo>& photos,
-                               const std::optional<fit::MapRecord>& map) {
+                               const std::optional<fit::StoredMap>& map) {
   fit::JournalSubject subject = {
       {"the version of vegard", sim::version()},
       {"the version of a library",
@@ -205,7 +205,7 @@ fit::JournalMode journal_mode(const FitRequest& options) {
 
 /// A photograph whose transfer curve was unknown is decoded by what was found of it afterwards.
 fit::FitResult fitted(const FitRequest& options, const sim::Scene& scene, std::vector<fit::Photo>& photos,
-                      const std::optional<fit::MapRecord>& map, fit::Journal& journal) {
+                      const std::optional<fit::StoredMap>& map, fit::Journal& journal) {
   Account account;
   fit::SceneFitOptions fit_options;
   fit_options.threads = options.threads;
@@ -244,7 +244,8 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
               : result.verdict == fit::Verdict::failed ? Tone::bad
                                                        : Tone::doubtful,
               result.verdict_line);
-  for (const fit::CurtainStep& step : result.curtain_steps) say("%s\n", fit::curve_step_in_words(step).c_str());
+  for (const fit::CurtainStep& step : result.curtain_steps)
+    say("%s\n", fit::curve_step_in_words(step).c_str());
   std::size_t widest = 0;
   std::size_t coefficients = 0, of_curves = 0;
   for (const fit::FittedParameter& p : result.parameters) {
@@ -313,8 +314,8 @@ int run_fit(const FitRequest& options, const std::string& command) {
     protect_inputs_inside("--out", options.out, files_read(options, scene));
     fit::check_run_directory(options.out, replaces);
   }
-  std::optional<fit::MapRecord> map;
-  if (!options.from_map.empty()) map = fit::read_map_record(options.from_map);
+  std::optional<fit::StoredMap> map;
+  if (!options.from_map.empty()) map = fit::read_stored_map(options.from_map);
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =
       options.photo.filters.empty() ? options.photo.file : filter_files(options.photo.filters).front().file;

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "fit/map/map_record.h"
 #include "fit/map/rasterised_map.h"
+#include "fit/map/stored_map.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"

@@ -1,4 +1,4 @@
-#include "fit/map/map_record.h"
+#include "fit/map/stored_map.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace vegard::fit::map_record_test {
+namespace vegard::fit::stored_map_test {
 namespace {
 
 using tests::TemporaryFolder;
@@ -76,10 +76,10 @@ void change(const std::string& directory, const std::string& key, const nlohmann
   std::ofstream(directory + "/map.json") << json;
 }
 
-TEST(MapRecord, HasWhatTheMapWrote) {
+TEST(StoredMap, HasWhatTheMapWrote) {
   const TemporaryFolder folder;
   write(folder / "map");
-  const MapRecord record = read_map_record(folder / "map");
+  const StoredMap record = read_stored_map(folder / "map");
   ASSERT_EQ(record.curtains.size(), 1u);
   ASSERT_EQ(record.faint.size(), 1u);
   EXPECT_EQ(record.curtains[0].name, "curtain_1");
@@ -96,10 +96,10 @@ TEST(MapRecord, HasWhatTheMapWrote) {
   check_same_subject(record, scene_of_map(), inputs_of_map(), {});
 }
 
-TEST(MapRecord, KnowsAnotherPhotographSiteAndSize) {
+TEST(StoredMap, KnowsAnotherPhotographSiteAndSize) {
   const TemporaryFolder folder;
   write(folder / "map");
-  const MapRecord record = read_map_record(folder / "map");
+  const StoredMap record = read_stored_map(folder / "map");
   std::vector<InputFile> inputs = inputs_of_map();
   inputs[2].sha256 = "dd";  // another mask
   check_same_subject(record, scene_of_map(), inputs, {});
@@ -118,12 +118,12 @@ TEST(MapRecord, KnowsAnotherPhotographSiteAndSize) {
   tests::expect_words(sim::ErrorKind::scene, {"made with", "linear"},
                       [&] { check_same_subject(record, scene_of_map(), inputs_of_map(), {"linear"}); });
   change(folder / "map", "altitude_scale", 1.05);
-  const MapRecord higher = read_map_record(folder / "map");
+  const StoredMap higher = read_stored_map(folder / "map");
   tests::expect_words(sim::ErrorKind::scene, {"--altitude-scale"},
                       [&] { check_same_subject(higher, scene_of_map(), inputs_of_map(), {}); });
 }
 
-TEST(MapRecord, RefusesNumbersAndListsThatAreNone) {
+TEST(StoredMap, RefusesNumbersAndListsThatAreNone) {
   const TemporaryFolder folder;
   for (const auto& [key, value] :
        std::vector<std::pair<std::string, nlohmann::json>>{{"faint_curtains", 1e300},
@@ -138,29 +138,30 @@ TEST(MapRecord, RefusesNumbersAndListsThatAreNone) {
     write(folder / "map");
     change(folder / "map", key, value);
     tests::expect_words(sim::ErrorKind::unreadable_input, {"lacks"},
-                        [&] { read_map_record(folder / "map"); });
+                        [&] { read_stored_map(folder / "map"); });
   }
 }
 
-TEST(MapRecord, RefusesPointsThatAreNowhereAndPassesOverRings) {
+TEST(StoredMap, RefusesPointsThatAreNowhereAndPassesOverRings) {
   const TemporaryFolder folder;
   Curtain far = curtain(200.0, 5.0);
   far.points[3].foot_km.east = 1e300;
   write(folder / "map", {far});
-  tests::expect_words(sim::ErrorKind::unreadable_input, {"a point that"}, [&] { read_map_record(folder / "map"); });
+  tests::expect_words(sim::ErrorKind::unreadable_input, {"a point that"},
+                      [&] { read_stored_map(folder / "map"); });
   Curtain ring = curtain(200.0, 5.0);
   ring.points.resize(3);
   ring.points[2] = ring.points[0];
   write(folder / "map", {ring, curtain(220.0, 5.0)});
-  const MapRecord record = read_map_record(folder / "map");
+  const StoredMap record = read_stored_map(folder / "map");
   ASSERT_EQ(record.curtains.size(), 1u);
   EXPECT_EQ(record.curtains[0].name, "curtain_2");
 }
 
-TEST(MapRecord, RefusesWhatIsNoMapOfThisVersion) {
+TEST(StoredMap, RefusesWhatIsNoMapOfThisVersion) {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string& what) {
-    tests::expect_words(sim::ErrorKind::unreadable_input, {what}, [&] { read_map_record(folder / "map"); });
+    tests::expect_words(sim::ErrorKind::unreadable_input, {what}, [&] { read_stored_map(folder / "map"); });
   };
   refused("no such file");
   write(folder / "map");
@@ -184,12 +185,12 @@ TEST(MapRecord, RefusesWhatIsNoMapOfThisVersion) {
   refused("is no map's");
 }
 
-TEST(MapRecord, RefusesAMapWithoutACurtain) {
+TEST(StoredMap, RefusesAMapWithoutACurtain) {
   const TemporaryFolder folder;
   write(folder / "map", {}, {});
   tests::expect_words(sim::ErrorKind::unreadable_input, {"no curtain"},
-                      [&] { read_map_record(folder / "map"); });
+                      [&] { read_stored_map(folder / "map"); });
 }
 
 }  // namespace
-}  // namespace vegard::fit::map_record_test
+}  // namespace vegard::fit::stored_map_test

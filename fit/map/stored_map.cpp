@@ -1,4 +1,4 @@
-#include "fit/map/map_record.h"
+#include "fit/map/stored_map.h"
 
 #include <cmath>
 #include <cstdint>
@@ -65,9 +65,9 @@ const RecordJson& list(const RecordJson& json, const char* key) {
 }
 
 /// Throws RecordJson::exception.
-void take_facts(const RecordJson& json, MapRecord& record) {
+void take_facts(const RecordJson& json, StoredMap& record) {
   for (const RecordJson& photo : list(json, "photos")) {
-    MapRecord::Picture picture;
+    StoredMap::Picture picture;
     picture.name = photo.at("name").get<std::string>();
     picture.width_px = whole_number(photo, "width_px");
     picture.height_px = whole_number(photo, "height_px");
@@ -127,7 +127,7 @@ std::vector<Ridge> ridges_of_table(const std::string& text, const std::string& f
 
 bool is_photograph(const InputFile& input) { return input.role.compare(0, 5, "photo") == 0; }
 
-sim::Error other_subject(const MapRecord& record, const sim::Scene& scene, const std::string& problem) {
+sim::Error other_subject(const StoredMap& record, const sim::Scene& scene, const std::string& problem) {
   return sim::Error(sim::ErrorKind::scene, "the map '" + record.directory + "' " + problem)
       .file(scene.file)
       .hint("map this photograph first: vegard map");
@@ -135,8 +135,8 @@ sim::Error other_subject(const MapRecord& record, const sim::Scene& scene, const
 
 }  // namespace
 
-MapRecord read_map_record(const std::string& directory) {
-  MapRecord record;
+StoredMap read_stored_map(const std::string& directory) {
+  StoredMap record;
   record.directory = directory;
   const std::string file = directory + "/map.json";
   const std::string text = bytes_of_map(file);
@@ -167,7 +167,7 @@ MapRecord read_map_record(const std::string& directory) {
   return record;
 }
 
-void check_same_subject(const MapRecord& record, const sim::Scene& scene,
+void check_same_subject(const StoredMap& record, const sim::Scene& scene,
                         const std::vector<InputFile>& inputs, const std::vector<std::string>& decodings) {
   const auto photographs = [](const std::vector<InputFile>& all) {
     std::vector<InputFile> some;
@@ -200,7 +200,7 @@ void check_same_subject(const MapRecord& record, const sim::Scene& scene,
         .key("fit.photo")
         .expected("the photographs that were mapped");
   for (std::size_t i = 0; i < record.pictures.size(); ++i) {
-    const MapRecord::Picture& picture = record.pictures[i];
+    const StoredMap::Picture& picture = record.pictures[i];
     const sim::Scene own = entries.empty() ? scene : sim::scene_of_photo(scene, entries[i]);
     if (std::abs(own.site.latitude_deg - picture.latitude_deg) > kSamePlace_deg ||
         std::abs(own.site.longitude_deg - picture.longitude_deg) > kSamePlace_deg)

@@ -1,4 +1,5 @@
-// Reads a map's directory for a later fit: its curtains, and the photographs from which they were found.
+// A map as its directory holds it, for a later fit: its curtains, and the photographs from which they were
+// found.
 #pragma once
 
 #include <string>
@@ -17,7 +18,7 @@ inline constexpr int kMapFormat = 1;
 inline constexpr const char* kCurtainTable = "curtains.csv";
 inline constexpr const char* kFaintCurtainTable = "faint_curtains.csv";
 
-struct MapRecord {
+struct StoredMap {
   /// Facts about one photograph that was mapped.
   struct Picture {
     std::string name;  ///< of its entry; empty if it is the only one
@@ -38,11 +39,11 @@ struct MapRecord {
 /// Reads a map's directory. Throws sim::Error(unreadable_input) if it is not a map's directory, was written
 /// by another version of vegard or in another format, or holds an interrupted map, damaged files, or no
 /// curtain.
-MapRecord read_map_record(const std::string& directory);
+StoredMap read_stored_map(const std::string& directory);
 
 /// Checks that a map was made from these inputs (by the bytes of the photographs) with the same decodings,
 /// and for the scene's site and picture size. Throws sim::Error(scene) if not.
-void check_same_subject(const MapRecord& record, const sim::Scene& scene,
+void check_same_subject(const StoredMap& record, const sim::Scene& scene,
                         const std::vector<InputFile>& inputs, const std::vector<std::string>& decodings);
 
 }  // namespace vegard::fit
