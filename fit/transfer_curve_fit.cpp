@@ -18,13 +18,13 @@
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
-#include "sim/base/number/curve_search.h"
+#include "sim/base/number/deviance_search.h"
 
 // Fits a scene together with the unknown transfer curve of its photograph.
 //
 // A change of the curve changes the data themselves, so the curve cannot be one more parameter of the fit; it
 // is searched for outside of it. First comes a whole search with the curve taken as sRGB. Then the curve's
-// one or two numbers are searched (sim/base/number/curve_search.h) by the likelihood of the file's numbers
+// one or two numbers are searched (sim/base/number/deviance_search.h) by the likelihood of the file's numbers
 // (fit/measure/unknown_curve.h); for each trial curve all other parameters are fitted by a descent from the
 // answer at the nearest earlier trial. The final answer is computed with the curve that was found. The
 // likelihood is divided by the number of correlated residuals per independent one, as for error bars.
@@ -93,9 +93,9 @@ class TransferCurveFit {
     start_ = searched.best.values;
     if (std::isfinite(searched.best.chi2))
       weight_ = std::sqrt(correlated_at(first.front(), start_, photo.unknowns));
-    const sim::CurveMinimum found = sim::curve_minimum(
+    const sim::DevianceMinimum found = sim::deviance_minimum(
         std::vector<double>(static_cast<std::size_t>(photo.unknowns), 0.0), std::log(kMaxExponent),
-        [&](const std::vector<double>& at, const sim::CurveTrial* nearest) {
+        [&](const std::vector<double>& at, const sim::DevianceTrial* nearest) {
           return trial(at, nearest == nullptr ? start_ : values_of(nearest->solution));
         });
 
@@ -143,7 +143,7 @@ class TransferCurveFit {
         free_.size());
   }
 
-  sim::CurveTrial trial(const std::vector<double>& at, const std::vector<double>& from) {
+  sim::DevianceTrial trial(const std::vector<double>& at, const std::vector<double>& from) {
     const sim::BentSrgb bent = bent_at(at);
     const Photo photo = decoded_by(as_srgb_, bent);
     std::vector<Observation> observations;
@@ -154,7 +154,7 @@ class TransferCurveFit {
                         std::min(kMaxShare, kShareOfSearch + kSharePerTrial * trials_));
     const std::vector<CostTerm> terms = cost_terms(observations, free_, Detail::full);
     const Descent end = descent(terms, from, stage);
-    sim::CurveTrial result;
+    sim::DevianceTrial result;
     result.value = std::numeric_limits<double>::infinity();
     if (!std::isfinite(end.chi2) || (options_.stop != nullptr && options_.stop->load())) return result;
     const Comparison& full = *observations.front().full;
@@ -197,7 +197,7 @@ class TransferCurveFit {
   }
 
   /// Descents with the curve that was found: of the answer, and of the search's other ends.
-  void polish(const sim::CurveMinimum& found, const SearchOutcome& searched,
+  void polish(const sim::DevianceMinimum& found, const SearchOutcome& searched,
               const std::vector<Observation>& last, SearchOutcome& outcome) {
     const std::vector<CostTerm> terms = cost_terms(last, free_, Detail::full);
     std::vector<double> from = start_;
@@ -217,7 +217,7 @@ class TransferCurveFit {
     outcome.chi2_initial = ProfileCost(free_, terms, ignored).at(start, false).chi2;
   }
 
-  void describe(const sim::CurveMinimum& found, FoundTransferCurve& curve) const {
+  void describe(const sim::DevianceMinimum& found, FoundTransferCurve& curve) const {
     FittedTransferCurve& fitted = curve.fitted;
     const std::size_t n = found.at.size();
     fitted.most = kMaxExponent;
@@ -245,8 +245,8 @@ class TransferCurveFit {
           found.covariance[0][1] / std::sqrt(found.covariance[0][0] * found.covariance[1][1]);
     }
     double least = std::numeric_limits<double>::infinity();
-    for (const sim::CurveTrial& t : found.trials) least = std::min(least, t.value);
-    for (const sim::CurveTrial& t : found.trials) {
+    for (const sim::DevianceTrial& t : found.trials) least = std::min(least, t.value);
+    for (const sim::DevianceTrial& t : found.trials) {
       fitted.trials.emplace_back();
       for (const double x : t.at) fitted.trials.back().push_back(std::exp(x));
       fitted.trials.back().push_back((t.value - least) / found.centre.correlated);

@@ -1,4 +1,4 @@
-#include "sim/base/number/curve_search.h"
+#include "sim/base/number/deviance_search.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -18,13 +18,13 @@ constexpr double kLeftOpen = 0.25;  // of the variance inside the limits, as of 
 
 class Minimum {
  public:
-  Minimum(const std::vector<double>& start, double limit, const EvaluateCurve& evaluate)
+  Minimum(const std::vector<double>& start, double limit, const EvaluateDeviance& evaluate)
       : n_(static_cast<int>(start.size())), limit_(limit), evaluate_(evaluate) {
     centre_ = Eigen::Map<const Eigen::VectorXd>(start.data(), n_);
     step_ = Eigen::VectorXd::Constant(n_, kFirstStep);
   }
 
-  CurveMinimum run() {
+  DevianceMinimum run() {
     for (int round = 0; round < kMaxRounds; ++round) {
       for (int k = 0; k < n_; ++k) centre_(k) = std::clamp(centre_(k), step_(k) - limit_, limit_ - step_(k));
       if (!look_around()) break;
@@ -55,15 +55,15 @@ class Minimum {
   static std::vector<double> plain(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
   /// The trial at a place, made if there is none yet; null when it came to nothing.
-  const CurveTrial* at(const Eigen::VectorXd& place) {
-    const auto distance = [&](const CurveTrial& trial) {
+  const DevianceTrial* at(const Eigen::VectorXd& place) {
+    const auto distance = [&](const DevianceTrial& trial) {
       return (Eigen::Map<const Eigen::VectorXd>(trial.at.data(), n_) - place).norm();
     };
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < found_.trials.size(); ++i)
       if (distance(found_.trials[i]) < distance(found_.trials[nearest])) nearest = i;
     if (!found_.trials.empty() && distance(found_.trials[nearest]) < 1e-12) return &found_.trials[nearest];
-    CurveTrial trial = evaluate_(plain(place), found_.trials.empty() ? nullptr : &found_.trials[nearest]);
+    DevianceTrial trial = evaluate_(plain(place), found_.trials.empty() ? nullptr : &found_.trials[nearest]);
     if (!std::isfinite(trial.value)) return nullptr;
     trial.at = plain(place);
     found_.trials.push_back(std::move(trial));
@@ -72,7 +72,7 @@ class Minimum {
 
   /// Gradient, curvature and the solutions' slopes at the centre, by differences.
   bool look_around() {
-    const CurveTrial* here = at(centre_);
+    const DevianceTrial* here = at(centre_);
     if (here == nullptr) return false;
     found_.centre = *here;
     const double correlated = here->correlated, value = here->value;
@@ -81,10 +81,10 @@ class Minimum {
     std::vector<std::vector<double>> slopes;
     for (int k = 0; k < n_; ++k) {
       const Eigen::VectorXd aside = step_(k) * Eigen::VectorXd::Unit(n_, k);
-      const CurveTrial* more = at(centre_ + aside);
+      const DevianceTrial* more = at(centre_ + aside);
       if (more == nullptr) return false;
-      const CurveTrial above = *more;
-      const CurveTrial* below = at(centre_ - aside);
+      const DevianceTrial above = *more;
+      const DevianceTrial* below = at(centre_ - aside);
       if (below == nullptr) return false;
       up(k) = above.value;
       gradient(k) = (above.value - below->value) / (2.0 * step_(k) * correlated);
@@ -96,7 +96,7 @@ class Minimum {
     }
     for (int k = 0; k < n_; ++k)
       for (int l = 0; l < k; ++l) {
-        const CurveTrial* corner =
+        const DevianceTrial* corner =
             at(centre_ + step_(k) * Eigen::VectorXd::Unit(n_, k) + step_(l) * Eigen::VectorXd::Unit(n_, l));
         if (corner == nullptr) return false;
         // For a parabola: f(k, l) - f(k) - f(l) + f = H_kl s_k s_l.
@@ -113,14 +113,14 @@ class Minimum {
   bool go_to(const Eigen::VectorXd& bottom) {
     Eigen::VectorXd place = bottom;
     for (int halving = 0; halving <= kSearchMaxHalvings; ++halving) {
-      const CurveTrial* trial = at(place);
+      const DevianceTrial* trial = at(place);
       if (trial == nullptr) return false;
       if (trial->value < found_.centre.value) break;
       place = 0.5 * (place + centre_);
     }
     const auto lowest =
         std::min_element(found_.trials.begin(), found_.trials.end(),
-                         [](const CurveTrial& a, const CurveTrial& b) { return a.value < b.value; });
+                         [](const DevianceTrial& a, const DevianceTrial& b) { return a.value < b.value; });
     const Eigen::VectorXd next = Eigen::Map<const Eigen::VectorXd>(lowest->at.data(), n_);
     if ((next - centre_).norm() < 1e-12) step_ = (0.5 * step_).cwiseMax(kSearchMinStep);
     centre_ = next;
@@ -181,15 +181,16 @@ class Minimum {
 
   const int n_;
   const double limit_;
-  const EvaluateCurve& evaluate_;
+  const EvaluateDeviance& evaluate_;
   Eigen::VectorXd centre_, step_, gradient_;
   Eigen::MatrixXd hessian_;
-  CurveMinimum found_;
+  DevianceMinimum found_;
 };
 
 }  // namespace
 
-CurveMinimum curve_minimum(const std::vector<double>& start, double limit, const EvaluateCurve& evaluate) {
+DevianceMinimum deviance_minimum(const std::vector<double>& start, double limit,
+                                 const EvaluateDeviance& evaluate) {
   return Minimum(start, limit, evaluate).run();
 }
 

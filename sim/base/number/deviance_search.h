@@ -11,14 +11,14 @@
 namespace vegard::sim {
 
 /// One evaluation.
-struct CurveTrial {
+struct DevianceTrial {
   std::vector<double> at;
   double value = 0.0;            ///< -2 ln(likelihood), times `correlated`
   double correlated = 1.0;       ///< number of data that are fully correlated
   std::vector<double> solution;  ///< all other parameters, fitted at this point
 };
 
-struct CurveMinimum {
+struct DevianceMinimum {
   std::vector<double> at;
   /// Of `at`. The limits bound directions that the function does not determine, with a uniform prior between
   /// them.
@@ -26,14 +26,16 @@ struct CurveMinimum {
   std::vector<bool> at_limit;
   std::vector<bool> undetermined;  ///< the variance is more than a quarter of that of the uniform prior
   bool converged = false;
-  CurveTrial centre;                        ///< the trial nearest to `at`
+  DevianceTrial centre;                     ///< the trial nearest to `at`
   std::vector<std::vector<double>> slopes;  ///< [number][solution]: d solution / d number
-  std::vector<CurveTrial> trials;           ///< all trials, in order
+  std::vector<DevianceTrial> trials;        ///< all trials, in order
 };
 
 /// Searches between -limit and limit in every number, from the point `start`. `evaluate` gets the point and
 /// the nearest trial so far (null at first); an infinite value ends the search.
-using EvaluateCurve = std::function<CurveTrial(const std::vector<double>& at, const CurveTrial* nearest)>;
-CurveMinimum curve_minimum(const std::vector<double>& start, double limit, const EvaluateCurve& evaluate);
+using EvaluateDeviance =
+    std::function<DevianceTrial(const std::vector<double>& at, const DevianceTrial* nearest)>;
+DevianceMinimum deviance_minimum(const std::vector<double>& start, double limit,
+                                 const EvaluateDeviance& evaluate);
 
 }  // namespace vegard::sim
