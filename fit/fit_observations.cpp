@@ -357,11 +357,11 @@ class FitRun {
   }
 
   void put_curve() {
-    r_.curve = curve_->fitted;
+    r_.transfer_curve = curve_->fitted;
     for (const FittedTransferCurve::Exponent& e : curve_->fitted.exponents)
       r_.derived.push_back(exponent_of(e));
-    evidence_.curve_words = curve_->fitted.words;
-    evidence_.against_curve = curve_->against;
+    evidence_.transfer_curve_words = curve_->fitted.words;
+    evidence_.against_transfer_curve = curve_->against;
   }
 
   void judge(const SearchOutcome& outcome) {

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSideLeftOut = 1.0 / 3.0, kTopLeftOut = 0.25, kBottomLeftOut = 0.1;
 constexpr double kFewerBands = 0.5, kMoreBands = 1.5;
 constexpr double kHazeFactor = 2.0, kClearDepth = 0.02, kHazyDepth = 0.2;
-constexpr double kCurvePower = 1.1;
+constexpr double kTransferCurvePower = 1.1;
 constexpr double kModelErrorFactor = 2.0;
 constexpr double kRefuted = 2.0;  // times chi2 per degree of freedom
 constexpr double kShareOfStability = 0.95;
@@ -95,8 +95,8 @@ bool is_out_of_a_curve(const Photo& photo) {
 
 void vary_curve(const sim::Scene& from, const std::vector<Photo>& photos, std::vector<Variation>& all) {
   if (std::none_of(photos.begin(), photos.end(), is_out_of_a_curve)) return;
-  all.push_back({"curve", "steeper by a tenth", from, kCurvePower});
-  all.push_back({"curve", "flatter by a tenth", from, 1.0 / kCurvePower});
+  all.push_back({"curve", "steeper by a tenth", from, kTransferCurvePower});
+  all.push_back({"curve", "flatter by a tenth", from, 1.0 / kTransferCurvePower});
 }
 
 void vary_model_error(const sim::Scene& from, std::vector<Variation>& all) {
@@ -124,7 +124,8 @@ FitResult fitted_again(const Variation& variation, const std::vector<Photo>& pho
     return variation.scene.fit.photos.empty() ? fit_photo(variation.scene, of.front(), options)
                                               : fit_photos(variation.scene, of, options);
   };
-  return variation.curve_power == 1.0 ? fit(photos) : fit(recurved(photos, variation.curve_power));
+  return variation.transfer_curve_power == 1.0 ? fit(photos)
+                                               : fit(recurved(photos, variation.transfer_curve_power));
 }
 
 /// The shift of an angle is the shorter way round.

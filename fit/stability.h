@@ -21,10 +21,10 @@ namespace vegard::fit {
 
 /// A variation: the scene with one choice changed.
 struct Variation {
-  std::string choice;        ///< "region", "bands", "sky", "air", "curve", "model error"
-  std::string name;          ///< "without its left third"
-  sim::Scene scene;          ///< starts at the answer; descends without a search
-  double curve_power = 1.0;  ///< power to which the photograph's linear light is raised
+  std::string choice;                 ///< "region", "bands", "sky", "air", "curve", "model error"
+  std::string name;                   ///< "without its left third"
+  sim::Scene scene;                   ///< starts at the answer; descends without a search
+  double transfer_curve_power = 1.0;  ///< power to which the photograph's linear light is raised
 };
 
 /// Returns the variations that make sense for `best`, the best scene of a FitResult: none of the air without

@@ -9,7 +9,7 @@
 
 #include "fit/compare/profile_cost.h"
 #include "fit/fit_observations.h"
-#include "fit/measure/unknown_curve.h"
+#include "fit/measure/unknown_transfer_curve.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
 #include "fit/search/journal.h"
@@ -25,14 +25,14 @@
 // A change of the curve changes the data themselves, so the curve cannot be one more parameter of the fit; it
 // is searched for outside of it. First comes a whole search with the curve taken as sRGB. Then the curve's
 // one or two numbers are searched (sim/base/number/deviance_search.h) by the likelihood of the file's numbers
-// (fit/measure/unknown_curve.h); for each trial curve all other parameters are fitted by a descent from the
-// answer at the nearest earlier trial. The final answer is computed with the curve that was found. The
-// likelihood is divided by the number of correlated residuals per independent one, as for error bars.
+// (fit/measure/unknown_transfer_curve.h); for each trial curve all other parameters are fitted by a descent
+// from the answer at the nearest earlier trial. The final answer is computed with the curve that was found.
+// The likelihood is divided by the number of correlated residuals per independent one, as for error bars.
 
 namespace vegard::fit {
 namespace {
 
-constexpr int kCurveIterations = 60;
+constexpr int kTrialIterations = 60;
 constexpr double kShareOfSearch = 0.5, kSharePerTrial = 0.03, kMaxShare = 0.88;  // guesses
 
 sim::BentSrgb bent_at(const std::vector<double>& logarithms) {
@@ -139,7 +139,7 @@ class TransferCurveFit {
     const ProfileCost cost(free_, terms, log_, {{}, {}, {}, weight_, phase_anchors(there, free_, from)});
     return descent_of(
         recorded_step(options_.journal, stage, free_.size(), log_, trace_,
-                      [&] { return output_of(descend(cost, from, kCurveIterations, stage, log_, trace_)); }),
+                      [&] { return output_of(descend(cost, from, kTrialIterations, stage, log_, trace_)); }),
         free_.size());
   }
 
@@ -171,8 +171,9 @@ class TransferCurveFit {
   }
 
   /// How many of the residuals go up and down as one, at some values; chi2 of the data there too.
-  double correlated_at(const Observation& observation, const std::vector<double>& values, int curve_unknowns,
-                       double* chi2_there = nullptr, int* dof_there = nullptr) const {
+  double correlated_at(const Observation& observation, const std::vector<double>& values,
+                       int transfer_curve_unknowns, double* chi2_there = nullptr,
+                       int* dof_there = nullptr) const {
     const Comparison& full = *observation.full;
     const std::vector<CostTerm> terms = {{observation.scene,
                                           ParameterMap(observation.scene, free_, observation.frame),
@@ -181,7 +182,7 @@ class TransferCurveFit {
     const ProfileCost cost(free_, terms, ignored);
     const ProfileCost::Point point = cost.at(values, false);
     const double chi2 = point.by_photo.front().chi2;
-    const int unknowns = static_cast<int>(free_.size()) + curve_unknowns + full.coefficients();
+    const int unknowns = static_cast<int>(free_.size()) + transfer_curve_unknowns + full.coefficients();
     const int dof = std::max(1, full.residuals() - unknowns);
     if (chi2_there != nullptr) *chi2_there = chi2;
     if (dof_there != nullptr) *dof_there = dof;

@@ -286,7 +286,8 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
     say("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(), photo.decoding.c_str());
   if (result.compared.draws && result.best.fit.model == sim::FitModel::expected)
     say("compared with one draw of beams: folds, curls and undulating borders have no mean over all draws\n");
-  if (result.curve) say("to take the curve as known: --decoding %s\n", result.curve->decoding_word.c_str());
+  if (result.transfer_curve)
+    say("to take the curve as known: --decoding %s\n", result.transfer_curve->decoding_word.c_str());
   say("%s\n", report.c_str());
 }
 

@@ -197,8 +197,8 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
-  std::optional<FittedTransferCurve> curve;      ///< of a photograph whose transfer curve was unknown
-  std::vector<sim::FootBand> foot_bands;         ///< one per sheet
+  std::optional<FittedTransferCurve> transfer_curve;  ///< of a photograph whose transfer curve was unknown
+  std::vector<sim::FootBand> foot_bands;              ///< one per sheet
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation

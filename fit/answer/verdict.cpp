@@ -298,8 +298,8 @@ void assess_fit(const Evidence& evidence, FitResult& result) {
   check_convergence(result, checks);
   check_misfit(evidence, result, checks);
   check_parameters(result, checks);
-  if (!evidence.curve_words.empty())
-    checks.add("transfer curve", evidence.curve_words, evidence.against_curve);
+  if (!evidence.transfer_curve_words.empty())
+    checks.add("transfer curve", evidence.transfer_curve_words, evidence.against_transfer_curve);
   const std::string light = light_noun(result.best);
   if (std::isfinite(evidence.chi2_without_aurora))
     checks.add(light + " or none",

@@ -19,8 +19,8 @@ struct Evidence {
   bool second_mode = false;  ///< another minimum explains the data almost as well
   std::string second_mode_text;
   std::vector<double> second_mode_values;  ///< of the free numbers
-  std::string curve_words;  ///< the transfer curve that was found, in words; empty: it was known
-  std::vector<std::string> against_curve;  ///< reasons to doubt the curve
+  std::string transfer_curve_words;  ///< the transfer curve that was found, in words; empty: it was known
+  std::vector<std::string> against_transfer_curve;  ///< reasons to doubt the curve
 };
 
 /// Sets verdict, verdict_line, reasons and checks.

@@ -13,7 +13,7 @@ namespace vegard::fit {
 struct Decoding {
   /// automatic: by the file's format, see read_photo().
   /// sensor: by the tone curve and the vignetting of a scene's sensor (sim/view/sensor/sensor.h).
-  /// unknown: as sRGB at first; a fit then finds the curve (fit/measure/unknown_curve.h).
+  /// unknown: as sRGB at first; a fit then finds the curve (fit/measure/unknown_transfer_curve.h).
   enum class Kind { automatic, srgb, linear, curve, sensor, unknown };
   Kind kind = Kind::automatic;
   std::shared_ptr<const sim::ToneCurve> curve;  ///< for the kind curve

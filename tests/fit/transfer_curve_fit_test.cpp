@@ -56,14 +56,15 @@ Photo photo_by(const sim::BentSrgb& curve) {
 void tell(const char* what, const FitResult& r) {
   std::cout << what << ": E0 " << r.parameters[0].value << " +- " << r.parameters[0].sigma.value_or(NAN)
             << ", chi2/dof " << r.chi2 / r.dof;
-  if (r.curve) std::cout << ", " << r.curve->words << ", " << r.curve->trials.size() << " trials";
+  if (r.transfer_curve)
+    std::cout << ", " << r.transfer_curve->words << ", " << r.transfer_curve->trials.size() << " trials";
   std::cout << "\n  " << r.verdict_line << "\n";
 }
 
 void expect_truth(const FitResult& r, double exponent) {
-  ASSERT_TRUE(r.curve);
-  ASSERT_EQ(r.curve->exponents.size(), 1u);
-  const FittedTransferCurve::Exponent& e = r.curve->exponents[0];
+  ASSERT_TRUE(r.transfer_curve);
+  ASSERT_EQ(r.transfer_curve->exponents.size(), 1u);
+  const FittedTransferCurve::Exponent& e = r.transfer_curve->exponents[0];
   EXPECT_FALSE(e.undetermined);
   EXPECT_FALSE(e.at_limit);
   // Three standard deviations: two numbers of each of two photographs, 1 % by chance.
@@ -92,7 +93,7 @@ TEST(TransferCurveFit, FindsACurveThatIsNotSrgb) {
   const std::string json = result_json(found);
   EXPECT_NE(json.find("\"curve\""), std::string::npos);
   EXPECT_EQ(found.derived.back().name, "exponent of the transfer curve over sRGB of all light");
-  EXPECT_EQ(found.derived.back().value, found.curve->exponents[0].value);
+  EXPECT_EQ(found.derived.back().value, found.transfer_curve->exponents[0].value);
 }
 
 TEST(TransferCurveFit, OfSrgbFindsSrgbAndWiderErrorBars) {
@@ -114,7 +115,7 @@ TEST(TransferCurveFit, IsTheSameForAnyNumberOfThreads) {
   const FitResult a = fit_photo_and_transfer_curve(start, one, options);
   options.threads = 2;
   const FitResult b = fit_photo_and_transfer_curve(start, two, options);
-  EXPECT_EQ(a.curve->trials, b.curve->trials);
+  EXPECT_EQ(a.transfer_curve->trials, b.transfer_curve->trials);
   EXPECT_EQ(a.parameters[0].value, b.parameters[0].value);
   EXPECT_EQ(a.parameters[0].sigma, b.parameters[0].sigma);
   EXPECT_EQ(one.decoding, two.decoding);

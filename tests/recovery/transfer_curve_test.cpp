@@ -42,7 +42,8 @@ void tell(const std::string& what, const FitResult& r) {
   std::cout << what << ": E0 " << e.value << " +- " << e.sigma.value_or(NAN) << " keV ("
             << (e.value - kEnergy) / e.sigma.value_or(NAN) << " sigma), chi2/dof " << r.chi2 / r.dof
             << ", inflation " << r.error_inflation << ", evaluations " << r.evaluations;
-  if (r.curve) std::cout << ", " << r.curve->words << ", " << r.curve->trials.size() << " trials";
+  if (r.transfer_curve)
+    std::cout << ", " << r.transfer_curve->words << ", " << r.transfer_curve->trials.size() << " trials";
   std::cout << "\n  " << r.verdict_line << std::endl;
 }
 
@@ -60,7 +61,7 @@ TEST_P(TransferCurveOfThePhotograph, IsFound) {
   // Three standard deviations each.
   EXPECT_NEAR(found.parameters[kOfEnergy].value, kEnergy, 3.0 * *found.parameters[kOfEnergy].sigma);
   if (c.exponent > 0.0) {
-    const FittedTransferCurve::Exponent& e = found.curve->exponents[0];
+    const FittedTransferCurve::Exponent& e = found.transfer_curve->exponents[0];
     EXPECT_NEAR(e.value, c.exponent, 3.0 * e.sigma);
   }
 }

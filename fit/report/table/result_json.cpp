@@ -149,7 +149,7 @@ Json chain(const FitResult& result) {
   return json;
 }
 
-Json curve_json(const FittedTransferCurve& c) {
+Json transfer_curve_json(const FittedTransferCurve& c) {
   Json json;
   json["words"] = c.words;
   json["decoding"] = c.decoding_word;
@@ -241,7 +241,7 @@ std::string result_json(const FitResult& result) {
                                {"why_no_sigma", words(d.why_no_sigma)},
                                {"trust", trust_name(d.trust)},
                                {"trust_reason", words(d.trust_reason)}});
-  if (result.curve) json["curve"] = curve_json(*result.curve);
+  if (result.transfer_curve) json["curve"] = transfer_curve_json(*result.transfer_curve);
   json["correlation"] = matrix_rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;
   if (!result.undetermined.empty()) json["undetermined"] = result.undetermined;

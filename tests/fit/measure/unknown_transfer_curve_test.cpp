@@ -1,5 +1,5 @@
 // What a photograph is through a curve that is tried, and how curves are compared.
-#include "fit/measure/unknown_curve.h"
+#include "fit/measure/unknown_transfer_curve.h"
 #include "fit/measure/profile_bins.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "fit/measure/profile.h"
 #include "sim/view/sensor/tone_curve.h"
 
-namespace vegard::fit::unknown_curve_test {
+namespace vegard::fit::unknown_transfer_curve_test {
 namespace {
 
 constexpr int kWidth = 64, kHeight = 40;
@@ -37,7 +37,7 @@ std::shared_ptr<const BinGrid> grid() {
   return std::make_shared<const BinGrid>(profile_bins(scene, {0, 0, kWidth, kHeight}));
 }
 
-TEST(UnknownCurve, DecodesTheCodes) {
+TEST(UnknownTransferCurve, DecodesTheCodes) {
   const Photo as_srgb = coded(0);
   const sim::BentSrgb curve{1.4, 0.8};
   const Photo decoded = decoded_by(as_srgb, curve);
@@ -50,7 +50,7 @@ TEST(UnknownCurve, DecodesTheCodes) {
 }
 
 // A code more and a code less in every pixel: what a bin's light then does is its slope.
-TEST(UnknownCurve, SlopesAreThoseOfTheMeans) {
+TEST(UnknownTransferCurve, SlopesAreThoseOfTheMeans) {
   const sim::BentSrgb curve{1.3, 0.7};
   const auto bins = grid();
   const auto means = [&](int shift) {
@@ -63,7 +63,7 @@ TEST(UnknownCurve, SlopesAreThoseOfTheMeans) {
 }
 
 // What a gain makes up for does not count, nor does the curve where the noise is that of the codes.
-TEST(UnknownCurve, LogDeterminantKnowsNoScaleAndNoNoiseOfCodes) {
+TEST(UnknownTransferCurve, LogDeterminantKnowsNoScaleAndNoNoiseOfCodes) {
   const std::vector<double> sigma = {0.01, 0.0, 0.03, 0.02}, slopes = {0.5, 1.0, 0.2, 0.9};
   std::vector<double> brighter = sigma, steeper = slopes;
   for (double& s : brighter) s *= 7.0;
@@ -78,11 +78,11 @@ TEST(UnknownCurve, LogDeterminantKnowsNoScaleAndNoNoiseOfCodes) {
   }
 }
 
-TEST(UnknownCurve, ScaledChi2GoesOnSmoothly) {
+TEST(UnknownTransferCurve, ScaledChi2GoesOnSmoothly) {
   EXPECT_EQ(scaled_chi2(40.0, 100), 40.0);
   EXPECT_NEAR(scaled_chi2(100.0 + 1e-6, 100) - scaled_chi2(100.0, 100), 1e-6, 1e-9);
   EXPECT_NEAR(scaled_chi2(400.0, 100), 100.0 + 100.0 * std::log(4.0), 1e-9);
 }
 
 }  // namespace
-}  // namespace vegard::fit::unknown_curve_test
+}  // namespace vegard::fit::unknown_transfer_curve_test

@@ -1,4 +1,4 @@
-#include "fit/measure/unknown_curve.h"
+#include "fit/measure/unknown_transfer_curve.h"
 
 #include <algorithm>
 #include <cassert>
