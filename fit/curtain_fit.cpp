@@ -178,12 +178,12 @@ class CurtainFit {
            information_criteria(after.fitted, believed).bic;
   }
 
-  void record(CurtainStep::Change change, const std::string& curve, const CurtainModel& model, bool kept,
+  void record(CurtainStep::Change change, const std::string& name, const CurtainModel& model, bool kept,
               double gain) {
     CurtainStep step;
     step.change = change;
-    step.curve = curve;
-    step.curves = static_cast<int>(model.scene.sheets.size());
+    step.curtain = name;
+    step.curtains = static_cast<int>(model.scene.sheets.size());
     step.chi2 = model.fitted.chi2;
     step.values = model.fitted.values;
     step.unknowns = model.fitted.parameters;
@@ -193,11 +193,11 @@ class CurtainFit {
   }
 
   /// Whether the change has been kept.
-  bool tried(const sim::Scene& scene, CurtainStep::Change change, const std::string& curve) {
+  bool tried(const sim::Scene& scene, CurtainStep::Change change, const std::string& name) {
     const bool adds = change == CurtainStep::Change::add;
     const double share = std::min(kShareOfAll, kShareOfStart + 0.05 * static_cast<double>(steps_.size()));
     const std::string stage =
-        fmt::format("{} {} {}", steps_.size(), adds ? "with" : "without", curve);  // its name in the journal
+        fmt::format("{} {} {}", steps_.size(), adds ? "with" : "without", name);  // its name in the journal
     CurtainModel model = settled(scene, stage, share);
     if (stopped()) {  // it has not settled
       cut_short_ = true;
@@ -206,7 +206,7 @@ class CurtainFit {
     if (!is_overdetermined(model.fitted)) return false;
     const double gain = bic_gain(best_, model);
     const bool kept = gain > 0.0;
-    record(change, curve, model, kept, gain);
+    record(change, name, model, kept, gain);
     if (!kept) return false;
     // What the answer reports as its start is where the map's curves began.
     model.chi2_initial = best_.chi2_initial;
@@ -217,7 +217,7 @@ class CurtainFit {
   void drop_what_is_not_needed() {
     std::vector<std::pair<double, std::string>> by_light;
     for (const sim::Sheet& sheet : best_.scene.sheets)
-      by_light.emplace_back(light_of_curve(sheet), sheet.name);
+      by_light.emplace_back(light_of_curtain(sheet), sheet.name);
     std::stable_sort(by_light.begin(), by_light.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     int refused = 0;
@@ -226,7 +226,7 @@ class CurtainFit {
       cut_short_ = cut_short_ || stopped();
       if (stopped()) return;
       sim::Scene fewer = best_.scene;
-      drop_curve(fewer, name);
+      drop_curtain(fewer, name);
       refused = tried(fewer, CurtainStep::Change::drop, name) ? 0 : refused + 1;
     }
   }
@@ -240,7 +240,7 @@ class CurtainFit {
       cut_short_ = cut_short_ || stopped();
       if (stopped()) break;
       sim::Scene more = best_.scene;
-      add_curve(more, ridge);
+      add_curtain(more, ridge);
       const bool kept = tried(more, CurtainStep::Change::add, ridge.name);
       any = any || kept;
       refused = kept ? 0 : refused + 1;

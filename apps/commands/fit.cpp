@@ -27,7 +27,7 @@
 #include "fit/map/stored_map.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "fit/report/table/result_json.h"
 #include "fit/scene_fit.h"
 #include "fit/search/file_journal.h"
@@ -245,7 +245,7 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
                                                        : Tone::doubtful,
               result.verdict_line);
   for (const fit::CurtainStep& step : result.curtain_steps)
-    say("%s\n", fit::curve_step_in_words(step).c_str());
+    say("%s\n", fit::curtain_step_in_words(step).c_str());
   std::size_t widest = 0;
   std::size_t coefficients = 0, of_curves = 0;
   for (const fit::FittedParameter& p : result.parameters) {

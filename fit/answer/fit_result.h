@@ -22,9 +22,9 @@ namespace vegard::fit {
 /// A step in the refinement of a map's curtains: one of the models that were compared (fit/curtain_fit.cpp).
 struct CurtainStep {
   enum class Change { start, drop, add } change = Change::start;
-  std::string curve;  ///< the sheet that was left out or added; empty for the start
-  int curves = 0;     ///< number of curves in this model
-  double chi2 = 0.0;  ///< after its fit
+  std::string curtain;  ///< the sheet that was left out or added; empty for the start
+  int curtains = 0;     ///< number of curtains in this model
+  double chi2 = 0.0;    ///< after its fit
   int values = 0, unknowns = 0;
   double bic_lower_by = 0.0;  ///< than that of the model before; above 0 it favours the change
   bool kept = true;           ///< whether the change was kept

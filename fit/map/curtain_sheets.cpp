@@ -162,14 +162,14 @@ bool is_in_view(const sim::Scene& scene, sim::EastNorth foot_km) {
 }
 
 /// The point next to the first or last one of a curve that is beyond the picture; any other is its own.
-int leader_of(const sim::Sheet& sheet, int point, const CurveEnds& ends) {
+int leader_of(const sim::Sheet& sheet, int point, const CurtainEnds& ends) {
   const int last = static_cast<int>(sheet.east_km.size()) - 1;
   if (point == 0 && ends.before) return 1;
   return point == last && ends.after ? last - 1 : point;
 }
 
 /// Ties points beyond the picture to those next to them.
-void tie_ends(sim::Scene& scene, const sim::Sheet& sheet, const char* key, const CurveEnds& ends) {
+void tie_ends(sim::Scene& scene, const sim::Sheet& sheet, const char* key, const CurtainEnds& ends) {
   for (const int i : {0, static_cast<int>(sheet.east_km.size()) - 1})
     if (const int leader = leader_of(sheet, i, ends); leader != i)
       add_tie(scene, path_of_point(sheet, key, i), path_of_point(sheet, key, leader));
@@ -177,10 +177,10 @@ void tie_ends(sim::Scene& scene, const sim::Sheet& sheet, const char* key, const
 
 /// Frees the knots of a list, and ties what lies between them.
 void free_knots(sim::Scene& scene, const sim::Sheet& sheet, const char* key, double apart_km,
-                const CurveEnds& ends) {
+                const CurtainEnds& ends) {
   tie_ends(scene, sheet, key, ends);
   const std::vector<double> at = sim::curve_layout(sheet).at;
-  const std::vector<int> knots = knots_of_curve(sheet, apart_km, ends);
+  const std::vector<int> knots = knots_of_sheet(sheet, apart_km, ends);
   for (const int k : knots) free_path(scene, path_of_point(sheet, key, k));
   for (std::size_t k = 0; k + 1 < knots.size(); ++k)
     for (int i = knots[k] + 1; i < knots[k + 1]; ++i) {
@@ -192,7 +192,7 @@ void free_knots(sim::Scene& scene, const sim::Sheet& sheet, const char* key, dou
 }
 
 /// Frees how far each point stands across the curve's direction there, to its left.
-void free_across(sim::Scene& scene, const sim::Sheet& sheet, const CurveEnds& ends) {
+void free_across(sim::Scene& scene, const sim::Sheet& sheet, const CurtainEnds& ends) {
   const int last = static_cast<int>(sheet.east_km.size()) - 1;
   for (int i = 0; i <= last; ++i) {
     const int leader = leader_of(sheet, i, ends);
@@ -239,12 +239,12 @@ void hold_one_brightness(sim::Scene& scene) {
 
 }  // namespace
 
-CurveEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge) {
+CurtainEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge) {
   return {!is_in_view(scene, beyond(ridge, true, kLookBeyond_km)),
           !is_in_view(scene, beyond(ridge, false, kLookBeyond_km))};
 }
 
-sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurveEnds& ends) {
+sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurtainEnds& ends) {
   const std::vector<double> at = lengths_along(ridge);
   const std::vector<std::size_t> chosen = chosen_points(ridge, at);
   sim::Sheet sheet = curve_through(ridge, chosen);
@@ -266,7 +266,7 @@ sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurveEnds& ends) {
   double light = 0.0;
   for (std::size_t i = 1; i < at.size(); ++i)
     light += 0.5 * (light_per_km(ridge.points[i - 1]) + light_per_km(ridge.points[i])) * (at[i] - at[i - 1]);
-  sheet.energy_flux_mw_m2 = std::clamp(light / light_of_curve(sheet), 1e-6, 1e4);
+  sheet.energy_flux_mw_m2 = std::clamp(light / light_of_curtain(sheet), 1e-6, 1e4);
   const auto go_on = [&](bool at_start) {
     const sim::EastNorth foot = beyond(ridge, at_start, kGoesOn_km);
     const auto add = [&](std::vector<double>& list, double value) {
@@ -283,7 +283,7 @@ sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurveEnds& ends) {
   return sheet;
 }
 
-std::vector<int> knots_of_curve(const sim::Sheet& sheet, double apart_km, const CurveEnds& ends) {
+std::vector<int> knots_of_sheet(const sim::Sheet& sheet, double apart_km, const CurtainEnds& ends) {
   const sim::CurveLayout layout = sim::curve_layout(sheet);
   const int first = ends.before ? 1 : 0, last = static_cast<int>(layout.at.size()) - (ends.after ? 2 : 1);
   const double length = layout.at[last] - layout.at[first];
@@ -300,8 +300,8 @@ std::vector<int> knots_of_curve(const sim::Sheet& sheet, double apart_km, const 
   return knots;
 }
 
-void add_curve(sim::Scene& scene, const Ridge& ridge) {
-  const CurveEnds ends = ends_out_of_view(scene, ridge);
+void add_curtain(sim::Scene& scene, const Ridge& ridge) {
+  const CurtainEnds ends = ends_out_of_view(scene, ridge);
   const sim::Sheet sheet = sheet_of_ridge(ridge, ends);
   scene.sheets.push_back(sheet);
   free_across(scene, sheet, ends);
@@ -313,7 +313,7 @@ void add_curve(sim::Scene& scene, const Ridge& ridge) {
   hold_one_brightness(scene);
 }
 
-void drop_curve(sim::Scene& scene, const std::string& name) {
+void drop_curtain(sim::Scene& scene, const std::string& name) {
   const auto is_of_it = [&](const std::string& path) {
     return sim::starts_with(path, "sheet." + name + ".");
   };
@@ -335,7 +335,7 @@ void drop_curve(sim::Scene& scene, const std::string& name) {
   hold_one_brightness(scene);
 }
 
-double light_of_curve(const sim::Sheet& sheet) {
+double light_of_curtain(const sim::Sheet& sheet) {
   const sim::Sheet even = sim::evened_sheet(sheet);
   return even.energy_flux_mw_m2 * even.width_km * even.length_km;
 }
@@ -388,7 +388,7 @@ sim::Scene without_emitters(const sim::Scene& given) {
 
 sim::Scene scene_of_ridges(const sim::Scene& given, const std::vector<Ridge>& ridges) {
   sim::Scene scene = without_emitters(given);
-  for (const Ridge& ridge : ridges) add_curve(scene, ridge);
+  for (const Ridge& ridge : ridges) add_curtain(scene, ridge);
   return scene;
 }
 

@@ -37,31 +37,31 @@ struct Ridge {
 inline constexpr double kMinRidge_km = 5.0;
 
 /// Which ends of a curve are continued beyond the picture, by one point each.
-struct CurveEnds {
+struct CurtainEnds {
   bool before = false, after = false;
 };
 
 /// Finds the ends of a ridge just beyond which the lower border is out of view in all pictures of the scene.
-CurveEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge);
+CurtainEnds ends_out_of_view(const sim::Scene& scene, const Ridge& ridge);
 
 /// Returns a sheet with the light of the ridge: the integral of flux times width along it, continuations
 /// excluded.
-sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurveEnds& ends = {});
+sim::Sheet sheet_of_ridge(const Ridge& ridge, const CurtainEnds& ends = {});
 
 /// Returns the indices of the knots: points of a sheet's curve, continuations excluded, that are at least
 /// `apart_km` from each other along it. The first and the last point are knots, with as many between them as
 /// fit.
-std::vector<int> knots_of_curve(const sim::Sheet& sheet, double apart_km, const CurveEnds& ends = {});
+std::vector<int> knots_of_sheet(const sim::Sheet& sheet, double apart_km, const CurtainEnds& ends = {});
 
 /// Adds a sheet for a ridge of a map of this scene, and its free parameters.
-void add_curve(sim::Scene& scene, const Ridge& ridge);
+void add_curtain(sim::Scene& scene, const Ridge& ridge);
 
 /// Removes a sheet and its free parameters from the scene.
-void drop_curve(sim::Scene& scene, const std::string& name);
+void drop_curtain(sim::Scene& scene, const std::string& name);
 
 /// Returns the integral of energy flux times width along the whole curve, in W if the flux is absolute. (The
 /// flux is the peak of a Gaussian across the curve; the factor sqrt(2 pi) is left out.)
-double light_of_curve(const sim::Sheet& sheet);
+double light_of_curtain(const sim::Sheet& sheet);
 
 /// Returns the scene without sheets and other emitters and their free or tied parameters, with a single gain
 /// for the whole picture, and without a search before the descent.

@@ -12,7 +12,7 @@
 #include "fit/report/report_plots.h"
 #include "fit/report/report_style.h"
 #include "fit/report/report_tables.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "fit/report/table/report_bins.h"
 #include "fit/report/table/validation_table.h"
 #include "sim/base/file/number_text.h"
@@ -252,7 +252,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                 cards);
   const std::string map = foot_map_svg(result);
   if (!map.empty()) html += section("Where it is", "", "<div class=\"plots\">\n" + map + "</div>\n");
-  if (const std::string steps = curve_steps_table(result); !steps.empty())
+  if (const std::string steps = curtain_steps_table(result); !steps.empty())
     html +=
         section("Selection of curtains",
                 "The map\u2019s curtains were made curves and settled by their beams. Then the weakest were "

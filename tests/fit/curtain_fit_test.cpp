@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/file/scene_toml.h"
 #include "tests/support/two_stations.h"
@@ -80,7 +80,8 @@ TEST(CurtainFit, DropsACurveThatIsNotThereAndAddsOneThatIs) {
   const FitResult result =
       fit_curtains(sim::parse_scene(kCamera, "scene"), {photo()}, {near_ridge(), ghost("curtain_2")},
                    {far_ridge("faint_1")}, options());
-  for (const CurtainStep& step : result.curtain_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
+  for (const CurtainStep& step : result.curtain_steps)
+    std::printf("%s\n", curtain_step_in_words(step).c_str());
   ASSERT_EQ(result.best.sheets.size(), 2u);
   EXPECT_EQ(result.best.sheets[0].name, "curtain_1");
   EXPECT_EQ(result.best.sheets[1].name, "faint_1");
@@ -91,13 +92,13 @@ TEST(CurtainFit, DropsACurveThatIsNotThereAndAddsOneThatIs) {
     if (!step.kept) continue;
     last_kept = &step;
     if (step.change == CurtainStep::Change::start) continue;
-    EXPECT_GT(step.bic_lower_by, 10.0) << curve_step_in_words(step);
-    dropped = dropped || (step.change == CurtainStep::Change::drop && step.curve == "curtain_2");
-    added = added || (step.change == CurtainStep::Change::add && step.curve == "faint_1");
+    EXPECT_GT(step.bic_lower_by, 10.0) << curtain_step_in_words(step);
+    dropped = dropped || (step.change == CurtainStep::Change::drop && step.curtain == "curtain_2");
+    added = added || (step.change == CurtainStep::Change::add && step.curtain == "faint_1");
   }
   ASSERT_NE(last_kept, nullptr);
   EXPECT_TRUE(dropped && added);
-  EXPECT_EQ(last_kept->curves, 2);
+  EXPECT_EQ(last_kept->curtains, 2);
   EXPECT_LT(last_kept->chi2, result.curtain_steps[0].chi2);
   EXPECT_LT(apart_km(result.best.sheets[0], two_curves().sheets[0]), 1.5);
   EXPECT_LT(apart_km(result.best.sheets[1], two_curves().sheets[1]), 6.0);
@@ -109,11 +110,12 @@ TEST(CurtainFit, KeepsWhatIsThereAndAddsNothing) {
   const FitResult result =
       fit_curtains(sim::parse_scene(kCamera, "scene"), {photo()}, {near_ridge(), far_ridge("curtain_2")},
                    {ghost("faint_1")}, options());
-  for (const CurtainStep& step : result.curtain_steps) std::printf("%s\n", curve_step_in_words(step).c_str());
+  for (const CurtainStep& step : result.curtain_steps)
+    std::printf("%s\n", curtain_step_in_words(step).c_str());
   ASSERT_EQ(result.best.sheets.size(), 2u);
   EXPECT_EQ(result.best.sheets[1].name, "curtain_2");
   for (const CurtainStep& step : result.curtain_steps)
-    EXPECT_EQ(step.kept, step.change == CurtainStep::Change::start) << curve_step_in_words(step);
+    EXPECT_EQ(step.kept, step.change == CurtainStep::Change::start) << curtain_step_in_words(step);
   // The energies are the truth's, and the errors know how far they are not.
   int within = 0, energies = 0;
   for (const FittedParameter& p : result.parameters) {

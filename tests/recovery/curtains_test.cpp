@@ -13,7 +13,7 @@
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/raster_grid.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/sheet_curve.h"
 #include "sim/scene/file/scene_toml.h"
@@ -220,7 +220,7 @@ TEST(CurtainRecovery, OfThreeFoldedCurtainsWithRays) {
   const FitResult refined =
       fit_curtains(camera(), {photo}, ridges(curtains, "curtain_"), ridges(faint, "faint_"), FitOptions());
   for (const CurtainStep& step : refined.curtain_steps)
-    std::printf("%s: chi2 %.0f\n", curve_step_in_words(step).c_str(), step.chi2);
+    std::printf("%s: chi2 %.0f\n", curtain_step_in_words(step).c_str(), step.chi2);
   std::printf("chi2 %.0f at the start, %.0f at the end, dof %d\n", refined.chi2_initial, refined.chi2,
               refined.dof);
   EXPECT_LT(refined.chi2, refined.chi2_initial);

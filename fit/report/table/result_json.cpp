@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "fit/answer/result_numbers.h"
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
@@ -179,18 +179,18 @@ Json stability(const FitResult& result) {
   return json;
 }
 
-Json curve_steps(const FitResult& result) {
+Json curtain_steps(const FitResult& result) {
   Json json = Json::array();
   for (const CurtainStep& step : result.curtain_steps)
     json.push_back({{"change", change_name(step.change)},
-                    {"curve", words(step.curve)},
-                    {"curves", step.curves},
+                    {"curve", words(step.curtain)},
+                    {"curves", step.curtains},
                     {"chi2", number(step.chi2)},
                     {"values", step.values},
                     {"unknowns", step.unknowns},
                     {"bic_lower_by", number(step.bic_lower_by)},
                     {"kept", step.kept},
-                    {"words", curve_step_in_words(step)}});
+                    {"words", curtain_step_in_words(step)}});
   return json;
 }
 
@@ -250,7 +250,7 @@ std::string result_json(const FitResult& result) {
   if (result.chain) json["chain"] = chain(result);
   if (result.stability) json["stability"] = stability(result);
   if (result.validation_interrupted) json["validation_interrupted"] = true;
-  if (!result.curtain_steps.empty()) json["curve_steps"] = curve_steps(result);
+  if (!result.curtain_steps.empty()) json["curve_steps"] = curtain_steps(result);
   put_numbers(result, ResultGroup::misfit, json);
   json["compared"] = {
       {"regions_px", result.compared.regions_px},

@@ -72,7 +72,7 @@ TEST(CurtainSheets, AStraightRidgeNeedsFewPoints) {
 TEST(CurtainSheets, HasTheLightAndTheEnergyOfTheRidge) {
   const Ridge ridge = folded();
   const sim::Sheet sheet = sheet_of_ridge(ridge);
-  EXPECT_NEAR(light_of_curve(sheet) / light_of(ridge), 1.0, 1e-6);
+  EXPECT_NEAR(light_of_curtain(sheet) / light_of(ridge), 1.0, 1e-6);
   for (std::size_t i = 0; i < sheet.east_km.size(); ++i)
     for (const RidgePoint& p : ridge.points) {
       if (p.foot_km.east != sheet.east_km[i]) continue;
@@ -85,8 +85,8 @@ TEST(CurtainSheets, HasTheLightAndTheEnergyOfTheRidge) {
 TEST(CurtainSheets, KnotsAreTheEndsAndWhatThereIsRoomFor) {
   const sim::Sheet sheet = sheet_of_ridge(folded());
   const int last = static_cast<int>(sheet.east_km.size()) - 1;
-  EXPECT_EQ(knots_of_curve(sheet, 1e6), (std::vector<int>{0, last}));
-  const std::vector<int> some = knots_of_curve(sheet, 100.0);
+  EXPECT_EQ(knots_of_sheet(sheet, 1e6), (std::vector<int>{0, last}));
+  const std::vector<int> some = knots_of_sheet(sheet, 100.0);
   EXPECT_EQ(some.front(), 0);
   EXPECT_EQ(some.back(), last);
   EXPECT_GE(some.size(), 4u);
@@ -101,11 +101,11 @@ TEST(CurtainSheets, AllThatIsFreeMovesTheScene) {
   EXPECT_NO_THROW(sim::parse_scene(sim::write_scene(scene), "scene.toml"));
   const std::vector<FreeNumber> free = free_numbers(scene);
   // Of both: a distance across for each point in view, a brightness for each but the one that is held.
-  const CurveEnds ends = ends_out_of_view(given, folded());
+  const CurtainEnds ends = ends_out_of_view(given, folded());
   ASSERT_TRUE(ends.before && ends.after);
   const std::size_t points = scene.sheets[0].east_km.size();
-  const auto energies = knots_of_curve(scene.sheets[0], 50.0, ends).size(),
-             widths = knots_of_curve(scene.sheets[0], 150.0, ends).size();
+  const auto energies = knots_of_sheet(scene.sheets[0], 50.0, ends).size(),
+             widths = knots_of_sheet(scene.sheets[0], 150.0, ends).size();
   EXPECT_EQ(free.size(), 2 * (2 * (points - 2) + energies + widths) - 1);
   std::vector<double> values;
   for (const FreeNumber& n : free) values.push_back(n.start);
@@ -126,7 +126,7 @@ TEST(CurtainSheets, AllThatIsFreeMovesTheScene) {
 
 TEST(CurtainSheets, WhatLeavesThePictureGoesOnBeyondIt) {
   const sim::Scene scene;
-  const CurveEnds ends = ends_out_of_view(scene, folded());
+  const CurtainEnds ends = ends_out_of_view(scene, folded());
   ASSERT_TRUE(ends.before && ends.after);
   const sim::Sheet whole = sheet_of_ridge(folded()), longer = sheet_of_ridge(folded(), ends);
   ASSERT_EQ(longer.east_km.size(), whole.east_km.size() + 2);
@@ -137,13 +137,13 @@ TEST(CurtainSheets, WhatLeavesThePictureGoesOnBeyondIt) {
   Ridge in_view = folded();
   in_view.points.erase(in_view.points.begin(), in_view.points.begin() + 20);
   in_view.points.resize(20);
-  const CurveEnds none = ends_out_of_view(scene, in_view);
+  const CurtainEnds none = ends_out_of_view(scene, in_view);
   EXPECT_FALSE(none.before || none.after);
 }
 
 TEST(CurtainSheets, ACurveIsDroppedWithAllThatIsFreeOfIt) {
   sim::Scene scene = scene_of_ridges(sim::Scene(), {folded("curtain_1"), folded("curtain_10")});
-  drop_curve(scene, "curtain_1");
+  drop_curtain(scene, "curtain_1");
   EXPECT_NO_THROW(sim::parse_scene(sim::write_scene(scene), "scene.toml"));
   ASSERT_EQ(scene.sheets.size(), 1u);
   EXPECT_EQ(scene.sheets[0].name, "curtain_10");

@@ -1,4 +1,4 @@
-#include "fit/report/table/curve_steps_table.h"
+#include "fit/report/table/curtain_steps_table.h"
 
 #include <cmath>
 
@@ -29,21 +29,21 @@ const char* change_name(CurtainStep::Change change) {
   return "";
 }
 
-std::string curve_step_in_words(const CurtainStep& step) {
+std::string curtain_step_in_words(const CurtainStep& step) {
   if (step.change == CurtainStep::Change::start)
-    return fmt::format("{} of the map, settled together", step.curves == 1
-                                                              ? std::string("the curtain")
-                                                              : fmt::format("the {} curtains", step.curves));
+    return fmt::format(
+        "{} of the map, settled together",
+        step.curtains == 1 ? std::string("the curtain") : fmt::format("the {} curtains", step.curtains));
   const bool drops = step.change == CurtainStep::Change::drop;
   const char* what = drops ? (step.kept ? "is not needed" : "stays")
                            : (step.kept ? "belongs to the picture" : "is left out");
   const double by = std::abs(step.bic_lower_by);
-  return fmt::format("{} {}: BIC {} {} {} {} it ({})", step.curve, what, step.kept ? "is" : "would be",
+  return fmt::format("{} {}: BIC {} {} {} {} it ({})", step.curtain, what, step.kept ? "is" : "would be",
                      plain_amount(by), step.kept ? "lower" : "higher", drops ? "without" : "with",
                      evidence_words(by));
 }
 
-std::string curve_steps_table(const FitResult& result) {
+std::string curtain_steps_table(const FitResult& result) {
   if (result.curtain_steps.empty()) return {};
   std::string html =
       "<table>\n<thead><tr><th>step</th><th class=\"number\">curves</th><th "
@@ -57,7 +57,7 @@ std::string curve_steps_table(const FitResult& result) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
         "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
-        sim::html_text(curve_step_in_words(step)), step.curves,
+        sim::html_text(curtain_step_in_words(step)), step.curtains,
         sim::html_text(sim::short_number(step.chi2, 6)), step.unknowns, change);
   }
   return html + "</tbody>\n</table>\n";

@@ -11,9 +11,9 @@ namespace vegard::fit {
 const char* change_name(CurtainStep::Change change);
 
 /// "curtain_2 stays: BIC would be 812 higher without it (very strong evidence)".
-std::string curve_step_in_words(const CurtainStep& step);
+std::string curtain_step_in_words(const CurtainStep& step);
 
 /// An HTML table with one row per step; empty if there are none.
-std::string curve_steps_table(const FitResult& result);
+std::string curtain_steps_table(const FitResult& result);
 
 }  // namespace vegard::fit
