@@ -33,7 +33,7 @@ void vary_region(const sim::Scene& from, const std::vector<Photo>& photos, std::
   if (whole == std::array<int, 4>{0, 0, 0, 0}) whole = {0, 0, file_size.width, file_size.height};
   const auto add = [&](const char* name, double left, double right, double top, double bottom) {
     Variation v{"region", name, from};
-    const auto cut = [](double share, int of) { return static_cast<int>(std::lround(share * of)); };
+    const auto cut = [](double share, int length) { return static_cast<int>(std::lround(share * length)); };
     std::array<int, 4>& roi = v.scene.fit.roi_px;
     roi = {whole[0] + cut(left, whole[2]), whole[1] + cut(top, whole[3]),
            whole[2] - cut(left, whole[2]) - cut(right, whole[2]),
@@ -120,9 +120,9 @@ std::vector<Photo> recurved(const std::vector<Photo>& photos, double power) {
 
 FitResult fitted_again(const Variation& variation, const std::vector<Photo>& photos,
                        const FitOptions& options) {
-  const auto fit = [&](const std::vector<Photo>& of) {
-    return variation.scene.fit.photos.empty() ? fit_photo(variation.scene, of.front(), options)
-                                              : fit_photos(variation.scene, of, options);
+  const auto fit = [&](const std::vector<Photo>& pictures) {
+    return variation.scene.fit.photos.empty() ? fit_photo(variation.scene, pictures.front(), options)
+                                              : fit_photos(variation.scene, pictures, options);
   };
   return variation.transfer_curve_power == 1.0 ? fit(photos)
                                                : fit(recurved(photos, variation.transfer_curve_power));

@@ -74,7 +74,7 @@ py::array_t<double> axis(double first, double step, int count) {
 /// The columns of curtains.csv.
 struct CurtainColumn {
   const char* name;
-  double (*of)(const fit::CurtainPoint&);
+  double (*value_at)(const fit::CurtainPoint&);
 };
 constexpr CurtainColumn kColumns[] = {
     {"east_km", [](const fit::CurtainPoint& p) { return p.foot_km.east; }},
@@ -99,7 +99,7 @@ py::list curtains_of(const Map& self) {
     py::dict columns;
     for (const CurtainColumn& column : kColumns) {
       std::vector<double> values;
-      for (const fit::CurtainPoint& point : curtain.points) values.push_back(column.of(point));
+      for (const fit::CurtainPoint& point : curtain.points) values.push_back(column.value_at(point));
       const auto count = static_cast<py::ssize_t>(values.size());
       columns[column.name] = array_of(std::move(values), {count});
     }

@@ -132,10 +132,10 @@ py::tuple residuals_and_jacobian(const CostHandle& self, const std::optional<Dou
                         numbers_array(std::move(result.jacobian), {rows, columns}));
 }
 
-template <class Value, class Of>
-std::vector<Value> of_free(const CostHandle& self, const Of& of) {
+template <class Value, class ValueOf>
+std::vector<Value> values_of_free(const CostHandle& self, const ValueOf& value_of) {
   std::vector<Value> all;
-  for (const fit::FreeNumber& number : self.cost->free()) all.push_back(of(number));
+  for (const fit::FreeNumber& number : self.cost->free()) all.push_back(value_of(number));
   return all;
 }
 
@@ -188,17 +188,19 @@ void bind_cost(py::module_& m) {
       .def_property_readonly(
           "names",
           [](const CostHandle& c) {
-            return of_free<std::string>(c, [](const auto& n) { return n.label(); });
+            return values_of_free<std::string>(c, [](const auto& n) { return n.label(); });
           },
           "Paths of the free parameters, in the order of the Jacobian's columns (list of str).")
       .def_property_readonly(
           "units",
-          [](const CostHandle& c) { return of_free<std::string>(c, [](const auto& n) { return n.unit(); }); },
+          [](const CostHandle& c) {
+            return values_of_free<std::string>(c, [](const auto& n) { return n.unit(); });
+          },
           "Their units (list of str).")
       .def_property_readonly(
           "limits",
           [](const CostHandle& c) {
-            return of_free<std::pair<double, double>>(
+            return values_of_free<std::pair<double, double>>(
                 c, [](const auto& n) { return std::make_pair(n.min, n.max); });
           },
           "Their limits; infinite where there is none (list of pairs of float).")

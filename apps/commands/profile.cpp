@@ -173,12 +173,12 @@ Measured measure_bands(const ProfileRequest& options, const std::optional<sim::S
   }
   const int bands =
       options.bands.value_or(scene ? scene->fit.bands : std::min(sim::Fit{}.bands, region.width));
-  const bool of_the_sun = scene && (scene->fit.profile_along == sim::ProfileAlong::loop ||
-                                    scene->fit.profile_along == sim::ProfileAlong::limb);
+  const bool is_solar = scene && (scene->fit.profile_along == sim::ProfileAlong::loop ||
+                                  scene->fit.profile_along == sim::ProfileAlong::limb);
   const fit::Profile profile =
-      of_the_sun ? sun_profile(*scene, photo, region, bands) : fit::extract_profile(photo, region, bands);
+      is_solar ? sun_profile(*scene, photo, region, bands) : fit::extract_profile(photo, region, bands);
   std::optional<fit::LineBrightness> lines;
-  if (options.lines && of_the_sun)
+  if (options.lines && is_solar)
     throw usage_error(
         "--lines", "lines are measured along columns only",
         "no fit.profile_along = \"" + sim::word_of(scene->fit.profile_along) + "\" in the scene");
@@ -186,7 +186,7 @@ Measured measure_bands(const ProfileRequest& options, const std::optional<sim::S
   return {fit::profile_csv(photo, profile, elevation, lines ? &*lines : nullptr, limb_observer_km(scene)),
           fit::profile_plot(photo, profile, elevation),
           std::to_string(profile.bands) + " bands of " + std::to_string(profile.rows) +
-              (of_the_sun ? " positions" : " rows"),
+              (is_solar ? " positions" : " rows"),
           {}};
 }
 
@@ -280,9 +280,9 @@ ProfileRequest of_one_image(const ProfileRequest& options) {
 }
 
 KeogramOptions keogram_options(const ProfileRequest& options) {
-  const bool of_profiles = !options.output.empty() || !options.plot.empty() || options.bands ||
-                           options.lines || options.sectors.asked() || !options.filters.empty();
-  if (of_profiles)
+  const bool wants_profiles = !options.output.empty() || !options.plot.empty() || options.bands ||
+                              options.lines || options.sectors.asked() || !options.filters.empty();
+  if (wants_profiles)
     throw usage_error("--keogram", "it takes the place of a profile",
                       "no --output, --plot, --bands, --line, --lines, --azimuths or --directions with it");
   if (!options.at.empty()) throw usage_error("--at", "a keogram has all frames of a file", "no --at with it");

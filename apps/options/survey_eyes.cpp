@@ -52,11 +52,11 @@ fit::PlanInput survey_setup(const fit::SurveyCamera& camera, int calibration, co
 }
 
 fit::SurveyEye planned_eye(const fit::SurveyPlan& plan, int camera, int calibration) {
-  const fit::SurveyCamera& of = plan.cameras.at(static_cast<std::size_t>(camera));
+  const fit::SurveyCamera& planned = plan.cameras.at(static_cast<std::size_t>(camera));
   const SurveyPlaces place{plan.place("")};
-  fit::SurveyEye eye = survey_eye(of, calibration, place, plan.work);
-  const std::string what = fit::setup_words(of, calibration);
-  if (fit::eye_sha256(eye, placed_decoding(of, place)) != plan.sha256_of(what))
+  fit::SurveyEye eye = survey_eye(planned, calibration, place, plan.work);
+  const std::string what = fit::setup_words(planned, calibration);
+  if (fit::eye_sha256(eye, placed_decoding(planned, place)) != plan.sha256_of(what))
     throw sim::Error(sim::ErrorKind::existing_output,
                      what + " (scene, camera, mask, decoding) is not what it was when the plan was made")
         .file(plan.file)

@@ -93,7 +93,7 @@ bool is_of_sun(const sim::Scene& scene) {
 
 sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made) {
   sim::VdbMetadata out;
-  const bool of_sun = is_of_sun(scene), in_km = !of_sun && made.unit_cm == 1e5;
+  const bool is_solar = is_of_sun(scene), in_km = !is_solar && made.unit_cm == 1e5;
   out.numbers["unit_cm"] = made.unit_cm;
   out.numbers["voxel_km"] = made.grid.voxel * made.unit_cm * 1e-5;
   out.numbers["rayleigh_per_unit"] = rayleigh_per_unit(made);
@@ -104,16 +104,16 @@ sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& 
   }
   out.numbers["time_start_s"] = scene.time.start_s;
   out.texts["creator"] = "vegard " + sim::version();
-  if (of_sun) {
+  if (is_solar) {
     out.numbers["unit_km"] = scene.sun.unit_km;
     out.texts["axes"] =
         "x to latitude 0 and longitude 0, y to longitude 90 deg (west), z to the north pole of the Sun, its "
         "middle at the origin, in units of unit_km";
   }
   out.texts["frame"] =
-      of_sun  ? "sun"
-      : in_km ? "x east, y north, z up, in km, the observer at the origin"
-              : "x right, y up, z towards the observer, in the nebula's unit, its middle at the origin";
+      is_solar ? "sun"
+      : in_km  ? "x east, y north, z up, in km, the observer at the origin"
+               : "x right, y up, z towards the observer, in the nebula's unit, its middle at the origin";
   out.texts["density_is"] =
       made.absorbs ? "what absorbs" : "light of all lines over that of the brightest voxel";
   out.texts["voxel_centre"] =

@@ -57,25 +57,25 @@ sim::LineLight light_of(double wavelength_nm, const sim::Scene& scene, int sheet
   return sim::line_light(wavelength_nm, even, sheet);
 }
 
-void add_energies(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+void add_energies(const sim::Scene& best, int s, const std::string& suffix, std::vector<Group>& groups) {
   const sim::Sheet& sheet = best.sheets[s];
   // A form has an energy for its steps and its power, but its light does not determine it.
   if (!sim::mean_energy_kev(sheet) || sheet.profile == sim::ProfileKind::form) {
-    groups.push_back(none({"mean electron energy" + of, "keV",
+    groups.push_back(none({"mean electron energy" + suffix, "keV",
                            "the height profile is not that of known electrons", Quantity::energy}));
     return;
   }
   // For mono-energetic and Gaussian electrons it is the mean energy itself.
   if (sheet.profile == sim::ProfileKind::maxwellian)
-    groups.push_back(one({"characteristic energy E0" + of, "keV", "", Quantity::energy},
+    groups.push_back(one({"characteristic energy E0" + suffix, "keV", "", Quantity::energy},
                          [s](const sim::Scene& x) { return sim::evened_sheet(x.sheets[s]).energy_kev; }));
-  groups.push_back(one({"mean electron energy" + of, "keV", "", Quantity::energy}, [s](const sim::Scene& x) {
-    return *sim::mean_energy_kev(sim::evened_sheet(x.sheets[s]));
-  }));
+  groups.push_back(
+      one({"mean electron energy" + suffix, "keV", "", Quantity::energy},
+          [s](const sim::Scene& x) { return *sim::mean_energy_kev(sim::evened_sheet(x.sheets[s])); }));
 }
 
 /// Altitudes of the line that shows the border, the peaks of all lines.
-void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+void add_altitudes(const sim::Scene& best, int s, const std::string& suffix, std::vector<Group>& groups) {
   const double border = sim::border_line_nm(best, s);
   std::vector<double> lines;
   if (border > 0.0) lines.push_back(border);
@@ -84,17 +84,17 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
   for (const double nm : lines) {
     const std::string line = sim::line_words(nm);
     const bool is_detail = nm != border;
-    Group group{{{"peak altitude of " + line + of, "km", "it is brightest at an end of its profile",
+    Group group{{{"peak altitude of " + line + suffix, "km", "it is brightest at an end of its profile",
                   Quantity::altitude, is_detail}},
                 {}};
     if (!is_detail) {
-      group.labels.push_back({"lower border of " + line + " (a tenth of the peak)" + of, "km",
+      group.labels.push_back({"lower border of " + line + " (a tenth of the peak)" + suffix, "km",
                               "the light has not fallen to a tenth at 80 km, where its profile ends",
                               Quantity::altitude});
       group.labels.push_back(
-          {"half-width of " + line + " below its peak" + of, "km", "", Quantity::width, true});
+          {"half-width of " + line + " below its peak" + suffix, "km", "", Quantity::width, true});
       group.labels.push_back(
-          {"half-width of " + line + " above its peak" + of, "km", "", Quantity::width, true});
+          {"half-width of " + line + " above its peak" + suffix, "km", "", Quantity::width, true});
     }
     group.numbers = [nm, s, is_detail](const sim::Scene& x) {
       const sim::LineLight light = light_of(nm, x, s);
@@ -107,9 +107,9 @@ void add_altitudes(const sim::Scene& best, int s, const std::string& of, std::ve
   }
 }
 
-void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+void add_ratios(const sim::Scene& best, int s, const std::string& suffix, std::vector<Group>& groups) {
   for (const double nm : {kRedNm, kBlueNm}) {
-    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, of), "", "",
+    const Label label{fmt::format("I({:.1f})/I({:.1f}) along the field{}", nm, sim::kGreenNm, suffix), "", "",
                       Quantity::ratio};
     Label absent = label;
     for (const double needed : {nm, sim::kGreenNm})
@@ -128,8 +128,8 @@ void add_ratios(const sim::Scene& best, int s, const std::string& of, std::vecto
 }
 
 /// Of a sine: its bearing and its numbers, as far as they were asked for.
-void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, int s, const std::string& of,
-                 std::vector<Group>& groups) {
+void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, int s,
+                 const std::string& suffix, std::vector<Group>& groups) {
   if (sim::is_curve(best.sheets[s])) return;
   const auto is_free = [&](const char* key) {
     const std::string path = "sheet." + best.sheets[s].name + "." + key;
@@ -138,7 +138,7 @@ void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, in
   const auto add = [&](const char* key, const char* name, const char* unit, Quantity quantity,
                        double sim::Sheet::*number) {
     if (is_free(key))
-      groups.push_back(one({name + of, unit, "", quantity, true, false, true},
+      groups.push_back(one({name + suffix, unit, "", quantity, true, false, true},
                            [s, number](const sim::Scene& x) { return x.sheets[s].*number; }));
   };
   add("bearing_deg", "bearing", "deg", Quantity::azimuth, &sim::Sheet::bearing_deg);
@@ -149,10 +149,10 @@ void add_lateral(const sim::Scene& best, const std::vector<FreeNumber>& free, in
   add("phase_rad", "phase", "rad", Quantity::phase, &sim::Sheet::phase_rad);
 }
 
-void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<Group>& groups) {
+void add_feet(const sim::Scene& best, int s, const std::string& suffix, std::vector<Group>& groups) {
   if (!sim::is_latitude_given(best)) {
     groups.push_back(
-        none({"geographic coordinates of the feet" + of, "deg",
+        none({"geographic coordinates of the feet" + suffix, "deg",
               "the site is not given: site.latitude_deg and site.longitude_deg", Quantity::place}));
     return;
   }
@@ -161,7 +161,7 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
   Group group;
   for (const char* which : {"the nearest foot", "the middle foot", "the first foot", "the last foot"}) {
     const bool is_detail = which != std::string("the nearest foot");
-    const std::string foot = std::string(" of ") + which + of;
+    const std::string foot = std::string(" of ") + which + suffix;
     group.labels.push_back({"latitude" + foot, "deg", beyond, Quantity::place, is_detail});
     if (!with_longitude) continue;
     group.labels.push_back({"longitude" + foot, "deg", beyond, Quantity::place, is_detail, true});
@@ -182,7 +182,7 @@ void add_feet(const sim::Scene& best, int s, const std::string& of, std::vector<
   };
   groups.push_back(std::move(group));
   if (!with_longitude)
-    groups.push_back(none({"longitude and geomagnetic latitude of the feet" + of, "deg",
+    groups.push_back(none({"longitude and geomagnetic latitude of the feet" + suffix, "deg",
                            "site.longitude_deg is not given", Quantity::place}));
 }
 
@@ -207,12 +207,12 @@ double nearest_on_spline_km(const sim::Footprint& f) {
 void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
   for (std::size_t i = 0; i < best.footprints.size(); ++i) {
     const sim::Footprint& footprint = best.footprints[i];
-    const std::string of = " of the " + footprint.name + " footprint";
+    const std::string suffix = " of the " + footprint.name + " footprint";
     if (footprint.shape == sim::FootprintShape::box && footprint.source == sim::FootprintSource::spline)
-      groups.push_back(one({"distance" + of, "km", "", Quantity::distance},
+      groups.push_back(one({"distance" + suffix, "km", "", Quantity::distance},
                            [i](const sim::Scene& x) { return nearest_on_spline_km(x.footprints[i]); }));
     if (footprint.profile == sim::ProfileKind::maxwellian)
-      groups.push_back(one({"characteristic energy E0" + of, "keV", "", Quantity::energy},
+      groups.push_back(one({"characteristic energy E0" + suffix, "keV", "", Quantity::energy},
                            [i](const sim::Scene& x) { return x.footprints[i].energy_kev; }));
   }
 }
@@ -220,29 +220,30 @@ void add_footprints(const sim::Scene& best, std::vector<Group>& groups) {
 std::vector<Group> groups_of(const sim::Scene& best, const std::vector<FreeNumber>& free) {
   std::vector<Group> groups;
   for (int s = 0; s < static_cast<int>(best.sheets.size()); ++s) {
-    const std::string of = " of the " + best.sheets[s].name + " sheet";
-    groups.push_back(one({"distance" + of, "km", "", Quantity::distance}, [s](const sim::Scene& x) {
+    const std::string suffix = " of the " + best.sheets[s].name + " sheet";
+    groups.push_back(one({"distance" + suffix, "km", "", Quantity::distance}, [s](const sim::Scene& x) {
       return nearest_distance_km(x.sheets[s], x.time.start_s);
     }));
     // Differences go by the turn from the best scene's, which does not jump in the north.
     const double middle_deg = nearest_azimuth_deg(best.sheets[s], best.time.start_s);
-    groups.push_back(one({"azimuth of the nearest point" + of, "deg", "", Quantity::azimuth},
+    groups.push_back(one({"azimuth of the nearest point" + suffix, "deg", "", Quantity::azimuth},
                          [s, middle_deg](const sim::Scene& x) {
                            return middle_deg +
                                   std::remainder(
                                       nearest_azimuth_deg(x.sheets[s], x.time.start_s) - middle_deg, 360.0);
                          }));
-    add_energies(best, s, of, groups);
-    add_altitudes(best, s, of, groups);
-    add_ratios(best, s, of, groups);
+    add_energies(best, s, suffix, groups);
+    add_altitudes(best, s, suffix, groups);
+    add_ratios(best, s, suffix, groups);
     if (best.sheets[s].layers > 1 && !sim::is_curve(best.sheets[s]))
-      groups.push_back(one({"largest distance between the boundaries" + of, "km", "", Quantity::width, true},
-                           [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
+      groups.push_back(
+          one({"largest distance between the boundaries" + suffix, "km", "", Quantity::width, true},
+              [s](const sim::Scene& x) { return boundary_separation_km(x.sheets[s]); }));
     if (!sim::is_curve(best.sheets[s]))
-      groups.push_back(one({"wavelength over twice the amplitude" + of, "", "", Quantity::ratio, true},
+      groups.push_back(one({"wavelength over twice the amplitude" + suffix, "", "", Quantity::ratio, true},
                            [s](const sim::Scene& x) { return wavelength_ratio(x.sheets[s]); }));
-    add_lateral(best, free, s, of, groups);
-    add_feet(best, s, of, groups);
+    add_lateral(best, free, s, suffix, groups);
+    add_feet(best, s, suffix, groups);
   }
   add_footprints(best, groups);
   return groups;

@@ -16,10 +16,10 @@ constexpr int kMaxMinimisations = 400, kMaxRestarts = 3;
 constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor"};
 constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", ""};
 
-OpenInterval interval_of_exponential(const OpenInterval& of_ln) {
+OpenInterval interval_of_exponential(const OpenInterval& ln_interval) {
   OpenInterval interval;
-  if (of_ln.lower) interval.lower = std::exp(*of_ln.lower);
-  if (of_ln.upper) interval.upper = std::exp(*of_ln.upper);
+  if (ln_interval.lower) interval.lower = std::exp(*ln_interval.lower);
+  if (ln_interval.upper) interval.upper = std::exp(*ln_interval.upper);
   return interval;
 }
 

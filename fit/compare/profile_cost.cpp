@@ -154,10 +154,10 @@ bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, d
 Inflation joint_inflation(const ProfileCost& cost, const ProfileCost::Point& point, int unknowns) {
   double squares = 0.0, correlated = 0.0;
   for (std::size_t t = 0; t < cost.terms().size(); ++t) {
-    const Comparison& of = *cost.terms()[t].comparison;
-    const double share = static_cast<double>(of.residuals()) / cost.data_residuals();
-    const int dof = of.residuals() - static_cast<int>(std::lround(share * unknowns));
-    const Inflation own = of.error_inflation(point.by_photo[t], dof);
+    const Comparison& comparison = *cost.terms()[t].comparison;
+    const double share = static_cast<double>(comparison.residuals()) / cost.data_residuals();
+    const int dof = comparison.residuals() - static_cast<int>(std::lround(share * unknowns));
+    const Inflation own = comparison.error_inflation(point.by_photo[t], dof);
     squares += share * own.scale * own.correlated;
     correlated += share * own.correlated;
   }

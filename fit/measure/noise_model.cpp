@@ -121,15 +121,15 @@ std::vector<double> cell_variances(const sim::Scene& scene, const Photo& photo, 
     for (int x = run.begin; x < run.end; ++x)
       if (const double sum = nine_about(photo, x, run.y, channel); !std::isnan(sum))
         sizes.push_back(std::abs(sum));
-  const double of_pixel = std::pow(sim::median(sizes) / kMedian, 2) / kSquares;
-  const bool of_sensor = scene.fit.photo_noise == sim::PhotoNoise::sensor;
+  const double pixel_variance = std::pow(sim::median(sizes) / kMedian, 2) / kSquares;
+  const bool is_by_sensor = scene.fit.photo_noise == sim::PhotoNoise::sensor;
   std::vector<double> variances(grid.bins(), 0.0);
   for (std::size_t b = 0; b < grid.bins(); ++b) {
     const std::size_t i = b * 3 + static_cast<std::size_t>(channel);
     if (cells.count[i] == 0) continue;
     const double step = code_step(photo, cells.mean[i]);
-    variances[b] = of_sensor ? std::pow(cells.standard_error[i], 2)
-                             : std::max(of_pixel, step * step / 12.0) / cells.count[i];
+    variances[b] = is_by_sensor ? std::pow(cells.standard_error[i], 2)
+                                : std::max(pixel_variance, step * step / 12.0) / cells.count[i];
   }
   return variances;
 }
@@ -211,17 +211,17 @@ std::vector<double> realisation_sigma(const Photo& photo, const Region& region, 
 double sampling_error(const std::vector<double>& one, const std::vector<double>& other, int bands) {
   const double peak = one.empty() ? 0.0 : *std::max_element(one.begin(), one.end());
   if (!(peak > 0.0)) return 0.0;
-  const std::size_t of_band = one.size() / static_cast<std::size_t>(bands);
+  const std::size_t band_values = one.size() / static_cast<std::size_t>(bands);
   double sum = 0.0;
   int count = 0;
-  for (std::size_t first = 0; first + of_band <= one.size(); first += of_band) {
+  for (std::size_t first = 0; first + band_values <= one.size(); first += band_values) {
     double products = 0.0, squares = 0.0;
-    for (std::size_t i = first; i < first + of_band; ++i) {
+    for (std::size_t i = first; i < first + band_values; ++i) {
       products += one[i] * other[i];
       squares += other[i] * other[i];
     }
     if (!(squares > 0.0)) continue;
-    for (std::size_t i = first; i < first + of_band; ++i) {
+    for (std::size_t i = first; i < first + band_values; ++i) {
       if (!(one[i] > kRealisedBright * peak)) continue;
       sum += 0.5 * std::pow((one[i] - products / squares * other[i]) / one[i], 2);
       ++count;

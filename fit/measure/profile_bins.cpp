@@ -124,7 +124,7 @@ BinGrid field_bins(const Region& region, int bands, const sim::Camera& camera, c
         const double here = way * angle(x + 0.5, y + 0.5);
         if (!(here >= way * border[first] && here < way * border[last])) return kNoBin;
         const auto above = std::upper_bound(border.begin() + first, border.begin() + last + 1, here,
-                                            [way](double value, double of) { return value < way * of; });
+                                            [way](double value, double edge) { return value < way * edge; });
         const int column = static_cast<int>(above - border.begin()) - 1;
         return band[std::clamp(column, 0, region.width - 1)] * region.height + y - region.y;
       },

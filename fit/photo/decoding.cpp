@@ -54,11 +54,11 @@ Decoding decoding_of_word(const std::string& text, const sim::Scene* scene, cons
     case Kind::curve:
       break;
   }
-  const bool of_scene =
+  const bool is_in_scene =
       scene != nullptr && scene->fit.decoding == text && scene->tables.count("fit.decoding") > 0;
-  const std::string file =
-      of_scene ? sim::table_place(*scene, word.file) : (std::filesystem::path(beside) / word.file).string();
-  const std::string table = of_scene ? sim::table_text(*scene, "fit.decoding") : text_of_file(file);
+  const std::string file = is_in_scene ? sim::table_place(*scene, word.file)
+                                       : (std::filesystem::path(beside) / word.file).string();
+  const std::string table = is_in_scene ? sim::table_text(*scene, "fit.decoding") : text_of_file(file);
   const sim::ToneCurve curve = sim::ToneCurve::of_table(table, file);
   return of_curve(curve,
                   "curve " + curve.name() + ", SHA-256 " + sim::sha256(table).substr(0, kDigitsOfHash));

@@ -252,7 +252,7 @@ std::string along_curtains(const std::vector<Curtain>& curtains) {
   struct Quantity {
     const char* title;
     const char* label;
-    WithError (*of)(const CurtainPoint&);
+    WithError (*value_at)(const CurtainPoint&);
   };
   const Quantity quantities[] = {
       {"distance", "distance (km)",
@@ -281,7 +281,7 @@ std::string along_curtains(const std::vector<Curtain>& curtains) {
       line.label = "curtain " + std::to_string(c + 1);
       line.colour = distinct_colour(static_cast<int>(c));
       for (const CurtainPoint& p : curtains[c].points) {
-        const WithError v = quantity.of(p);
+        const WithError v = quantity.value_at(p);
         // North in the middle where curtains stand in the north, else south.
         line.x.push_back(northern && p.azimuth_deg > 180.0 ? p.azimuth_deg - 360.0 : p.azimuth_deg);
         line.y.push_back(v.value);

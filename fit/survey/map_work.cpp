@@ -107,11 +107,11 @@ std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene
       spread(map, [&](const std::vector<CellFlux>& cells) { return totals_of(map, cells).power_mw; }),
       trusts.flux);
   if (totals.power_mw > 0.0) {
-    const std::optional<double> of_ln =
+    const std::optional<double> ln_sigma =
         spread(map, [&](const std::vector<CellFlux>& cells) { return totals_of(map, cells).ln_energy; });
     const double energy_kev = std::exp(totals.ln_energy);
     put("mean characteristic energy E0", "keV", energy_kev,
-        of_ln ? std::optional(kEnergyInflation * energy_kev * *of_ln) : std::nullopt, trusts.energy);
+        ln_sigma ? std::optional(kEnergyInflation * energy_kev * *ln_sigma) : std::nullopt, trusts.energy);
   }
   double in_view = 0.0;
   for (std::size_t c = 0; c < map.cells.size(); ++c)

@@ -61,8 +61,8 @@ std::optional<double> row_of_level(const Strip& strip, int from, int step, doubl
 void add_ratio(const Profile& profile, int band, const Extremes& at, int channel, const char* name,
                WorkAnswer& answer) {
   constexpr int kGreen = 1;
-  const auto light = [&](int of, double& value, double& error) {
-    const Strip strip{profile, band, of};
+  const auto light = [&](int colour, double& value, double& error) {
+    const Strip strip{profile, band, colour};
     if (!strip.is_known(at.brightest) || !strip.is_known(at.darkest)) return false;
     value = strip.mean(at.brightest) - strip.mean(at.darkest);
     error = std::hypot(strip.error(at.brightest), strip.error(at.darkest));

@@ -195,10 +195,10 @@ std::optional<FollowedKind> followed_kind(SurveyWork work, const SurveyQuantity&
 }
 
 std::string owner_of_quantity(const std::string& name) {
-  const std::string of = " of the ";
-  const std::size_t begin = name.rfind(of);
+  const std::string owner_words = " of the ";
+  const std::size_t begin = name.rfind(owner_words);
   if (begin == std::string::npos) return {};
-  const std::size_t from = begin + of.size(), end = name.rfind(' ');
+  const std::size_t from = begin + owner_words.size(), end = name.rfind(' ');
   return end == std::string::npos || end <= from ? name.substr(from) : name.substr(from, end - from);
 }
 

@@ -39,8 +39,8 @@ class FlagColumn : public BufferedColumn<int> {
  public:
   static constexpr std::size_t kMaxFlags = 100;
   FlagColumn(NetcdfFile& file, const std::string& name, const std::string& long_name,
-             const std::vector<std::string>& words, const std::vector<NetcdfFile::Dimension>& of)
-      : BufferedColumn{file.variable(name, NetcdfType::flag, of), {}},
+             const std::vector<std::string>& words, const std::vector<NetcdfFile::Dimension>& dimensions)
+      : BufferedColumn{file.variable(name, NetcdfType::flag, dimensions), {}},
         words_(words.begin(),
                words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kMaxFlags))) {
     file.attribute(variable, "long_name", long_name);
@@ -60,8 +60,8 @@ class FlagColumn : public BufferedColumn<int> {
 
 struct RealColumn : BufferedColumn<double> {
   RealColumn(NetcdfFile& file, const std::string& name, const std::string& long_name, const std::string& unit,
-             const std::vector<NetcdfFile::Dimension>& of)
-      : BufferedColumn{file.variable(name, NetcdfType::real, of), {}} {
+             const std::vector<NetcdfFile::Dimension>& dimensions)
+      : BufferedColumn{file.variable(name, NetcdfType::real, dimensions), {}} {
     file.attribute(variable, "long_name", long_name);
     file.attribute(variable, "units", sim::udunits_of(unit));
   }
@@ -70,7 +70,7 @@ struct RealColumn : BufferedColumn<double> {
 
 /// A number with its error, and whether to trust it.
 struct QuantityColumns {
-  SurveyColumn of;
+  SurveyColumn quantity;
   RealColumn value, sigma;
   std::optional<FlagColumn> trust;
 };
@@ -132,7 +132,7 @@ class SurveyNetcdf {
       column.add(found != nullptr ? std::optional(found->verdict) : std::nullopt);
     }
     for (QuantityColumns& column : quantities_) {
-      const SurveyQuantity* q = quantity_in(work_in(answer, column.of.work), column.of);
+      const SurveyQuantity* q = quantity_in(work_in(answer, column.quantity.work), column.quantity);
       column.value.add(q != nullptr ? q->value : std::nullopt);
       column.sigma.add(q != nullptr ? q->sigma : std::nullopt);
       if (column.trust) column.trust->add(q != nullptr ? q->trust : std::nullopt);
@@ -165,8 +165,8 @@ class SurveyNetcdf {
 
  private:
   NetcdfFile::Variable define(const std::string& name, NetcdfType type, const std::string& long_name,
-                              const std::vector<NetcdfFile::Dimension>& of) {
-    const NetcdfFile::Variable made = file_.variable(names_.of(name), type, of);
+                              const std::vector<NetcdfFile::Dimension>& dimensions) {
+    const NetcdfFile::Variable made = file_.variable(names_.of(name), type, dimensions);
     file_.attribute(made, "long_name", long_name);
     return made;
   }

@@ -310,18 +310,18 @@ void SurveyReader::frames(int first, int end,
 
 ShardResults::ShardResults(const std::string& file, const SurveyPlan& plan)
     : plan_(plan), file_(file, SqliteFile::Opening::write) {
-  const AnsweredPlan of = answered_plan(plan);
+  const AnsweredPlan answered = answered_plan(plan);
   const SurveyVersions versions = survey_versions();
   // Both in one transaction: two processes may come at once.
   file_.transaction([&] {
     if (file_.integer("SELECT count(*) FROM sqlite_schema") > 0) return;
     make_survey_tables(file_);
     SurveyWriter writer(file_);
-    writer.add_plan(1, of, 0, 0);
+    writer.add_plan(1, answered, 0, 0);
     writer.add_origin(1, 1, versions);
   });
   const SurveyReader reader(file_);
-  if (reader.plans().size() != 1 || reader.plans()[0].sha256 != of.sha256)
+  if (reader.plans().size() != 1 || reader.plans()[0].sha256 != answered.sha256)
     throw sim::Error(sim::ErrorKind::existing_output, "is of another plan")
         .file(file)
         .hint("choose another folder, or remove this one to begin again");

@@ -163,15 +163,15 @@ std::vector<Member> members_of(const std::vector<DescribedNumber>& numbers,
       continue;
     }
     double east = 0.0, north = 0.0;
-    std::vector<std::size_t> of;
+    std::vector<std::size_t> numbers_moved;
     for (std::size_t k = j; k < numbers.size(); ++k) {
       if (numbers[k].centre != numbers[j].centre || numbers[k].place == DescribedNumber::Place::none)
         continue;
       (numbers[k].place == DescribedNumber::Place::east ? east : north) += direction[k];
       told[k] = true;
-      of.push_back(k);
+      numbers_moved.push_back(k);
     }
-    members.push_back(place_member(numbers[j], east, north, of));
+    members.push_back(place_member(numbers[j], east, north, numbers_moved));
   }
   return members;
 }

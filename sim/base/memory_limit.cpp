@@ -77,12 +77,12 @@ std::uint64_t available_memory(const std::string& root) {
     // "0::/user.slice" of version 2, "5:memory:/docker/1f" of version 1.
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string of = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
     const std::string group = line.substr(second + 1);
-    if (of == ",,")
+    if (controllers == ",,")
       left = std::min(left, left_in_groups(root + "/sys/fs/cgroup", group,
                                            {"memory.max", "memory.current", "inactive_file "}));
-    else if (of.find(",memory,") != std::string::npos)
+    else if (controllers.find(",memory,") != std::string::npos)
       left = std::min(
           left, left_in_groups(root + "/sys/fs/cgroup/memory", group,
                                {"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file "}));

@@ -44,20 +44,20 @@ double intensity_slope(const FormCurve& curve, double altitude_km, double FormCu
 /// Shifts the light of a profile to the curve, and its derivatives with it. `reference` is the profile of
 /// kTotalLinesNm.
 HeightProfile moved(HeightProfile profile, const HeightProfile& reference, const FormCurve& curve) {
-  Total of_tables;
-  double of_form = 0.0;
+  Total tables_light;
+  double form_column = 0.0;
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const double end = a == 0 || a == HeightProfile::kAltitudes - 1 ? 0.5 : 1.0;
     const Total here = total_at(reference, a);
-    of_tables.rate += end * here.rate;
-    of_tables.slope += end * here.slope;
-    of_form += end * form_intensity(curve, HeightProfile::altitude_km(a));
+    tables_light.rate += end * here.rate;
+    tables_light.slope += end * here.slope;
+    form_column += end * form_intensity(curve, HeightProfile::altitude_km(a));
   }
-  const double growth = of_tables.slope / of_tables.rate;
+  const double growth = tables_light.slope / tables_light.rate;
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const Total here = total_at(reference, a);
     const double intensity = form_intensity(curve, HeightProfile::altitude_km(a));
-    const double wanted = intensity < kDark ? 0.0 : intensity * of_tables.rate / of_form;
+    const double wanted = intensity < kDark ? 0.0 : intensity * tables_light.rate / form_column;
     for (int l = 0; l < profile.lines; ++l) {
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;
       const double rate = profile.rate[i], slope = profile.d_rate_d_ln_energy[i];
@@ -89,19 +89,19 @@ std::vector<float> form_slope(const EmissionSource& source, const std::vector<do
                               double FormCurve::*number) {
   const HeightProfile profile = maxwellian_profile(source, wavelengths_nm, energy_kev, energy_flux_mw_m2);
   const HeightProfile reference = maxwellian_profile(source, kTotalLinesNm, energy_kev, energy_flux_mw_m2);
-  double of_tables = 0.0, of_form = 0.0, form_grows = 0.0;
+  double tables_column = 0.0, form_column = 0.0, form_grows = 0.0;
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const double end = a == 0 || a == HeightProfile::kAltitudes - 1 ? 0.5 : 1.0;
-    of_tables += end * total_at(reference, a).rate;
-    of_form += end * form_intensity(curve, HeightProfile::altitude_km(a));
+    tables_column += end * total_at(reference, a).rate;
+    form_column += end * form_intensity(curve, HeightProfile::altitude_km(a));
     form_grows += end * intensity_slope(curve, HeightProfile::altitude_km(a), number);
   }
   std::vector<float> slope(profile.rate.size(), 0.0f);
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const double altitude = HeightProfile::altitude_km(a), intensity = form_intensity(curve, altitude);
     if (intensity < kDark) continue;
-    const double wanted =
-        (intensity_slope(curve, altitude, number) - intensity * form_grows / of_form) * of_tables / of_form;
+    const double wanted = (intensity_slope(curve, altitude, number) - intensity * form_grows / form_column) *
+                          tables_column / form_column;
     const double here = total_at(reference, a).rate;
     for (int l = 0; l < profile.lines; ++l) {
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;

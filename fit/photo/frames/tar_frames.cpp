@@ -85,11 +85,11 @@ class TarFrames : public FrameStore {
     int channels;
   };
   /// Returns the size in the first chunk (PNG, section 11.2.1), which the decoder compares with the rest.
-  PngSize size_of(std::string_view png, const std::string& of) const {
+  PngSize size_of(std::string_view png, const std::string& frame) const {
     constexpr std::string_view kBegins("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
     constexpr std::size_t kWidthAt = 16, kHeightAt = 20, kColoursAt = 25;
     if (png.size() <= kColoursAt || png.substr(0, kBegins.size()) != kBegins)
-      throw sim::unreadable(name_, "'" + of + "' in it is no PNG");
+      throw sim::unreadable(name_, "'" + frame + "' in it is no PNG");
     const bool is_coloured = (png[kColoursAt] & 2) != 0;
     return {static_cast<long long>(sim::unsigned_at(png, kWidthAt, 4)),
             static_cast<long long>(sim::unsigned_at(png, kHeightAt, 4)), is_coloured ? 3 : 1};

@@ -104,10 +104,11 @@ LocalNoise::Usual LocalNoise::at(int x, int y) const {
   place(x, columns_, column, right);
   place(y, rows_, row, down);
   const int next_column = std::min(column + 1, columns_ - 1), next_row = std::min(row + 1, rows_ - 1);
-  const auto mixed = [&](const std::vector<float>& of) {
-    const float upper = (1 - right) * of[row * columns_ + column] + right * of[row * columns_ + next_column];
-    const float lower =
-        (1 - right) * of[next_row * columns_ + column] + right * of[next_row * columns_ + next_column];
+  const auto mixed = [&](const std::vector<float>& values) {
+    const float upper =
+        (1 - right) * values[row * columns_ + column] + right * values[row * columns_ + next_column];
+    const float lower = (1 - right) * values[next_row * columns_ + column] +
+                        right * values[next_row * columns_ + next_column];
     return (1 - down) * upper + down * lower;
   };
   return {mixed(median_), mixed(sigma_)};

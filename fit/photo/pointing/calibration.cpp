@@ -80,24 +80,24 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
   Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(lens_numbers, k);
   for (int j = 0; j < k; ++j) roots.row(free[j]) = root.row(j);
 
-  std::vector<Eigen::RowVectorXd> of_free;
+  std::vector<Eigen::RowVectorXd> free_rows;
   for (const SceneNumber& number :
        scene_numbers(calibration.camera, calibration.frame, calibration.pointing)) {
     CameraEstimate estimate{sim::parameter_with(number.role), number.value, 0.0, false};
     for (const LensNumber one : free) estimate.free = estimate.free || number.by_number[one] != 0.0;
     if (estimate.free) {
-      of_free.push_back(number.by_number * roots);
-      estimate.sigma = of_free.back().norm();
+      free_rows.push_back(number.by_number * roots);
+      estimate.sigma = free_rows.back().norm();
     }
     calibration.estimates.push_back(estimate);
   }
-  const int m = static_cast<int>(of_free.size());
+  const int m = static_cast<int>(free_rows.size());
   calibration.correlation = Eigen::MatrixXd::Identity(m, m);
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < m; ++j) {
-      const double lengths_product = of_free[i].norm() * of_free[j].norm();
+      const double lengths_product = free_rows[i].norm() * free_rows[j].norm();
       if (i != j && lengths_product > 0.0)
-        calibration.correlation(i, j) = of_free[i].dot(of_free[j]) / lengths_product;
+        calibration.correlation(i, j) = free_rows[i].dot(free_rows[j]) / lengths_product;
     }
   calibration.line_of_sight_sigma_deg = std::max(roots.row(0).norm(), roots.row(1).norm()) * kDegrees;
   calibration.twist_sigma_deg = roots.row(2).norm() * kDegrees;

@@ -178,8 +178,8 @@ std::vector<std::string> lines_of_text(const std::string& text) {
 }
 
 /// The integrals over the band of what `of` gives: one times the transmission, and of the transmission alone.
-template <class Of>
-double integral_over_band(const FilterBand& band, const Of& of) {
+template <class Spectrum>
+double integral_over_band(const FilterBand& band, const Spectrum& per_nm) {
   const double first = band.table_nm.empty() ? band.centre_nm - 0.5 * band.width_nm : band.table_nm.front();
   const double last = band.table_nm.empty() ? band.centre_nm + 0.5 * band.width_nm : band.table_nm.back();
   constexpr double kStep_nm = 0.1;
@@ -189,7 +189,7 @@ double integral_over_band(const FilterBand& band, const Of& of) {
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double nm = first + (i + 0.5) * step;
-    sum += of(nm) * transmission_at(band, nm) * step;
+    sum += per_nm(nm) * transmission_at(band, nm) * step;
   }
   return sum;
 }

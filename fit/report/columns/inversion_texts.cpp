@@ -265,10 +265,10 @@ Series line_series(const ColumnChi2& chi2, const ColumnInversion& inversion, std
 }
 
 /// Limits, and of a logarithmic axis ticks at 1, 2 and 5 times powers of ten.
-void put_limits(const UnknownAxis& of, Axis& axis) {
-  axis.min = of.shown(of.least);
-  axis.max = of.shown(of.most);
-  if (!of.is_log()) return;
+void put_limits(const UnknownAxis& unknown, Axis& axis) {
+  axis.min = unknown.shown(unknown.least);
+  axis.max = unknown.shown(unknown.most);
+  if (!unknown.is_log()) return;
   for (int power = static_cast<int>(std::floor(*axis.min)); power <= *axis.max; ++power)
     for (const double first : {1.0, 2.0, 5.0}) {
       const double place = power + std::log10(first);
@@ -364,8 +364,8 @@ void write_column_maps_netcdf(const ColumnMaps& maps, const InversionFacts& fact
   dataset.dimension("y", maps.height);
   dataset.dimension("x", maps.width);
   for (const MapPlane& p : kPlanes) {
-    const std::vector<float>& of = maps.*p.values;
-    dataset.real(p.name, p.long_name, p.unit, {"y", "x"}, std::vector<double>(of.begin(), of.end()));
+    const std::vector<float>& values = maps.*p.values;
+    dataset.real(p.name, p.long_name, p.unit, {"y", "x"}, std::vector<double>(values.begin(), values.end()));
   }
   std::vector<std::string> words;
   for (const ColumnVerdict verdict : kQualities) words.emplace_back(column_verdict_name(verdict));

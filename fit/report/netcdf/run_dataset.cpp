@@ -127,9 +127,9 @@ class RunDataset {
     const std::string own = "each in its parameter_unit";
     const std::vector<std::string> by = {"parameter"};
     const auto numbers = [&](const char* key) {
-      std::vector<double> of_each;
-      for (const RecordOfRun& p : parameters) of_each.push_back(record_number(p, key));
-      return of_each;
+      std::vector<double> each;
+      for (const RecordOfRun& p : parameters) each.push_back(record_number(p, key));
+      return each;
     };
     const auto define = [&](const std::string& key, const char* words) -> NetcdfVariable& {
       return dataset_.real("parameter_" + key, words, "", by, numbers(key.c_str())).with("comment", own);
@@ -169,8 +169,8 @@ class RunDataset {
         .with("comment", "each in the product of its two parameter_unit");
   }
 
-  void take_solved(const RecordOfRun& of, const std::string& photo) {
-    for (const RecordOfRun& s : record_list(of, "solved")) {
+  void take_solved(const RecordOfRun& record, const std::string& photo) {
+    for (const RecordOfRun& s : record_list(record, "solved")) {
       const std::string name = record_text(s, "name") + (photo.empty() ? "" : " of " + photo);
       add_quantity(dataset_, name, "solved for: " + name, "", record_number(s, "value"),
                    record_number(s, "sigma"));

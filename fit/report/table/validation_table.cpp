@@ -140,8 +140,8 @@ std::vector<std::size_t> shown_first(const FitResult& result) {
 /// Without the name of the only sheet.
 std::string short_name(const FitResult& result, std::string name) {
   if (result.best.sheets.size() != 1) return name;
-  const std::string of = " of the " + result.best.sheets[0].name + " sheet";
-  if (const std::size_t at = name.find(of); at != std::string::npos) name.erase(at, of.size());
+  const std::string suffix = " of the " + result.best.sheets[0].name + " sheet";
+  if (const std::size_t at = name.find(suffix); at != std::string::npos) name.erase(at, suffix.size());
   return name;
 }
 

@@ -251,7 +251,7 @@ void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirect
   constexpr int kRing = 5;
   constexpr double kOfRing = 0.9;
   constexpr double kOfMoon_deg = 6.0;  // its halo's, and the error of its place
-  const double of_moon = std::cos(kOfMoon_deg * sim::kRadiansPerDegree);
+  const double moon_cosine = std::cos(kOfMoon_deg * sim::kRadiansPerDegree);
   double at_moon = 0.0, elsewhere = 0.0;
   for (const std::size_t i : light.sky) {
     const int x = static_cast<int>(i % w), y = static_cast<int>(i / w);
@@ -268,9 +268,9 @@ void add_blobs(const FilterCells& cells, const CellLight& light, const SkyDirect
     constexpr std::size_t kMinOfRing = 8;
     if (!is_top || ring.size() < kMinOfRing) continue;
     const double peak = light.log_grey[i] - sim::quantile(ring, kOfRing);
-    const bool is_moon = moon[2] > 0.0 && cosine_between(cells.enu[i], moon) > of_moon;
-    double& of = is_moon ? at_moon : elsewhere;
-    of = std::max(of, peak);
+    const bool is_moon = moon[2] > 0.0 && cosine_between(cells.enu[i], moon) > moon_cosine;
+    double& brightest = is_moon ? at_moon : elsewhere;
+    brightest = std::max(brightest, peak);
   }
   feature(features, FrameFeature::moon_peak) = at_moon;
   feature(features, FrameFeature::lamp_peak) = elsewhere;

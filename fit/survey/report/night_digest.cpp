@@ -166,12 +166,12 @@ void add_motion(const SqliteFile& database, const CameraNight& night, NightDiges
       quantity.item = static_cast<int>(rows.integer(2));
       quantity.name = rows.text(3);
       if (!work || followed_kind(*work, quantity) != FollowedKind::distance) continue;
-      FollowedSeries& of = series[quantity.name];
-      of.work = *work;
-      of.kind = FollowedKind::velocity;
-      of.name = quantity.name;
-      of.unit = rows.text(6);
-      of.points.push_back({rows.number(0), rows.number(4), rows.number(5), rows.text(7) == "good"});
+      FollowedSeries& followed = series[quantity.name];
+      followed.work = *work;
+      followed.kind = FollowedKind::velocity;
+      followed.name = quantity.name;
+      followed.unit = rows.text(6);
+      followed.points.push_back({rows.number(0), rows.number(4), rows.number(5), rows.text(7) == "good"});
     }
     jumps.bind_all(range.first, range.end);
     while (jumps.step())

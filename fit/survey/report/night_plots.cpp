@@ -63,11 +63,11 @@ Series point_series(const std::string& label, Colour colour, double width_px) {
 }
 
 /// Returns the numbers that were left out of the smoothed track, or that begin a new one.
-Series jumps_of(const NightDigest& digest, const FollowedSeries& of) {
+Series jumps_of(const NightDigest& digest, const FollowedSeries& series) {
   Series jumped = point_series("jumps", {200, 20, 60}, 6.0);
-  if (of.kind == FollowedKind::velocity) return jumped;
+  if (series.kind == FollowedKind::velocity) return jumped;
   for (const JumpedNumber& one : digest.jumps) {
-    if (one.name != of.name || static_cast<int>(jumped.x.size()) >= kMaxMarks) continue;
+    if (one.name != series.name || static_cast<int>(jumped.x.size()) >= kMaxMarks) continue;
     jumped.x.push_back(one.time_s);
     jumped.y.push_back(one.value);
   }
@@ -283,8 +283,8 @@ Plot EnergyCells::plot() const {
 
 void LatitudeCells::add(const LatitudeAtTime& place) {
   const double hours = place.time_s / kSecondsOfHour;
-  const double of_day = hours - kHoursOfDay * std::floor(hours / kHoursOfDay);
-  ++cells_[{cell_of(of_day, kHalfHour_h), cell_of(place.latitude_deg, kHalfDegree)}];
+  const double hour_of_day = hours - kHoursOfDay * std::floor(hours / kHoursOfDay);
+  ++cells_[{cell_of(hour_of_day, kHalfHour_h), cell_of(place.latitude_deg, kHalfDegree)}];
   ++frames_;
 }
 

@@ -65,8 +65,8 @@ std::string clock_of(double time_s) { return sim::utc_text(time_s).substr(11, 5)
 int counted(const VerdictCounts& counts, SurveyWork work, const std::string& verdict) {
   const auto found = counts.find(work);
   if (found == counts.end()) return 0;
-  const auto of = found->second.find(verdict);
-  return of == found->second.end() ? 0 : of->second;
+  const auto count = found->second.find(verdict);
+  return count == found->second.end() ? 0 : count->second;
 }
 
 int counted_all(const VerdictCounts& counts, SurveyWork work) {
@@ -109,10 +109,10 @@ std::string camera_verdicts(const std::map<std::string, VerdictCounts>& cameras,
   std::string html =
       "<table><thead><tr><th>Camera</th><th>Of</th><th>Verdict</th><th class=\"number\">Frames</th>"
       "<th class=\"number\">Share</th></tr></thead>\n<tbody>\n";
-  const auto row = [&](const std::string& camera, const std::string& of, const std::string& verdict,
+  const auto row = [&](const std::string& camera, const std::string& subject, const std::string& verdict,
                        int count, int all) {
-    html += "<tr><td>" + sim::html_text(camera) + "</td><td>" + sim::html_text(of) + "</td><td>" + verdict +
-            "</td><td class=\"number\">" + std::to_string(count) + "</td><td class=\"number\">" +
+    html += "<tr><td>" + sim::html_text(camera) + "</td><td>" + sim::html_text(subject) + "</td><td>" +
+            verdict + "</td><td class=\"number\">" + std::to_string(count) + "</td><td class=\"number\">" +
             fmt::format("{:.1f}\u00a0%", 100.0 * count / std::max(1, all)) + "</td></tr>\n";
   };
   for (const auto& [camera, counts] : statuses) {
@@ -121,8 +121,8 @@ std::string camera_verdicts(const std::map<std::string, VerdictCounts>& cameras,
     for (const auto& [status, count] : counts) row(camera, "frames", frame_status_name(status), count, all);
     const auto verdicts = cameras.find(camera);
     if (verdicts == cameras.end()) continue;
-    for (const auto& [work, of_work] : verdicts->second)
-      for (const auto& [verdict, count] : of_work)
+    for (const auto& [work, counts_of_work] : verdicts->second)
+      for (const auto& [verdict, count] : counts_of_work)
         row(camera, survey_work_name(work), verdict_cell(verdict), count,
             counted_all(verdicts->second, work));
   }

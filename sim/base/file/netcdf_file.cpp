@@ -104,17 +104,17 @@ void NetcdfFile::attribute(const std::string& name, const std::string& text) {
   require(nc_put_att_text(id_, NC_GLOBAL, name.c_str(), text.size(), text.data()));
 }
 
-void NetcdfFile::attribute(const Variable& of, const std::string& name, const std::string& text) {
-  require(nc_put_att_text(id_, of.id, name.c_str(), text.size(), text.data()));
+void NetcdfFile::attribute(const Variable& variable, const std::string& name, const std::string& text) {
+  require(nc_put_att_text(id_, variable.id, name.c_str(), text.size(), text.data()));
 }
 
-void NetcdfFile::attribute(const Variable& of, const std::string& name, double value) {
-  require(nc_put_att_double(id_, of.id, name.c_str(), NC_DOUBLE, 1, &value));
+void NetcdfFile::attribute(const Variable& variable, const std::string& name, double value) {
+  require(nc_put_att_double(id_, variable.id, name.c_str(), NC_DOUBLE, 1, &value));
 }
 
-void NetcdfFile::flags(const Variable& of, const std::string& name, const std::vector<int>& values) {
+void NetcdfFile::flags(const Variable& variable, const std::string& name, const std::vector<int>& values) {
   std::vector<signed char> bytes(values.begin(), values.end());
-  require(nc_put_att_schar(id_, of.id, name.c_str(), NC_BYTE, bytes.size(), bytes.data()));
+  require(nc_put_att_schar(id_, variable.id, name.c_str(), NC_BYTE, bytes.size(), bytes.data()));
 }
 
 void NetcdfFile::end_of_definitions() {

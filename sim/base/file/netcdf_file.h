@@ -46,10 +46,10 @@ class NetcdfFile {
 
   /// Set an attribute of the file, or of a variable.
   void attribute(const std::string& name, const std::string& text);
-  void attribute(const Variable& of, const std::string& name, const std::string& text);
-  void attribute(const Variable& of, const std::string& name, double value);
+  void attribute(const Variable& variable, const std::string& name, const std::string& text);
+  void attribute(const Variable& variable, const std::string& name, double value);
   /// Sets an attribute of the flag's type, such as flag_values.
-  void flags(const Variable& of, const std::string& name, const std::vector<int>& values);
+  void flags(const Variable& variable, const std::string& name, const std::vector<int>& values);
 
   /// Write values: of a variable with one dimension from the index `first` on; of one with several dimensions
   /// the whole, the last dimension varying fastest, with `first` 0. Reals that are not finite become

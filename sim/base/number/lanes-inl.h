@@ -67,9 +67,9 @@ HWY_INLINE double value_of(double a) { return a; }
 using PhiloxKeys = std::uint32_t[philox::kRounds][2];
 HWY_INLINE void philox_keys(std::uint64_t seed, PhiloxKeys& keys) {
   auto key = random_key(seed);
-  for (auto& of_round : keys) {
-    of_round[0] = key[0];
-    of_round[1] = key[1];
+  for (auto& round_key : keys) {
+    round_key[0] = key[0];
+    round_key[1] = key[1];
     key[0] += philox::kWeyl0;
     key[1] += philox::kWeyl1;
   }

@@ -288,8 +288,8 @@ std::string encoded_in_memory(const std::string& name, const Fill& fill) {
 FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
   const FitsReader reader(bytes, name);
   FitsImage file;
-  FitsKeywords of_first;
-  reader.add_keywords(of_first);
+  FitsKeywords first_keywords;
+  reader.add_keywords(first_keywords);
   const bool found = reader.find([&](int type) {
     int status = 0, axes = 0;
     if (type == BINARY_TBL && !fits_is_compressed_image(reader.get(), &status)) return false;
@@ -305,7 +305,7 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
   const Shape shape = shape_of(reader, name);
   describe_numbers(reader, file);
   if (!compressed) reader.check_data(shape.width * shape.height * shape.planes * (file.bits / 8));
-  file.keywords.insert(of_first.begin(), of_first.end());
+  file.keywords.insert(first_keywords.begin(), first_keywords.end());
   try {
     file.image = Image(static_cast<int>(shape.width), static_cast<int>(shape.height),
                        plane_names(static_cast<int>(shape.planes)));

@@ -73,16 +73,17 @@ HWY_INLINE hn::Vec<hn::FixedTag<float, 4>> four_texels(const float* texels, int 
 /// Interpolates between the texels around one place per lane.
 HWY_INLINE Pack bilinear(const float* texels, int columns, const std::int32_t* at, Pack right, Pack upper) {
   const FloatTag d;
-  const auto of = [&](int i) { return four_texels(texels + at[i], columns); };
+  const auto texels_at = [&](int i) { return four_texels(texels + at[i], columns); };
   FloatVector v[4];
   for (int j = 0; j < 4; ++j) {
 #if HWY_MAX_BYTES >= 64
     const hn::FixedTag<float, 8> half;
-    v[j] = hn::Combine(d, hn::Combine(half, of(12 + j), of(8 + j)), hn::Combine(half, of(4 + j), of(j)));
+    v[j] = hn::Combine(d, hn::Combine(half, texels_at(12 + j), texels_at(8 + j)),
+                       hn::Combine(half, texels_at(4 + j), texels_at(j)));
 #elif HWY_MAX_BYTES >= 32
-    v[j] = hn::Combine(d, of(4 + j), of(j));
+    v[j] = hn::Combine(d, texels_at(4 + j), texels_at(j));
 #else
-    v[j] = of(j);
+    v[j] = texels_at(j);
 #endif
   }
   // From a step's four texels to sixteen steps' texel, within each four lanes.
@@ -114,8 +115,8 @@ HWY_INLINE void find_weights(const TexelWindow& window, const StepProfile& profi
     const std::int32_t* texel = steps.texel[slot] + part;
     const Pack flux = bilinear(window.flux, window.columns, texel, right, upper);
     const auto keep = [&](int pair, Pack light) {
-      const Pack of_upper = light * above;
-      hn::StoreInterleaved2((light - of_upper).v, of_upper.v, d, out.of[pair][slot] + 2 * part);
+      const Pack upper_light = light * above;
+      hn::StoreInterleaved2((light - upper_light).v, upper_light.v, d, out.of[pair][slot] + 2 * part);
     };
     if constexpr (kEnergies) {
       const Pack ln = bilinear(window.ln_energy, window.columns, texel, right, upper);

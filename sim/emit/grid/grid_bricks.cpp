@@ -104,11 +104,11 @@ GridBricks::GridBricks(const SparseGrid& grid, const std::vector<int>& emission,
         .expected("smaller grids, larger voxels, or fewer lines");
   }
   for (int a = 0; a < 3; ++a) {
-    const auto of = [a](const BrickCoordinate& b) { return floor_of(a == 0 ? b.x : a == 1 ? b.y : b.z); };
-    low_[a] = high_[a] = of(*lit.begin());
+    const auto along = [a](const BrickCoordinate& b) { return floor_of(a == 0 ? b.x : a == 1 ? b.y : b.z); };
+    low_[a] = high_[a] = along(*lit.begin());
     for (const BrickCoordinate& b : lit) {
-      low_[a] = std::min(low_[a], of(b));
-      high_[a] = std::max(high_[a], of(b));
+      low_[a] = std::min(low_[a], along(b));
+      high_[a] = std::max(high_[a], along(b));
     }
     ++high_[a];
   }

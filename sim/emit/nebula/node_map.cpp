@@ -47,7 +47,7 @@ typename NodeMap<T>::Placed NodeMap<T>::worked_out(const Scene& scene, const Nod
                                                    const NumberAs<T>& number) {
   Placed to;
   to.kind = node.kind;
-  for (const std::string& name : node_names(node.of)) to.of.push_back(by_name_.at(name));
+  for (const std::string& name : node_names(node.of)) to.children.push_back(by_name_.at(name));
   to.is_placed = must_place<T>(node);
   T angle[3], product(1.0);
   for (int axis = 0; axis < 3; ++axis) {
@@ -80,8 +80,8 @@ template <class T>
 void NodeMap<T>::set_steepness(int index) {
   Placed& node = nodes_[index];
   if (node.steepness > 0.0) return;
-  double inside = node.of.empty() ? 1.0 : 0.0;
-  for (const int child : node.of) {
+  double inside = node.children.empty() ? 1.0 : 0.0;
+  for (const int child : node.children) {
     set_steepness(child);
     inside = std::max(inside, nodes_[child].steepness);
   }
@@ -113,7 +113,7 @@ T NodeMap<T>::distance(int index, const T point[3], double cutoff) const {
     case Kind::scale:
     case Kind::rotate:
     case Kind::move:
-      d = distance(node.of[0], inner, cutoff);
+      d = distance(node.children[0], inner, cutoff);
       break;
     case Kind::sphere:
     case Kind::shell:
@@ -148,7 +148,7 @@ T NodeMap<T>::shape(const Placed& node, const T p[3]) const {
 
 template <class T>
 T NodeMap<T>::displaced(const Placed& node, const T p[3], double cutoff) const {
-  const int child = node.of[0];
+  const int child = node.children[0];
   const double amplitude = value_of(node.amplitude);
   if (node.kind == Kind::filaments) {
     const double below = std::min(amplitude, 0.0);
@@ -180,21 +180,21 @@ T NodeMap<T>::combined(const Placed& node, const T p[3], double cutoff) const {
   const double blend = value_of(node.blend);
   if (node.kind == Kind::unite) {
     // A branch left undone may hide a rounding, which reaches blend far and takes off blend / 4.
-    const double loose = cutoff + 1.25 * blend * static_cast<double>(node.of.size());
-    T all = distance(node.of[0], p, loose);
-    for (std::size_t i = 1; i < node.of.size(); ++i)
-      all = blended_least(all, distance(node.of[i], p, loose), node.blend);
+    const double loose = cutoff + 1.25 * blend * static_cast<double>(node.children.size());
+    T all = distance(node.children[0], p, loose);
+    for (std::size_t i = 1; i < node.children.size(); ++i)
+      all = blended_least(all, distance(node.children[i], p, loose), node.blend);
     return all;
   }
-  T all = distance(node.of[0], p, cutoff);
-  for (std::size_t i = 1; i < node.of.size(); ++i) {
+  T all = distance(node.children[0], p, cutoff);
+  for (std::size_t i = 1; i < node.children.size(); ++i) {
     if (value_of(all) >= cutoff) return all;
     if (node.kind == Kind::intersect) {
-      const T next = distance(node.of[i], p, cutoff);
+      const T next = distance(node.children[i], p, cutoff);
       if (value_of(next) >= cutoff) return next;
       all = blended_most(all, next, node.blend);
     } else {
-      all = blended_most(all, T(0.0) - distance(node.of[i], p, blend - value_of(all)), node.blend);
+      all = blended_most(all, T(0.0) - distance(node.children[i], p, blend - value_of(all)), node.blend);
     }
   }
   return all;
@@ -212,7 +212,7 @@ double NodeMap<T>::hull(int index, const double point[3]) const {
 template <class T>
 double NodeMap<T>::hull_inside(const Placed& node, const double p[3]) const {
   const double amplitude = value_of(node.amplitude);
-  const auto child = [&](std::size_t i) { return hull(node.of[i], p); };
+  const auto child = [&](std::size_t i) { return hull(node.children[i], p); };
   switch (node.kind) {
     case Kind::sphere:
       return sphere_distance(p, value_of(node.radius));
@@ -233,15 +233,15 @@ double NodeMap<T>::hull_inside(const Placed& node, const double p[3]) const {
       return child(0) - std::abs(amplitude) * reach_of(node.noise);
     case Kind::warp:
       return child(0) -
-             nodes_[node.of[0]].steepness * std::sqrt(3.0) * std::abs(amplitude) * reach_of(node.noise);
+             nodes_[node.children[0]].steepness * std::sqrt(3.0) * std::abs(amplitude) * reach_of(node.noise);
     case Kind::unite: {
       double least = child(0);
-      for (std::size_t i = 1; i < node.of.size(); ++i) least = std::min(least, child(i));
-      return least - 0.25 * value_of(node.blend) * static_cast<double>(node.of.size() - 1);
+      for (std::size_t i = 1; i < node.children.size(); ++i) least = std::min(least, child(i));
+      return least - 0.25 * value_of(node.blend) * static_cast<double>(node.children.size() - 1);
     }
     case Kind::intersect: {
       double most = child(0);
-      for (std::size_t i = 1; i < node.of.size(); ++i) most = std::max(most, child(i));
+      for (std::size_t i = 1; i < node.children.size(); ++i) most = std::max(most, child(i));
       return most;
     }
     case Kind::subtract:

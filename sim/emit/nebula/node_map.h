@@ -39,7 +39,7 @@ class NodeMap {
   using Kind = NodeKind;
   struct Placed {
     Kind kind;
-    std::vector<int> of;
+    std::vector<int> children;
     bool is_placed;  ///< false: upright and unstretched, in the middle
     T center[3];
     T turn[9];  ///< matrix by rows, from outer to inner coordinates, after the shift

@@ -69,12 +69,12 @@ class LightOfElectrons {
     nitrogen_2d();
     oxygen_1s(o2_7774);
     oxygen_1d();
-    const double bands = value(R::light_6705), of_w = value(R::b_of_w);
+    const double bands = value(R::light_6705), w3delta_share = value(R::b_of_w);
     add("ver_6705", 670.5,
         {{"N2 + e, to B3Pi", scaled(excited(kN2, "N2 B3Pi"), bands)},
          {"from C3Pi", scaled(excited(kN2, "N2 C3Pi"), bands)},
          {"from B'3Sigma", scaled(excited(kN2, "N2 B'3Sigma"), bands)},
-         {"from W3Delta", scaled(excited(kN2, "N2 W3Delta"), bands * of_w)}});
+         {"from W3Delta", scaled(excited(kN2, "N2 W3Delta"), bands * w3delta_share)}});
     add("ver_7774", 777.4, {{"O + e", impact(kO, ImpactLight::o_7774)}, {"O2 + e", o2_7774}});
     add("ver_8446", 844.6,
         {{"O + e", impact(kO, ImpactLight::o_8446)}, {"O2 + e", impact(kO2, ImpactLight::o2_8446)}});
@@ -96,9 +96,9 @@ class LightOfElectrons {
   }
 
   template <class Function>
-  Rate by_place(const Function& of) const {
+  Rate by_place(const Function& rate_at) const {
     Rate rate(places());
-    for (std::size_t m = 0; m < places(); ++m) rate[m] = of(m);
+    for (std::size_t m = 0; m < places(); ++m) rate[m] = rate_at(m);
     return rate;
   }
 

@@ -25,16 +25,16 @@ VEGARD_INLINE void field_of_patch(const Number* c, const L& x, const L& y, L fie
     const L twice = place + place;
     for (int n = 2; n <= kFieldDegree; ++n) of[n] = twice * of[n - 1] - of[n - 2];
   };
-  L of_x[kFieldDegree + 1], of_y[kFieldDegree + 1];
-  polynomials(within(x), of_x);
-  polynomials(within(y), of_y);
+  L poly_x[kFieldDegree + 1], poly_y[kFieldDegree + 1];
+  polynomials(within(x), poly_x);
+  polynomials(within(y), poly_y);
   for (int k = 0; k < 3; ++k) field[k] = L(0.0);
   int term = 0;
   for (int i = 0; i <= kFieldDegree; ++i) {
     L inner[3] = {L(0.0), L(0.0), L(0.0)};
     for (int j = 0; j <= kFieldDegree; ++j, ++term)
-      for (int k = 0; k < 3; ++k) inner[k] = inner[k] + of_y[j] * L(c[k * kFieldTerms + term]);
-    for (int k = 0; k < 3; ++k) field[k] = field[k] + of_x[i] * inner[k];
+      for (int k = 0; k < 3; ++k) inner[k] = inner[k] + poly_y[j] * L(c[k * kFieldTerms + term]);
+    for (int k = 0; k < 3; ++k) field[k] = field[k] + poly_x[i] * inner[k];
   }
 }
 

@@ -36,9 +36,9 @@ Igrf::Igrf(double year) {
   const std::vector<double>&first = column(before), &next = column(before + 1);
   for (std::size_t r = 0; r < table.rows(); ++r) {
     const double value = first[r] + part * (next[r] - first[r]);
-    Coefficient& of =
+    Coefficient& coefficient =
         by_degree_[static_cast<std::size_t>(degree[r])][static_cast<std::size_t>(std::abs(order[r]))];
-    (order[r] < 0.0 ? of.h : of.g) = value;
+    (order[r] < 0.0 ? coefficient.h : coefficient.g) = value;
   }
 }
 

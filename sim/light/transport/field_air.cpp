@@ -28,10 +28,12 @@ AirPlace air_place_at(const AirTable& table, double altitude_km) {
   const std::size_t low = high - 1;
   const double way =
       (altitude_km - table.altitude_km[low]) / (table.altitude_km[high] - table.altitude_km[low]);
-  const auto straight = [&](const std::vector<double>& of) { return of[low] + way * (of[high] - of[low]); };
-  const auto falling = [&](const std::vector<double>& of) {
-    const double a = std::log(std::max(kMinDensity, of[low]));
-    return std::exp(a + way * (std::log(std::max(kMinDensity, of[high])) - a));
+  const auto straight = [&](const std::vector<double>& values) {
+    return values[low] + way * (values[high] - values[low]);
+  };
+  const auto falling = [&](const std::vector<double>& values) {
+    const double a = std::log(std::max(kMinDensity, values[low]));
+    return std::exp(a + way * (std::log(std::max(kMinDensity, values[high])) - a));
   };
   AirPlace place;
   place.temperature_k = straight(table.temperature_k);

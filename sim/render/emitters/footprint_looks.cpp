@@ -95,8 +95,8 @@ bool is_box_of_cells(const Footprint& f) {
 /// One look, or several: where a footprint is no map in a box each of its instants is an emitter, and a map
 /// of the whole way of one that drifts far would be mostly dark, so that one map goes no further than its
 /// size.
-void add_parts(const Scene& scene, const Footprint& f, std::vector<double> then, const LightShare& of,
-               std::vector<FootprintLook>& looks) {
+void add_parts(const Scene& scene, const Footprint& f, std::vector<double> then,
+               const LightShare& share_of_look, std::vector<FootprintLook>& looks) {
   std::sort(then.begin(), then.end());
   const double speed_km_s = std::hypot(f.drift_km_s.east, f.drift_km_s.north),
                longest_km = is_box_of_cells(f) ? std::max(f.size_km.east, f.size_km.north) : 0.0;
@@ -109,7 +109,7 @@ void add_parts(const Scene& scene, const Footprint& f, std::vector<double> then,
       some.push_back(then[first]);
     const double share = static_cast<double>(some.size()) / static_cast<double>(then.size());
     const double level = mean_level(scene, f, some);
-    looks.push_back({std::move(some), level * share, of});
+    looks.push_back({std::move(some), level * share, share_of_look});
   }
 }
 

@@ -77,7 +77,7 @@ class RowMarch {
     RowOfRays<T> some;
     std::vector<T> some_cut;
     std::vector<std::size_t> some_at;
-    RowLight<T> of_some;
+    RowLight<T> some_light;
     std::vector<std::size_t> entries;
   };
 
@@ -128,11 +128,11 @@ class RowMarch {
     RayBundle<T> some = s.some.bundle(rays.cell_rad);
     some.end_moving = s.some_cut.data();
     for (const std::size_t e : mixed_) {
-      emitters_[e]->march(some, s.of_some.clear(count, lines_));
+      emitters_[e]->march(some, s.some_light.clear(count, lines_));
       for (int l = 0; l < lines_; ++l)
         for (std::size_t i = 0; i < count; ++i) {
           T& sum = s.before[(n * lines_ + l) * rays.count + s.some_at[i]];
-          sum = sum + s.of_some.rayleigh[l * count + i];
+          sum = sum + s.some_light.rayleigh[l * count + i];
         }
     }
   }

@@ -141,8 +141,8 @@ double igrf_year(const Scene& scene) {
   if (!seconds) throw no_field(of_field + "is not known for " + time);
   const std::string text = utc_text(*seconds);
   const int year = std::stoi(text.substr(0, 4));
-  const auto start = [](int of) {
-    const std::string digits = std::to_string(of);
+  const auto start = [](int start_year) {
+    const std::string digits = std::to_string(start_year);
     return utc_seconds(std::string(4 - std::min<std::size_t>(4, digits.size()), '0') + digits +
                        "-01-01T00:00:00Z");
   };

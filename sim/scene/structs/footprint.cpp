@@ -57,10 +57,10 @@ double map_cells(const Footprint& f) {
 }
 
 double bytes_per_cell(const Footprint& f, std::size_t number_bytes) {
-  const bool of_sheets = f.source == FootprintSource::sheets;
-  const bool has_energy = of_sheets || !f.point_energy.empty() || !f.energy_image.empty();
+  const bool is_by_sheets = f.source == FootprintSource::sheets;
+  const bool has_energy = is_by_sheets || !f.point_energy.empty() || !f.energy_image.empty();
   const double layers = has_energy ? 2.0 : 1.0;
-  double numbers = layers + (of_sheets ? 4.0 : 0.0);
+  double numbers = layers + (is_by_sheets ? 4.0 : 0.0);
   // The flow is worked out from plain numbers.
   double plain = 0.0;
   if (!is_shell(f) && flows(f)) {

@@ -243,8 +243,8 @@ ResolvingKernel resolving_kernel(const SensorResponse& response, double waveleng
   std::vector<Eigen::Vector3d> channels;
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (double nm = response.first_nm(); nm <= response.last_nm(); nm += 1.0) {
-    const Vector3 of_power = response.channels_of_power(nm);
-    channels.emplace_back(of_power[0] / nm, of_power[1] / nm, of_power[2] / nm);
+    const Vector3 per_power = response.channels_of_power(nm);
+    channels.emplace_back(per_power[0] / nm, per_power[1] / nm, per_power[2] / nm);
     area += channels.back();
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();

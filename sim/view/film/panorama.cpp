@@ -18,9 +18,9 @@ struct TurnMargin {
         rows(static_cast<int>(std::lround(-film.y0_px / film.cell_height_px))) {}
 };
 
-int whole_remainder(int number, int of) {
-  const int rest = number % of;
-  return rest < 0 ? rest + of : rest;
+int whole_remainder(int number, int period) {
+  const int rest = number % period;
+  return rest < 0 ? rest + period : rest;
 }
 
 /// Returns the row within the panorama that a row beyond a pole mirrors, and whether it is half a turn on.

@@ -28,7 +28,7 @@ double corner_angle(const Camera& camera) {
 }
 
 /// Returns half the width of a range as a relative standard uncertainty.
-double of_range(double low, double high) { return (high - low) / (std::sqrt(3.0) * (high + low)); }
+double relative_sigma(double low, double high) { return (high - low) / (std::sqrt(3.0) * (high + low)); }
 
 void add_calibrated(const Sensor& sensor, std::vector<UncertaintyPart>& parts) {
   parts.push_back(
@@ -39,11 +39,11 @@ void add_calibrated(const Sensor& sensor, std::vector<UncertaintyPart>& parts) {
 }
 
 void add_by_the_data_sheet(std::vector<UncertaintyPart>& parts) {
-  parts.push_back({"lens transmission", of_range(0.75, 0.95),
+  parts.push_back({"lens transmission", relative_sigma(0.75, 0.95),
                    "0.75 to 0.95 taken for all lenses; a measured 85 mm f/1.4 is T/1.6, or 0.77 (DxOMark)"});
-  parts.push_back({"quantum efficiency", of_range(0.35, 0.60),
+  parts.push_back({"quantum efficiency", relative_sigma(0.35, 0.60),
                    "estimated: 0.35 to 0.60 for a green pixel of today's sensors, filters included"});
-  parts.push_back({"ISO", of_range(std::exp2(-0.5), std::exp2(0.5)),
+  parts.push_back({"ISO", relative_sigma(std::exp2(-0.5), std::exp2(0.5)),
                    "half a stop either way: ISO 12232 leaves makers the choice, and DxOMark's measurements "
                    "differ from their figures by a fifth to a half of a stop and more"});
 }
@@ -56,7 +56,7 @@ void add_around_the_camera(const Scene& scene, std::vector<UncertaintyPart>& par
   if (corrected)
     parts.push_back({"vignetting", 0.02, "estimated, of a correction; nothing on the axis"});
   else
-    parts.push_back({"vignetting", of_range(corner, 1.0),
+    parts.push_back({"vignetting", relative_sigma(corner, 1.0),
                      "uncorrected, from 1 on the axis to cos^4 in the corners; nothing on the axis"});
   constexpr double kLowest = 5.0, kMagnitudesPerAirmass = 0.05;
   const double elevation = std::max(std::abs(scene.camera.elevation_deg), kLowest) * kPi / 180.0;

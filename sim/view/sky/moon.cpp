@@ -204,7 +204,7 @@ void add_moon_disc(const Scene& scene, const std::vector<double>& instants_s, in
     if (moons.back().towards[2] < lowest) moons.pop_back();
   }
   if (moons.empty()) return;
-  const double of_each = 1.0 / static_cast<double>(instants_s.size());
+  const double instant_share = 1.0 / static_cast<double>(instants_s.size());
   // The Moon is drawn in spots of a pixel, some thirty of them across the disc, and one at least for every
   // pixel of a large one.
   const double disc_px = 2.0 * moons.front().radius / kRadiansPerDegree * pixels_per_degree(scene.camera);
@@ -233,7 +233,7 @@ void add_moon_disc(const Scene& scene, const std::vector<double>& instants_s, in
                            dot3(direction, moon.across) / moon.radius, moon.phase_angle_deg);
         }
         for (int c = 0; c < 3; ++c)
-          light.at(x, y, c) += static_cast<float>(of_each * sum / (fine * fine) * moon.radiance[c]);
+          light.at(x, y, c) += static_cast<float>(instant_share * sum / (fine * fine) * moon.radiance[c]);
       }
     }
   });

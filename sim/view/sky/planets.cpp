@@ -34,13 +34,15 @@ constexpr Elements kEarth = {1.00000261,   0.00000562,  0.01671123,   -0.0000439
                              102.93768193, 0.32327364,  0.0,          0.0};
 
 /// Returns the place from the Sun, in astronomical units, ecliptic and equinox J2000.
-Vec3<double> heliocentric(const Elements& of, double julian_date) {
+Vec3<double> heliocentric(const Elements& elements, double julian_date) {
   const double t = (julian_date - kJ2000) / kDaysPerCentury;
-  const double axis = of.axis + of.axis_rate * t, e = of.eccentricity + of.eccentricity_rate * t;
-  const double inclination = (of.inclination + of.inclination_rate * t) * kRadiansPerDegree;
-  const double perihelion = of.perihelion + of.perihelion_rate * t, node_deg = of.node + of.node_rate * t;
-  const double mean =
-      std::remainder(of.longitude + of.longitude_rate * t - perihelion, 360.0) * kRadiansPerDegree;
+  const double axis = elements.axis + elements.axis_rate * t,
+               e = elements.eccentricity + elements.eccentricity_rate * t;
+  const double inclination = (elements.inclination + elements.inclination_rate * t) * kRadiansPerDegree;
+  const double perihelion = elements.perihelion + elements.perihelion_rate * t,
+               node_deg = elements.node + elements.node_rate * t;
+  const double mean = std::remainder(elements.longitude + elements.longitude_rate * t - perihelion, 360.0) *
+                      kRadiansPerDegree;
   // Kepler's equation by Newton's method: e is 0.21 at most.
   double anomaly = mean + e * std::sin(mean);
   for (int i = 0; i < 8; ++i)
@@ -74,18 +76,20 @@ Vec3<double> heliocentric_giant(Planet planet, double julian_date) {
   const auto cosine_of = [](double degrees) {
     return std::cos(std::remainder(degrees, 360.0) * kRadiansPerDegree);
   };
-  const GiantElements& of = planet == Planet::jupiter ? kJupiter : kSaturn;
-  const double e = of.eccentricity + of.eccentricity_rate * days;
-  const double mean = std::remainder(of.anomaly + of.anomaly_rate * days, 360.0) * kRadiansPerDegree;
+  const GiantElements& elements = planet == Planet::jupiter ? kJupiter : kSaturn;
+  const double e = elements.eccentricity + elements.eccentricity_rate * days;
+  const double mean =
+      std::remainder(elements.anomaly + elements.anomaly_rate * days, 360.0) * kRadiansPerDegree;
   double anomaly = mean;
   for (int i = 0; i < 8; ++i)
     anomaly -= (anomaly - e * std::sin(anomaly) - mean) / (1.0 - e * std::cos(anomaly));
-  const double x = of.axis * (std::cos(anomaly) - e),
-               y = of.axis * std::sqrt(1.0 - e * e) * std::sin(anomaly);
+  const double x = elements.axis * (std::cos(anomaly) - e),
+               y = elements.axis * std::sqrt(1.0 - e * e) * std::sin(anomaly);
   const double distance = std::hypot(x, y);
-  const double along = std::atan2(y, x) / kRadiansPerDegree + of.perihelion + of.perihelion_rate * days;
-  const double node = of.node + of.node_rate * days,
-               inclination = of.inclination + of.inclination_rate * days;
+  const double along =
+      std::atan2(y, x) / kRadiansPerDegree + elements.perihelion + elements.perihelion_rate * days;
+  const double node = elements.node + elements.node_rate * days,
+               inclination = elements.inclination + elements.inclination_rate * days;
   const double across = sine_of(along) * cosine_of(inclination);
   double longitude = node + std::atan2(across, cosine_of(along)) / kRadiansPerDegree;
   double latitude = std::asin(sine_of(along) * sine_of(inclination)) / kRadiansPerDegree;

@@ -78,8 +78,8 @@ std::array<double, 3> star_tint(double colour_index, const SensorResponse& respo
   constexpr double kStepNm = 5.0;
   for (double nm = response.first_nm(); nm <= response.last_nm(); nm += kStepNm) {
     const double power = black_body_power(nm, temperature);
-    const Vector3 of_power = response.channels_of_power(nm);
-    for (int i = 0; i < 3; ++i) channels[i] += power * of_power[i];
+    const Vector3 per_power = response.channels_of_power(nm);
+    for (int i = 0; i < 3; ++i) channels[i] += power * per_power[i];
     luminance += power * colour_matching(nm)[1];
   }
   const Matrix3& to_rgb = response.rgb_from_channels();

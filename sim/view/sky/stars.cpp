@@ -191,9 +191,9 @@ double light_along(double longitude_deg, double latitude_deg) {
         std::exp(-(std::max(from_centre, kDiscBegins) - kSun) / kDiscLength - height / kDiscHeight);
     const double bulge = kBulgeOverDisc * std::exp(-std::hypot(from_centre, height / 0.6) / kBulgeLength);
     const double dust = std::exp(-(from_centre - kSun) / kDustLength - height / kDustHeight);
-    const double of_step = dust * kDustMagPerKpc / 1.0857362 * step;
-    sum += (disc + bulge) * std::exp(-depth - 0.5 * of_step) * step;
-    depth += of_step;
+    const double step_depth = dust * kDustMagPerKpc / 1.0857362 * step;
+    sum += (disc + bulge) * std::exp(-depth - 0.5 * step_depth) * step;
+    depth += step_depth;
     near = far;
   }
   return sum;

@@ -248,9 +248,9 @@ double SipPolynomial::at(double u, double v) const {
   if (terms.empty()) return 0.0;
   double sum = 0.0;
   for (int p = order; p >= 0; --p) {
-    double of_v = 0.0;
-    for (int q = order; q >= 0; --q) of_v = of_v * v + terms[static_cast<std::size_t>(p * (order + 1) + q)];
-    sum = sum * u + of_v;
+    double in_v = 0.0;
+    for (int q = order; q >= 0; --q) in_v = in_v * v + terms[static_cast<std::size_t>(p * (order + 1) + q)];
+    sum = sum * u + in_v;
   }
   return sum;
 }

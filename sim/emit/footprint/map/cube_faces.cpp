@@ -31,13 +31,13 @@ FaceCell across_edge(int face, int n, int edge_axis, int side, int along) {
 }
 
 template <class T>
-void fill(CubeFootprint<T>& cube, std::vector<T> FootprintGrid<T>::*of) {
+void fill(CubeFootprint<T>& cube, std::vector<T> FootprintGrid<T>::*plane) {
   const int n = cube.face_cells, stride = n + 2;
   const auto inner = [&](const FaceCell& c) {
-    return (cube.face[c.face].*of)[static_cast<std::size_t>(c.row + 1) * stride + c.column + 1];
+    return (cube.face[c.face].*plane)[static_cast<std::size_t>(c.row + 1) * stride + c.column + 1];
   };
   for (int face = 0; face < 6; ++face) {
-    std::vector<T>& values = cube.face[face].*of;
+    std::vector<T>& values = cube.face[face].*plane;
     const auto at = [&](int column, int row) -> T& {
       return values[static_cast<std::size_t>(row + 1) * stride + column + 1];
     };

@@ -57,15 +57,15 @@ PlaneFootprint<T> at_rest(const Scene& scene, const Footprint& f, const Footprin
 
 PlaneFootprint<double> values(const PlaneFootprint<double>& plane) { return plane; }
 PlaneFootprint<double> values(const PlaneFootprint<FreeDual>& plane) {
-  PlaneFootprint<double> of;
-  of.west_km = plane.west_km;
-  of.south_km = plane.south_km;
-  of.cell_km = plane.cell_km;
-  of.grid.columns = plane.grid.columns;
-  of.grid.rows = plane.grid.rows;
-  of.grid.flux_mw_m2.reserve(plane.grid.flux_mw_m2.size());
-  for (const FreeDual& flux : plane.grid.flux_mw_m2) of.grid.flux_mw_m2.push_back(flux.v);
-  return of;
+  PlaneFootprint<double> plain;
+  plain.west_km = plane.west_km;
+  plain.south_km = plane.south_km;
+  plain.cell_km = plane.cell_km;
+  plain.grid.columns = plane.grid.columns;
+  plain.grid.rows = plane.grid.rows;
+  plain.grid.flux_mw_m2.reserve(plane.grid.flux_mw_m2.size());
+  for (const FreeDual& flux : plane.grid.flux_mw_m2) plain.grid.flux_mw_m2.push_back(flux.v);
+  return plain;
 }
 
 }  // namespace

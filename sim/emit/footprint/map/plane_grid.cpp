@@ -69,14 +69,14 @@ PlaneFootprint<T> mean_of(const std::vector<PlaneFootprint<T>>& planes,
   grid.flux_mw_m2.assign(grid.cells(), T(0.0));
   grid.ln_energy.assign(has_energies ? grid.cells() : 0, T(0.0));
   for (std::size_t i = 0; i < corners_km.size(); ++i) {
-    const FootprintGrid<T>& of = planes[planes.size() == 1 ? 0 : i].grid;
-    if (of.flux_mw_m2.empty()) continue;
+    const FootprintGrid<T>& plane = planes[planes.size() == 1 ? 0 : i].grid;
+    if (plane.flux_mw_m2.empty()) continue;
     const double x = (corners_km[i].east - mean.west_km) / mean.cell_km,
                  y = (corners_km[i].north - mean.south_km) / mean.cell_km;
     const int column = static_cast<int>(x), row = static_cast<int>(y);
     for (const int right : {0, 1})
       for (const int up : {0, 1})
-        add(of, column + right, row + up,
+        add(plane, column + right, row + up,
             std::abs(1 - right - (x - column)) * std::abs(1 - up - (y - row)) /
                 static_cast<double>(corners_km.size()),
             grid);

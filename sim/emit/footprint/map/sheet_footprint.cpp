@@ -29,9 +29,9 @@ double flux_scale(const Scene& scene, int sheet) {
   const SheetBrightness brightness = sheet_brightness(scene, sheet);
   if (!brightness.power || !(brightness.level > 0.0)) return 0.0;
   // The report is of a curve's mean, and its beams have the brightness of their own places.
-  const double of_mean =
+  const double mean_share =
       scene.sheets[sheet].brightness_kilorayleigh / evened_sheet(scene.sheets[sheet]).brightness_kilorayleigh;
-  return brightness.power->energy_flux_mw_m2 / brightness.level * of_mean;
+  return brightness.power->energy_flux_mw_m2 / brightness.level * mean_share;
 }
 
 /// Adds the flux of one layer's beams to the cells around their feet; and for a sheet whose energy varies

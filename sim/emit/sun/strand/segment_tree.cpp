@@ -64,9 +64,9 @@ std::int32_t SegmentTree::build(const std::vector<SegmentBox>& boxes, std::size_
     // A total order, so that the halves are the same with every library.
     std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
                      [&](std::uint32_t a, std::uint32_t b) {
-                       const double of_a = boxes[a].low[axis] + boxes[a].high[axis],
-                                    of_b = boxes[b].low[axis] + boxes[b].high[axis];
-                       return of_a != of_b ? of_a < of_b : a < b;
+                       const double middle_a = boxes[a].low[axis] + boxes[a].high[axis],
+                                    middle_b = boxes[b].low[axis] + boxes[b].high[axis];
+                       return middle_a != middle_b ? middle_a < middle_b : a < b;
                      });
     std::sort(order_.begin() + begin, order_.begin() + middle);
     std::sort(order_.begin() + middle, order_.begin() + end);

@@ -103,12 +103,12 @@ void StrandField::visit(const double place[3], const Use& use) const {
                                         BrickCoordinate{cell[0], cell[1], cell[2]}, BeforeCell());
   while (first != last) {
     const std::uint32_t strand = first->strand;
-    const PiecesOfStrand& of = strands_[strand];
+    const PiecesOfStrand& cut_strand = strands_[strand];
     NearestPiece nearest;
     for (; first != last && first->strand == strand; ++first)
       for (std::uint32_t p = first->first; p < first->last; ++p)
-        update_nearest(of, p, inverse_square(of.pieces[p]), at.data(), nearest);
-    if (nearest.square < NearestPiece::kNone) use(strand, density_from(of, falloff_, nearest, at));
+        update_nearest(cut_strand, p, inverse_square(cut_strand.pieces[p]), at.data(), nearest);
+    if (nearest.square < NearestPiece::kNone) use(strand, density_from(cut_strand, falloff_, nearest, at));
   }
 }
 

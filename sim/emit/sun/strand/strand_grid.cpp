@@ -32,14 +32,15 @@ VoxelRange voxels_about(const StrandPiece& piece, double reach, const int corner
   return range;
 }
 
-void try_piece(const PiecesOfStrand& of, std::uint32_t index, const int corner[3], NearestPiece* nearest) {
-  const VoxelRange range = voxels_about(of.pieces[index], of.radius + of.off, corner);
-  const double inverse = inverse_square(of.pieces[index]);
+void try_piece(const PiecesOfStrand& cut_strand, std::uint32_t index, const int corner[3],
+               NearestPiece* nearest) {
+  const VoxelRange range = voxels_about(cut_strand.pieces[index], cut_strand.radius + cut_strand.off, corner);
+  const double inverse = inverse_square(cut_strand.pieces[index]);
   for (int i = range.low[0]; i < range.high[0]; ++i)
     for (int j = range.low[1]; j < range.high[1]; ++j)
       for (int k = range.low[2]; k < range.high[2]; ++k) {
         const double place[3] = {1.0 * corner[0] + i, 1.0 * corner[1] + j, 1.0 * corner[2] + k};
-        update_nearest(of, index, inverse, place, nearest[SparseGrid::within(i, j, k)]);
+        update_nearest(cut_strand, index, inverse, place, nearest[SparseGrid::within(i, j, k)]);
       }
 }
 
@@ -50,17 +51,18 @@ void fill_brick(const std::vector<PiecesOfStrand>& strands, RadialFalloff fallof
                          first->brick.z * SparseGrid::kEdge};
   std::vector<NearestPiece> nearest(SparseGrid::kVoxels);
   while (first != last) {
-    const PiecesOfStrand& of = strands[first->strand];
+    const PiecesOfStrand& cut_strand = strands[first->strand];
     const std::uint32_t strand = first->strand;
     std::fill(nearest.begin(), nearest.end(), NearestPiece{});
     for (; first != last && first->strand == strand; ++first)
-      for (std::uint32_t p = first->first; p < first->last; ++p) try_piece(of, p, corner, nearest.data());
+      for (std::uint32_t p = first->first; p < first->last; ++p)
+        try_piece(cut_strand, p, corner, nearest.data());
     for (int v = 0; v < SparseGrid::kVoxels; ++v) {
       const int i = v / (SparseGrid::kEdge * SparseGrid::kEdge),
                 j = v / SparseGrid::kEdge % SparseGrid::kEdge;
       if (nearest[v].square < NearestPiece::kNone)
         sum[v] +=
-            density_from(of, falloff, nearest[v],
+            density_from(cut_strand, falloff, nearest[v],
                          {1.0 * corner[0] + i, 1.0 * corner[1] + j, 1.0 * corner[2] + v % SparseGrid::kEdge});
     }
   }

@@ -73,13 +73,13 @@ double distance_to_line(const StrandPiece& piece, const Vec3<double>& place) {
 /// piece. Returns false where another minimum may be near, which is about the centre of curvature and farther
 /// out: there `second` / `speed` = 1 - distance / (radius of curvature) falls to 0 and below. Returns false
 /// as well if the iteration leaves the cubic.
-bool polish(const PiecesOfStrand& of, const NearestPiece& from, const Vec3<double>& place,
+bool polish(const PiecesOfStrand& cut_strand, const NearestPiece& from, const Vec3<double>& place,
             ClosestPoint& closest) {
   constexpr int kMaxSteps = 8;
-  const int curves = of.strand.pieces();
-  const StrandPiece& piece = of.pieces[from.piece];
+  const int curves = cut_strand.strand.pieces();
+  const StrandPiece& piece = cut_strand.pieces[from.piece];
   const int curve = std::min(static_cast<int>((piece.t + 0.5 * piece.t_way) * curves), curves - 1);
-  const Vec3<double>* p = of.strand.points.data() + 3 * static_cast<std::size_t>(curve);
+  const Vec3<double>* p = cut_strand.strand.points.data() + 3 * static_cast<std::size_t>(curve);
   double t = std::clamp(from.t * curves - curve, 0.0, 1.0);
   for (int step = 0; step < kMaxSteps; ++step) {
     const double u = 1.0 - t;
@@ -99,7 +99,7 @@ bool polish(const PiecesOfStrand& of, const NearestPiece& from, const Vec3<doubl
     const double next = t - first / second, held = std::clamp(next, 0.0, 1.0);
     if (next != held && (held == 0.0 ? curve > 0 : curve + 1 < curves)) return false;
     // The remaining step moves the place by less than a millionth of the radius.
-    if ((held - t) * (held - t) * speed < 1e-12 * of.radius * of.radius) {
+    if ((held - t) * (held - t) * speed < 1e-12 * cut_strand.radius * cut_strand.radius) {
       closest = {(curve + t) / curves, std::sqrt(square)};
       return true;
     }
@@ -184,16 +184,18 @@ double inverse_square(const StrandPiece& piece) {
   return square > 0.0 ? 1.0 / square : 0.0;
 }
 
-double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
+double density_from(const PiecesOfStrand& cut_strand, RadialFalloff falloff, const NearestPiece& nearest,
                     const Vec3<double>& place) {
-  const bool contested = std::sqrt(nearest.rival) < std::sqrt(nearest.square) + 2.0 * of.off;
+  const bool contested = std::sqrt(nearest.rival) < std::sqrt(nearest.square) + 2.0 * cut_strand.off;
   ClosestPoint closest;
-  if (contested || !polish(of, nearest, place, closest)) return density_at(of.strand, falloff, place);
-  if (closest.t <= 0.0 && beyond_end(of.strand, false, place)) return 0.0;
-  if (closest.t >= 1.0 && beyond_end(of.strand, true, place)) return 0.0;
-  const double radius = of.strand.radius_first + closest.t * (of.strand.radius_last - of.strand.radius_first);
+  if (contested || !polish(cut_strand, nearest, place, closest))
+    return density_at(cut_strand.strand, falloff, place);
+  if (closest.t <= 0.0 && beyond_end(cut_strand.strand, false, place)) return 0.0;
+  if (closest.t >= 1.0 && beyond_end(cut_strand.strand, true, place)) return 0.0;
+  const double radius = cut_strand.strand.radius_first +
+                        closest.t * (cut_strand.strand.radius_last - cut_strand.strand.radius_first);
   if (!(radius > 0.0)) return 0.0;
-  return density_in_middle(of.strand, closest.t) * falloff_across(falloff, closest.distance / radius);
+  return density_in_middle(cut_strand.strand, closest.t) * falloff_across(falloff, closest.distance / radius);
 }
 
 }  // namespace vegard::sim

@@ -59,17 +59,17 @@ struct NearestPiece {
 
 /// Compares a place, in voxels (strand_pieces.h), with a piece. `inverse` is 1 over the square of the piece's
 /// length.
-inline void update_nearest(const PiecesOfStrand& of, std::uint32_t index, double inverse,
+inline void update_nearest(const PiecesOfStrand& cut_strand, std::uint32_t index, double inverse,
                            const double place[3], NearestPiece& nearest) {
-  const StrandPiece& piece = of.pieces[index];
+  const StrandPiece& piece = cut_strand.pieces[index];
   const double to[3] = {place[0] - piece.from[0], place[1] - piece.from[1], place[2] - piece.from[2]};
   const double s =
       std::clamp((to[0] * piece.way[0] + to[1] * piece.way[1] + to[2] * piece.way[2]) * inverse, 0.0, 1.0);
   double square = 0.0;
   for (int a = 0; a < 3; ++a) square += (to[a] - s * piece.way[a]) * (to[a] - s * piece.way[a]);
-  const double reach = of.radius + of.off;
+  const double reach = cut_strand.radius + cut_strand.off;
   if (square > reach * reach) return;
-  const std::uint32_t before = of.pieces[nearest.piece].number;
+  const std::uint32_t before = cut_strand.pieces[nearest.piece].number;
   const bool next = before == piece.number || before + 1 == piece.number;
   if (square < nearest.square) {
     if (!next) nearest.rival = std::min(nearest.rival, nearest.square);
@@ -86,7 +86,7 @@ double inverse_square(const StrandPiece& piece);
 
 /// Returns the strand's density at a place in voxels, after all pieces within reach have been compared with
 /// the place, in their order. The density is accurate to a millionth of its value on the axis.
-double density_from(const PiecesOfStrand& of, RadialFalloff falloff, const NearestPiece& nearest,
+double density_from(const PiecesOfStrand& cut_strand, RadialFalloff falloff, const NearestPiece& nearest,
                     const std::array<double, 3>& place);
 
 }  // namespace vegard::sim
