@@ -97,9 +97,10 @@ std::string farthest_line(const ColumnInversion& inversion) {
   std::size_t farthest = 0;
   double most = 0.0;
   for (std::size_t l = 0; l < inversion.lines_nm.size(); ++l) {
-    const double pull = (inversion.data.rayleigh[l] - best.rayleigh[l]) / inversion.data.sigma[l];
-    if (std::abs(pull) <= std::abs(most)) continue;
-    most = pull;
+    const double normalised_residual =
+        (inversion.data.rayleigh[l] - best.rayleigh[l]) / inversion.data.sigma[l];
+    if (std::abs(normalised_residual) <= std::abs(most)) continue;
+    most = normalised_residual;
     farthest = l;
   }
   return fmt::format("{:.1f} nm is {:.1f} standard deviations {} the best of the tables",

@@ -148,7 +148,7 @@ std::vector<double> most_probable_smoothness(const SplinePrior& prior, const std
   for (int round = 0; round < kSplineMaxRounds; ++round) {
     const Eigen::MatrixXd now = smoothness_information(result);
     const Eigen::MatrixXd covariance = inverse(data + other + now);
-    // At the optimum under `before` the data pull as hard as that did the other way.
+    // At the optimum under `before` the gradients of the data and of that prior cancel.
     const Eigen::VectorXd moved = optimum + covariance * ((before - now) * optimum);
     if (determined != nullptr) *determined = (covariance * data).trace();
     double change = 0.0;

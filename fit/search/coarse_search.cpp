@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kShortDescent = 12;  // iterations
 constexpr int kLongDescent = 60;
-constexpr double kPull = 0.3;                // of the distance: what a start may well be off by
+constexpr double kPriorShare = 0.3;          // of the distance: what a start may well be off by
 constexpr double kCoarsePriorWeight = 20.0;  // residuals of smoothed profiles are correlated
 
 using sim::ParameterRole;
@@ -115,9 +115,9 @@ std::vector<std::vector<LateralOffset>> CoarseSearch::offsets_at(const Values& v
 
 /// A direction that the data do not determine is not to drift away during the search: every parameter but a
 /// phase is held to the user's start, by less than the least of what data say. The polish is free of it.
-std::optional<sim::Prior> CoarseSearch::gentle_pull(const FreeNumber& n) const {
+std::optional<sim::Prior> CoarseSearch::weak_prior(const FreeNumber& n) const {
   if (is_of_volume(n)) {
-    const std::optional<double> error = usual_error(scene_, n, kPull);
+    const std::optional<double> error = usual_error(scene_, n, kPriorShare);
     return error ? std::optional(sim::Prior{n.start, *error}) : std::nullopt;
   }
   if (n.has_role(ParameterRole::centre)) {
@@ -125,9 +125,9 @@ std::optional<sim::Prior> CoarseSearch::gentle_pull(const FreeNumber& n) const {
     for (const FreeNumber& other : free_)
       if (other.has_role(ParameterRole::centre) && other.id.element == n.id.element)
         square += other.start * other.start;
-    return sim::Prior{n.start, std::max(20.0, kPull * std::sqrt(square))};
+    return sim::Prior{n.start, std::max(20.0, kPriorShare * std::sqrt(square))};
   }
-  if (n.logarithmic()) return sim::Prior{n.start, 2.0 * kPull * n.start};
+  if (n.logarithmic()) return sim::Prior{n.start, 2.0 * kPriorShare * n.start};
   if (n.has_role(ParameterRole::bearing)) return sim::Prior{n.start, 20.0};
   return {};
 }
@@ -148,19 +148,19 @@ std::vector<PhaseAnchor> CoarseSearch::anchors(const std::vector<FreeNumber>& fr
 
 Trial CoarseSearch::descended(const Trial& from, const std::vector<std::size_t>& which,
                               const std::string& stage) {
-  std::vector<FreeNumber> pulled = free_;
+  std::vector<FreeNumber> with_priors = free_;
   Values start;
   ProfileCost::Options moving;
   moving.held = from.values;
   for (std::size_t j : which) {
     moving.moved.push_back(static_cast<int>(j));
-    if (!pulled[j].prior && (pulled[j].prior = gentle_pull(free_[j])))
-      pulled[j].prior->sigma *= kCoarsePriorWeight;
+    if (!with_priors[j].prior && (with_priors[j].prior = weak_prior(free_[j])))
+      with_priors[j].prior->sigma *= kCoarsePriorWeight;
     start.push_back(from.values[j]);
   }
-  moving.anchors = anchors(pulled, moving.moved, from.values);
+  moving.anchors = anchors(with_priors, moving.moved, from.values);
   moving.prior_weight = kCoarsePriorWeight;
-  const ProfileCost cost(pulled, models_.coarse, log_, moving);
+  const ProfileCost cost(with_priors, models_.coarse, log_, moving);
   std::vector<TraceRow> rows;
   const Descent end = descend(cost, start, kShortDescent, stage, log_, rows);
   Trial result = from;

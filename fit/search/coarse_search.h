@@ -75,7 +75,7 @@ class CoarseSearch {
   void note(const std::vector<double>& values, double chi2, bool full);
   std::vector<PhaseAnchor> anchors(const std::vector<FreeNumber>& free, const std::vector<int>& moved,
                                    const std::vector<double>& values) const;
-  std::optional<sim::Prior> gentle_pull(const FreeNumber& n) const;
+  std::optional<sim::Prior> weak_prior(const FreeNumber& n) const;
 
   const sim::Scene& scene_;
   const std::vector<FreeNumber>& free_;

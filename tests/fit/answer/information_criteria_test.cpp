@@ -18,8 +18,8 @@ TEST(InformationCriteria, AreTheirDefinitions) {
   EXPECT_TRUE(std::isinf(information_criteria({"x", 90.0, 5, 4, 1.0}, ChiSquareScaling{}).aicc));
 }
 
-// Every value written down m times over: chi2 and the values are m-fold, and m of them go together. The
-// criteria do not change.
+// Every value written down m times over: chi2 and the values are m-fold, and m of them are fully correlated.
+// The criteria do not change.
 TEST(InformationCriteria, AreNotMovedByValuesToldTwice) {
   const FittedModel once{"x", 96.0, 100, 4, 1.0}, often{"x", 96.0 * 9, 900, 4, 9.0};
   const InformationCriteria a = information_criteria(once, chi2_scaling_of(once));

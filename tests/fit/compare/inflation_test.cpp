@@ -67,23 +67,23 @@ struct SomeResiduals {
           residuals.push_back(residual(band, row, channel));
         }
   }
-  double together() const { return correlated_residuals(data, used, residuals); }
+  double correlated() const { return correlated_residuals(data, used, residuals); }
 };
 
 // Of residuals that are all alike every correlation is 1: down the rows to either side, as far as a quarter
 // of them (lags 1 to 9), across the channels, and in the bands on either side.
-TEST(ResidualsTogether, OfResidualsThatAllGoTogetherCountsThemAll) {
-  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }).together(), (1.0 + 2.0 * 9.0) * 3.0 * 3.0,
+TEST(CorrelatedResiduals, OfFullCorrelationCountsThemAll) {
+  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }).correlated(), (1.0 + 2.0 * 9.0) * 3.0 * 3.0,
               1e-12);
   // Of twelve bands a quarter: lags 1 and 2.
-  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }, 12).together(),
+  EXPECT_NEAR(SomeResiduals([](int, int, int) { return 1.0; }, 12).correlated(),
               (1.0 + 2.0 * 9.0) * (1.0 + 2.0 * 2.0) * 3.0, 1e-12);
   // Neighbouring rows against each other are no fewer than independent ones; nor are channels and bands.
-  EXPECT_NEAR(SomeResiduals([](int, int row, int) { return row % 2 == 0 ? 1.0 : -1.0; }).together(), 9.0,
+  EXPECT_NEAR(SomeResiduals([](int, int row, int) { return row % 2 == 0 ? 1.0 : -1.0; }).correlated(), 9.0,
               1e-12);
   EXPECT_NEAR(SomeResiduals([](int band, int row, int channel) {
                 return (band + row + channel) % 2 ? 1.0 : -1.0;
-              }).together(),
+              }).correlated(),
               1.0, 1e-12);
 }
 
@@ -102,10 +102,10 @@ TEST(ErrorInflation, TimesSigmaIsTheSameForAnySigma) {
   const int dof = static_cast<int>(some.used.size()) - 12;
   const double whole = error_inflation(some.data, some.used, some.residuals, dof).factor();
   EXPECT_NEAR(whole,
-              std::sqrt(some.together() *
+              std::sqrt(some.correlated() *
                         residual_scale(std::inner_product(some.residuals.begin(), some.residuals.end(),
                                                           some.residuals.begin(), 0.0),
-                                       dof, 360.0, some.together())),
+                                       dof, 360.0, some.correlated())),
               1e-12);
   for (double& r : some.residuals) r *= 0.25;
   EXPECT_NEAR(error_inflation(some.data, some.used, some.residuals, dof).factor(), 0.25 * whole, 1e-12);

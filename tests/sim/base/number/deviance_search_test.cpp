@@ -37,7 +37,7 @@ TEST(DevianceSearch, FindsABottomAndItsWidth) {
   EXPECT_LE(found.trials.size(), 12u);
 }
 
-TEST(DevianceSearch, DataThatGoTogetherTellLess) {
+TEST(DevianceSearch, CorrelatedDataTellLess) {
   const auto f = [](const Point& x) { return std::pow((x[0] - 0.2) / 0.02, 2); };
   const double alone = lowest({0.0}, f).covariance[0][0], four = lowest({0.0}, f, 4.0).covariance[0][0];
   EXPECT_NEAR(four / alone, 4.0, 0.05);  // but for the limits
