@@ -5,14 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "fit/map/map_grid.h"
 #include "fit/map/map_solver.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/random.h"
-#include "sim/scene/structs/site_axes.h"
 #include "sim/scene/table/photo_scene.h"
 #include "sim/scene/table/value_check.h"
-#include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
 namespace {
@@ -22,13 +21,7 @@ using sim::kGroundEnergies;
 constexpr double kMinEnergy_kev = 0.4, kMaxEnergy_kev = 14.0;
 constexpr double kFluxOfRates = 1.0;  // mW m^-2, the tables' own
 constexpr double kFilmCells = 40000.0;
-constexpr double kCellsPerResolution = 0.8;  // a cell's side over what a film's cell sees of it
-constexpr double kMinCell_km = 1.5;
-constexpr double kFarthest_km = 700.0, kNearestEnd_km = 250.0;
-constexpr double kSquare_km = 1.5, kMaxSquares = 60000.0;
-constexpr double kBorder_km = 105.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
-constexpr int kBlock_cells = 3, kBlockOneIn = 10;
 constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
 constexpr double kUsualTrials = 5.0;
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
@@ -37,7 +30,7 @@ constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
 // the film's coarseness, explain the fine film no better, and leave error bars up to twice as wide.
 constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
-constexpr double kEnergyReach_km = 4.0, kWideReach_km = 10.0;
+constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
 constexpr double kPriorSpread = 0.7;       // standard deviation of the logarithm of a replicate's sparsity
 constexpr double kErrorReach_cells = 4.0;  // over which a model's error is alike
@@ -92,124 +85,10 @@ int fine_pixels(const sim::Camera& camera) {
   return std::max(1, static_cast<int>(std::sqrt(pixels / kFilmCells)));
 }
 
-double resolution_rad(const sim::Camera& camera, int pixels_per_cell) {
-  return pixels_per_cell * sim::kRadiansPerDegree / sim::pixels_per_degree(camera);
-}
-
-/// The distance on the ground of a border seen at the lowest elevation of a picture.
-double reach_km(const std::vector<MapObservation>& pictures) {
-  double lowest = 1.0;
-  for (const MapObservation& picture : pictures) {
-    const sim::CameraView<double> view = sim::camera_view(picture.scene().camera);
-    const sim::FilmGeometry& film = picture.film();
-    for (int row = 0; row < film.rows; ++row)
-      for (int column = 0; column < film.columns; ++column) {
-        const std::size_t i = (static_cast<std::size_t>(row) * film.columns + column) * 3;
-        double enu[3];
-        if (picture.sigma()[i] + picture.sigma()[i + 1] + picture.sigma()[i + 2] > 0.0f &&
-            sim::enu_of_cell(view, film, row, column, enu))
-          lowest = std::min(lowest, enu[2]);
-      }
-  }
-  const double elevation = std::asin(std::max(lowest, 0.0));
-  const double ratio = sim::kEarthRadiusKm * std::cos(elevation) / (sim::kEarthRadiusKm + kBorder_km);
-  return std::clamp(sim::kEarthRadiusKm * (std::acos(ratio) - elevation), kNearestEnd_km, kFarthest_km);
-}
-
-/// The grid about the site, and for several stations about all of them.
-sim::GroundGrid grid_for(const std::vector<MapObservation>& pictures, const sim::Site& home,
-                         double farthest_km, double coarseness) {
-  double finest = 1e9;
-  for (const MapObservation& picture : pictures)
-    finest = std::min(finest,
-                      resolution_rad(picture.scene().camera, static_cast<int>(picture.film().cell_width_px)));
-  const bool elsewhere = std::any_of(pictures.begin(), pictures.end(), [&](const MapObservation& p) {
-    return p.scene().site.latitude_deg != home.latitude_deg ||
-           p.scene().site.longitude_deg != home.longitude_deg;
-  });
-  if (!elsewhere)
-    return sim::GroundGrid(
-        sim::rings_resolved(kCellsPerResolution * finest, kMinCell_km * coarseness, farthest_km));
-  double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
-  for (const MapObservation& picture : pictures) {
-    const sim::SiteTurn to_home = sim::turn_between(picture.scene().site, home);
-    west = std::min(west, to_home.shift_km[0]);
-    east = std::max(east, to_home.shift_km[0]);
-    south = std::min(south, to_home.shift_km[1]);
-    north = std::max(north, to_home.shift_km[1]);
-  }
-  // Of the farthest ground, where a second station is far away itself, no more than that much.
-  const double around = std::min(farthest_km, 400.0);
-  const double wide = east - west + 2.0 * around, high = north - south + 2.0 * around;
-  const double step = coarseness * std::max(kSquare_km, std::sqrt(wide * high / kMaxSquares));
-  return sim::GroundGrid(sim::SquareCells{west - around, south - around, step,
-                                          static_cast<int>(wide / step) + 1,
-                                          static_cast<int>(high / step) + 1});
-}
-
 std::size_t all_values(const std::vector<MapObservation>& pictures) {
   std::size_t sum = 0;
   for (const MapObservation& p : pictures) sum += p.values();
   return sum;
-}
-
-/// Flux and energy of cells. The energy is that of a cell's neighbourhood, by its flux: across a curtain,
-/// where the front may trade energy for distance with the back, one picture does not resolve it finer.
-class CellReader {
- public:
-  CellReader(const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
-             double reach_km = kEnergyReach_km)
-      : near_(grid.cells()) {
-    for (const double energy : energies_kev) ln_.push_back(std::log(energy));
-    for (int c = 0; c < grid.cells(); ++c) {
-      const double reach = std::max(reach_km, 0.7 * std::max(grid.depth_km(c), grid.breadth_km(c)));
-      for (const auto& near : grid.near(c, 2.5 * reach)) {
-        const double d2 = (near.east_km * near.east_km + near.north_km * near.north_km) / (reach * reach);
-        near_[c].push_back({near.cell, static_cast<float>(std::exp(-0.5 * d2) * grid.area_km2(near.cell))});
-      }
-    }
-  }
-
-  std::vector<CellFlux> cells(const std::vector<float>& map) const {
-    std::vector<CellFlux> cells(near_.size());
-    std::vector<double> flux(near_.size(), 0.0), ln(near_.size(), 0.0);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      for (std::size_t k = 0; k < ln_.size(); ++k) {
-        flux[c] += map[c * kGroundEnergies + k];
-        ln[c] += map[c * kGroundEnergies + k] * ln_[k];
-      }
-      cells[c].flux_mw_m2 = static_cast<float>(flux[c]);
-    }
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      double sum = 0.0, ln_sum = 0.0;
-      for (const auto& [cell, weight] : near_[c]) {
-        sum += weight * flux[cell];
-        ln_sum += weight * ln[cell];
-      }
-      cells[c].ln_energy = sum > 0.0 ? static_cast<float>(ln_sum / sum) : 0.0f;
-    }
-    return cells;
-  }
-
- private:
-  std::vector<double> ln_;
-  std::vector<std::vector<std::pair<int, float>>> near_;
-};
-
-/// A coarse map on a finer grid, with a little light everywhere.
-std::vector<float> refined(const std::vector<float>& rough, const sim::GroundGrid& coarse,
-                           const sim::GroundGrid& fine) {
-  std::vector<float> map(static_cast<std::size_t>(fine.cells()) * kGroundEnergies, 0.0f);
-  float brightest = 0.0f;
-  for (const float x : rough) brightest = std::max(brightest, x);
-  for (int c = 0; c < fine.cells(); ++c) {
-    const sim::EastNorth middle = fine.middle_km(c);
-    const int under = coarse.cell_at(middle.east, middle.north);
-    for (int k = 0; k < kGroundEnergies; ++k)
-      map[static_cast<std::size_t>(c) * kGroundEnergies + k] =
-          rough[static_cast<std::size_t>(under) * kGroundEnergies + k] + 1e-3f * brightest;
-  }
-  return map;
 }
 
 /// Which share of all work is behind at the end of each stage, as far as can be said before.
@@ -407,67 +286,6 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells,
   for (std::size_t p = 0; p < pictures.size(); ++p)
     for (std::size_t c = 0; c < 3; ++c) pictures[p].gain[c] = gain[3 * p + c];
   return map;
-}
-
-/// One prior's prediction of what was left out: the loss of each value, log(1 + r^2 / 2).
-struct PredictionLoss {
-  double sum = 0.0, squares = 0.0, values = 0.0;
-
-  void add(double residual) {
-    const double loss = std::log1p(0.5 * residual * residual);
-    sum += loss;
-    squares += loss * loss;
-    values += 1.0;
-  }
-  double mean() const { return sum / values; }
-  /// The standard error of the mean: a block's values are as good as one.
-  double error() const {
-    const double independent = values / (kBlock_cells * kBlock_cells);
-    return std::sqrt(std::max(0.0, squares / values - sum / values * (sum / values)) / independent);
-  }
-};
-
-/// Squares of a film's cells, one in ten by chance: 1 in each cell that is left out.
-std::vector<std::uint8_t> left_out_blocks(const MapObservation& picture, std::uint64_t seed,
-                                          std::uint32_t number) {
-  const sim::FilmGeometry& film = picture.film();
-  std::vector<std::uint8_t> out(picture.cells(), 0);
-  for (int row = 0; row < film.rows; ++row)
-    for (int column = 0; column < film.columns; ++column) {
-      const auto block_row = static_cast<std::uint32_t>(row / kBlock_cells);
-      const auto block = static_cast<std::uint32_t>(column / kBlock_cells);
-      const sim::Words words = sim::random_words(seed, sim::Stream::bootstrap, block, block_row, number);
-      if (words[0] % kBlockOneIn == 0) out[static_cast<std::size_t>(row) * film.columns + column] = 1;
-    }
-  return out;
-}
-
-/// How well a map that was made without some cells predicts them.
-PredictionLoss prediction_loss(std::vector<MapObservation>& pictures, const std::vector<float>& map,
-                               const std::vector<std::vector<std::uint8_t>>& left_out) {
-  PredictionLoss loss;
-  for (std::size_t p = 0; p < pictures.size(); ++p) {
-    MapLight model, residual;
-    pictures[p].forward(map, model);
-    pictures[p].residual(model, residual);
-    for (std::size_t i = 0; i < model.size(); ++i) {
-      const double sigma = pictures[p].sigma()[i];
-      if (sigma == 0.0 || left_out[p][i / 3] == 0) continue;
-      loss.add((model[i] + pictures[p].sky()[i] - pictures[p].data()[i]) / sigma);
-    }
-  }
-  return loss;
-}
-
-/// Returns the strongest prior that is no worse than the best by more than a standard error (Breiman and
-/// others 1984, "Classification and Regression Trees", section 3.4.3).
-double strongest_good_prior(const std::vector<MapTrial>& trials) {
-  std::size_t best = 0;
-  for (std::size_t t = 0; t < trials.size(); ++t)
-    if (trials[t].left_out < trials[best].left_out) best = t;
-  for (std::size_t t = 0; t < best; ++t)
-    if (trials[t].left_out <= trials[best].left_out + trials[best].error) return trials[t].sparsity;
-  return trials[best].sparsity;
 }
 
 StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
@@ -720,8 +538,8 @@ void Mapping::add_replicates(std::vector<MapObservation>& fine, MapResult& resul
 
 MapResult Mapping::run() {
   std::vector<MapObservation> coarse = pictures(2);
-  const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : reach_km(coarse);
-  sim::GroundGrid coarse_grid = grid_for(coarse, scene_.site, farthest, 2.0);
+  const double farthest = options_.farthest_km > 0.0 ? options_.farthest_km : ground_reach_km(coarse);
+  sim::GroundGrid coarse_grid = map_grid(coarse, scene_.site, farthest, 2.0);
   look(coarse, coarse_grid);
   keep_seen(coarse, coarse_grid);
   const std::vector<float> start = flat_start(coarse, coarse_grid);
@@ -740,11 +558,11 @@ MapResult Mapping::run() {
 
   std::vector<MapObservation> fine = pictures(1);
   for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
-  result.grid = grid_for(fine, scene_.site, farthest, 1.0);
+  result.grid = map_grid(fine, scene_.site, farthest, 1.0);
   keep_lit(coarse_grid, rough, result.grid);
   look(fine, result.grid);
   result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
-    return solve(fine, result.grid, refined(rough, coarse_grid, result.grid), result.sparsity, kFineSteps,
+    return solve(fine, result.grid, refined_map(rough, coarse_grid, result.grid), result.sparsity, kFineSteps,
                  "map", share_.coarse, share_.map);
   });
   result.cells = CellReader(result.grid, energies_).cells(result.map);
@@ -767,7 +585,7 @@ bool is_prior_at_its_end(const MapResult& result) {
 bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km) {
   for (const MappedPhoto& photo : result.photos) {
     double x = 0.0, y = 0.0;
-    if (!sim::pixel_over_foot(photo.scene, result.scene.site, foot_km, kBorder_km, x, y)) continue;
+    if (!sim::pixel_over_foot(photo.scene, result.scene.site, foot_km, kMappedBorder_km, x, y)) continue;
     const sim::FilmGeometry& film = photo.film;
     const int column = static_cast<int>((x - film.x0_px) / film.cell_width_px);
     const int row = static_cast<int>((y - film.y0_px) / film.cell_height_px);

@@ -13,7 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/map/cell_reader.h"
 #include "fit/map/map_observation.h"
+#include "fit/map/prior_choice.h"
 #include "fit/photo/photo.h"
 #include "fit/search/journal.h"
 #include "sim/render/ground/ground_grid.h"
@@ -58,12 +60,6 @@ struct MapOptions {
   std::function<void(const std::string& stage, double chi2_per_value, double share)> progress;
 };
 
-/// The electrons of one cell in one solution.
-struct CellFlux {
-  float flux_mw_m2 = 0.0f;
-  float ln_energy = 0.0f;  ///< mean of ln(E0 / keV), weighted with energy flux; meaningless in an empty cell
-};
-
 /// One photograph and its model in the cells of the film: [cell * 3 + channel].
 struct MappedPhoto {
   std::string name;
@@ -73,12 +69,6 @@ struct MappedPhoto {
   std::array<double, 3> gain{1.0, 1.0, 1.0};
   double chi2 = 0.0;
   std::size_t values = 0;
-};
-
-struct MapTrial {
-  double sparsity = 0.0;
-  double left_out = 0.0;  ///< mean of ln(1 + r²/2) over the values left out
-  double error = 0.0;     ///< standard error of left_out
 };
 
 struct MapResult {

@@ -1,0 +1,26 @@
+// The grid of ground cells of a map: how far it reaches and how fine it is.
+#pragma once
+
+#include <vector>
+
+#include "fit/map/map_observation.h"
+#include "sim/render/ground/ground_grid.h"
+#include "sim/scene/structs/site.h"
+
+namespace vegard::fit {
+
+inline constexpr double kMappedBorder_km = 105.0;  ///< altitude that lower borders are taken to have
+
+/// Returns the distance on the ground of a border seen at the lowest elevation of a picture.
+double ground_reach_km(const std::vector<MapObservation>& pictures);
+
+/// Returns the grid about the site, and for several stations about all of them. `coarseness`: factor on the
+/// sides of its cells.
+sim::GroundGrid map_grid(const std::vector<MapObservation>& pictures, const sim::Site& home,
+                         double farthest_km, double coarseness);
+
+/// Returns a coarse map on a finer grid, with a little light everywhere.
+std::vector<float> refined_map(const std::vector<float>& rough, const sim::GroundGrid& coarse,
+                               const sim::GroundGrid& fine);
+
+}  // namespace vegard::fit
