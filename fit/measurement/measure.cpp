@@ -119,12 +119,13 @@ std::optional<sim::Observer> place_below(const std::vector<StarSighting>& stars,
   return sim::Observer{middle.elevation_deg, longitude_deg};
 }
 
-/// Pixels whose light a map is not to explain: all but those near the azimuths of the traces, from below
-/// their border up.
-PixelSet away_from_traces(const Border& border, const sim::Scene& scene) {
-  struct TracedRange {
-    double middle_deg, half_width_deg, lowest_deg;
-  };
+/// Where one border was traced.
+struct TracedRange {
+  double middle_deg, half_width_deg, lowest_deg;
+};
+
+/// The ranges of azimuth of all traces but the faint ones.
+std::vector<TracedRange> traced_ranges(const Border& border, const sim::Scene& scene) {
   double brightest = 0.0;
   for (const BorderTrace& trace : border.traces)
     if (trace.measured > 0) brightest = std::max(brightest, trace.mean_brightness());
@@ -138,6 +139,13 @@ PixelSet away_from_traces(const Border& border, const sim::Scene& scene) {
     if (range < 0.0) range += 360.0;
     ranges.push_back({summary.from_azimuth_deg + 0.5 * range, 0.5 * range, summary.lowest_deg});
   }
+  return ranges;
+}
+
+/// Pixels whose light a map is not to explain: all but those near the azimuths of the traces, from below
+/// their border up.
+PixelSet away_from_traces(const Border& border, const sim::Scene& scene) {
+  const std::vector<TracedRange> ranges = traced_ranges(border, scene);
   const sim::DirectionMap directions = sim::direction_map(scene.camera);
   PixelSet out(directions.width, directions.height);
   for (std::size_t i = 0; i < out.in.size(); ++i) {
@@ -267,6 +275,7 @@ class Measuring {
   void read_given();
   void claim_folder() const;
   void picture();
+  std::string picture_numbers(const PhotoFacts& facts) const;
   void sky();
   bool mask_sky(MeasureStage& stage, const Words& finder, const MaskRequest& mask);
   void camera();
@@ -277,7 +286,9 @@ class Measuring {
   void border();
   void map();
   bool mask_for_map(MeasureStage& stage);
+  std::string scene_for_map() const;
   void map_light(MeasureStage& stage);
+  std::vector<std::string> answer_sentences() const;
   void conclude();
 
   const MeasureRequest& request_;
@@ -350,15 +361,20 @@ void Measuring::picture() {
   if (!has_time) stage.lacking = "the time: --time 2014-02-21T19:30:40Z";
   if (!has_site) stage.lacking += std::string(has_time ? "" : "; ") + "the place: --site LATITUDE,LONGITUDE";
   follower_.tell(stage.found);
+  stage.numbers = picture_numbers(facts);
+}
+
+/// What the picture says, and what is known then of time and place, as JSON.
+std::string Measuring::picture_numbers(const PhotoFacts& facts) const {
   nlohmann::ordered_json numbers = {{"facts", nlohmann::ordered_json::array()}, {"notes", facts.notes}};
   for (const PhotoFact& fact : facts.facts)
     numbers["facts"].push_back({{"path", fact.path}, {"value", fact.value}, {"source", fact.source}});
-  if (has_time) numbers["time_utc"] = result_.time_utc;
-  if (has_site)
+  if (!result_.time_utc.empty()) numbers["time_utc"] = result_.time_utc;
+  if (result_.site)
     numbers["site"] = {{"latitude_deg", result_.site->latitude_deg},
                        {"longitude_deg", result_.site->longitude_deg},
                        {"altitude_m", result_.site->height_m}};
-  stage.numbers = json_text(numbers);
+  return json_text(numbers);
 }
 
 /// One way to mask the sky; `finder` are the words that ask for it.
@@ -703,6 +719,27 @@ void Measuring::map_light(MeasureStage& stage) {
   });
 }
 
+/// The scene that the map and later fits are made with, beside the camera.
+std::string Measuring::scene_for_map() const {
+  const double focal_px = sim::camera_view(*result_.camera).lens.focal_px;
+  return fmt::format(
+      "# For vegard map and vegard fit, with --camera {}, by vegard measure of {}\n"
+      "seed = 1\n"
+      "[field]\n"
+      "model = \"dipole\"     # follows from the site\n"
+      "[sensor]\n"
+      "response = \"grey\"    # the green channel alone: the camera's colours are not known\n"
+      "[emission]\n"
+      "lines = [{}]\n"
+      "[blur]\n"
+      "width_deg = [{:.3g}]  # assumed: {} px\n"
+      "[fit]\n"
+      "model_error = {}\n",
+      fs::path(result_.camera_file).filename().string(), sim::comment_words(result_.photo),
+      sim::real_text(request_.line_nm), kBlur_px / focal_px / sim::kRadiansPerDegree, kBlur_px,
+      kMapModelError);
+}
+
 void Measuring::map() {
   if (request_.no_map) return;
   MeasureStage& stage = begin("Where electrons of which energy fall");
@@ -714,27 +751,11 @@ void Measuring::map() {
                                                                              : "the place.");
     return;
   }
-  const double focal_px = sim::camera_view(*result_.camera).lens.focal_px;
   if (!mask_for_map(stage)) {
     stage.found = "There is no map: " + stage.found;
     return;
   }
-  write("scene.toml",
-        fmt::format("# For vegard map and vegard fit, with --camera {}, by vegard measure of {}\n"
-                    "seed = 1\n"
-                    "[field]\n"
-                    "model = \"dipole\"     # follows from the site\n"
-                    "[sensor]\n"
-                    "response = \"grey\"    # the green channel alone: the camera's colours are not known\n"
-                    "[emission]\n"
-                    "lines = [{}]\n"
-                    "[blur]\n"
-                    "width_deg = [{:.3g}]  # assumed: {} px\n"
-                    "[fit]\n"
-                    "model_error = {}\n",
-                    fs::path(result_.camera_file).filename().string(), sim::comment_words(result_.photo),
-                    sim::real_text(request_.line_nm), kBlur_px / focal_px / sim::kRadiansPerDegree, kBlur_px,
-                    kMapModelError));
+  write("scene.toml", scene_for_map());
   map_light(stage);
   if (!result_.map || result_.map->result.interrupted) {
     stage.found = "There is no map: " + (result_.map ? "it was interrupted." : stage.found);
@@ -748,10 +769,9 @@ void Measuring::map() {
 }
 
 /// The answer: what the border says for certain, then what the map says of it.
-void Measuring::conclude() {
+std::vector<std::string> Measuring::answer_sentences() const {
   const bool has_border = result_.border && result_.border->measured > 0;
-  const bool is_certain = result_.has_azimuth && !is_skyline_open_;
-  std::vector<std::string>& answer = result_.answer;
+  std::vector<std::string> answer;
   constexpr std::size_t kToldFirst = 2;
   for (std::size_t t = 0; has_border && t < result_.border->traces.size() && answer.size() < kToldFirst; ++t)
     if (result_.border->traces[t].measured > 0)
@@ -769,15 +789,22 @@ void Measuring::conclude() {
           v.quantity.find("of the curtains") != std::string::npos)
         answer.push_back("The map has for " + v.quantity + ": " + v.value + " (" + trust_name(v.trust) +
                          ": " + v.reason + ").");
-  result_.trust = !has_border ? Trust::unconstrained : is_certain ? Trust::good : Trust::doubtful;
   if (answer.empty())
     for (const MeasureStage& stage : result_.stages)
       if (!stage.lacking.empty())
         answer.push_back(stage.title + ": " + stage.found + " What would help: " + stage.lacking);
+  return answer;
+}
+
+void Measuring::conclude() {
+  const bool has_border = result_.border && result_.border->measured > 0;
+  const bool is_certain = result_.has_azimuth && !is_skyline_open_;
+  result_.answer = answer_sentences();
+  result_.trust = !has_border ? Trust::unconstrained : is_certain ? Trust::good : Trust::doubtful;
   write("report.html", measure_page(result_));
   write("measure.json", measure_json(result_));
   follower_.tell("");
-  for (const std::string& sentence : answer) follower_.tell(sentence);
+  for (const std::string& sentence : result_.answer) follower_.tell(sentence);
   follower_.tell(in_run("report.html"));
 }
 
