@@ -100,77 +100,113 @@ std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<
   return result;
 }
 
+namespace {
+
+/// Writes the gains and the sky that a photograph's fit has solved for.
+class SolvedNumbers {
+ public:
+  SolvedNumbers(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
+                double error_inflation, FittedPhoto& r)
+      : linear_(comparison.linear()),
+        gains_(comparison.gains()),
+        solution_(point.solution),
+        variance_(linear_.coefficient_variance(point.aurora, solution_, error_inflation, known.covariance)),
+        grey_(is_grey(r.best)),
+        r_(r) {}
+
+  void put_gains() {
+    for (int b = 0; b < (gains_.per_band ? gains_.bands : 1); ++b)
+      for (int c = 0; c < (gains_.per_channel ? 3 : 1); ++c) {
+        if (gains_.per_channel && !has_channel(r_.best, c)) continue;
+        put(std::string("gain") + (gains_.per_band ? ".band_" + std::to_string(b) : "") +
+                (gains_.per_channel ? std::string(".") + kChannel[c] : ""),
+            gains_.column(b, c));
+      }
+    const double mean = mean_gain();
+    if (!(mean > 0.0)) return;
+    // The night sky's lights keep the brightness that they had in the fit.
+    if (sim::has_night_sky(r_.best)) r_.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r_.best) / mean;
+    r_.best.sensor.exposure = sim::ExposureRule::gain;  // found, in place of what the camera's settings say
+    r_.best.sensor.gain_per_kilorayleigh = mean;
+  }
+
+  void put_sky() {
+    static const char* const kTerm[3] = {"level", "gradient", "curvature"};
+    sim::Sky& sky = r_.best.sky;
+    std::array<double, 3>* const terms[3] = {&sky.level, &sky.gradient, &sky.curvature};
+    // Skies of bands run along their profiles, which the picture's does not: it has their mean level.
+    const int skies = linear_.skies();
+    for (int t = 0; t < 3; ++t)
+      for (int c = 0; c < 3; ++c) {
+        const bool is_solved = t < linear_.sky_terms();
+        (*terms[t])[c] = is_solved && skies == 1 ? solution_.coefficients[linear_.sky(t, c)] : 0.0;
+        double levels = 0.0;
+        int seen = 0;
+        for (int b = 0; b < skies && is_solved && has_channel(r_.best, c); ++b) {
+          if (skies > 1 && variance_[linear_.sky(t, c, b)] <= 0.0) continue;  // unconstrained
+          levels += solution_.coefficients[linear_.sky(t, c, b)];
+          ++seen;
+          put(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +
+                  kChannel[c],
+              linear_.sky(t, c, b));
+        }
+        if (skies > 1 && t == 0 && seen > 0) (*terms[t])[c] = levels / seen;
+      }
+    // A grey sensor's channels are one, which was solved for.
+    if (grey_)
+      for (std::array<double, 3>* term : terms) term->fill((*term)[kGreyChannel]);
+  }
+
+ private:
+  static constexpr const char* kChannel[3] = {"red", "green", "blue"};
+
+  void put(const std::string& name, int j) {
+    SolvedNumber s{name, solution_.coefficients[j], {}};
+    if (variance_[j] > 0.0) s.sigma = std::sqrt(variance_[j]);
+    r_.solved.push_back(s);
+  }
+
+  /// Fills the gain of each band and channel. Returns the mean of those that count; 0 if none does.
+  double mean_gain() {
+    r_.gain.assign(r_.data.bands, std::vector<double>(3));
+    std::vector<std::vector<bool>> constrained(r_.data.bands, std::vector<bool>(3));
+    bool any_constrained = false;
+    for (int b = 0; b < r_.data.bands; ++b)
+      for (int c = 0; c < 3; ++c) {
+        // Of a grey sensor the others hold nothing.
+        const int column = gains_.column(b, grey_ ? kGreyChannel : c);
+        r_.gain[b][c] = solution_.coefficients[column];
+        constrained[b][c] = is_constrained(r_.gain[b][c], std::sqrt(std::max(0.0, variance_[column])));
+        any_constrained = any_constrained || constrained[b][c];
+      }
+    // Where bands have skies of their own, one that has next to no light may have any gain, and does not
+    // count.
+    const bool constrained_only = linear_.skies() > 1 && any_constrained;
+    double sum = 0.0, lit = 0.0;
+    for (int b = 0; b < r_.data.bands; ++b)
+      for (int c = 0; c < 3; ++c)
+        if (constrained_only ? constrained[b][c] : r_.gain[b][c] > 0.0) {
+          sum += r_.gain[b][c];
+          lit += 1.0;
+        }
+    return lit > 0.0 ? sum / lit : 0.0;
+  }
+
+  const LinearPart& linear_;
+  const GainLayout& gains_;
+  const LinearSolution& solution_;
+  std::vector<double> variance_;  ///< of each coefficient
+  bool grey_;
+  FittedPhoto& r_;
+};
+
+}  // namespace
+
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
                   double error_inflation, FittedPhoto& r) {
-  const LinearPart& linear = comparison.linear();
-  const GainLayout& gains = comparison.gains();
-  const LinearSolution& solution = point.solution;
-  const std::vector<double> variance =
-      linear.coefficient_variance(point.aurora, solution, error_inflation, known.covariance);
-  static const char* const kChannel[3] = {"red", "green", "blue"};
-  const auto solved = [&](const std::string& name, int j) {
-    SolvedNumber s{name, solution.coefficients[j], {}};
-    if (variance[j] > 0.0) s.sigma = std::sqrt(variance[j]);
-    r.solved.push_back(s);
-  };
-  const bool grey = is_grey(r.best);
-  for (int b = 0; b < (gains.per_band ? gains.bands : 1); ++b)
-    for (int c = 0; c < (gains.per_channel ? 3 : 1); ++c) {
-      if (gains.per_channel && !has_channel(r.best, c)) continue;
-      solved(std::string("gain") + (gains.per_band ? ".band_" + std::to_string(b) : "") +
-                 (gains.per_channel ? std::string(".") + kChannel[c] : ""),
-             gains.column(b, c));
-    }
-  r.gain.assign(r.data.bands, std::vector<double>(3));
-  std::vector<std::vector<bool>> constrained(r.data.bands, std::vector<bool>(3));
-  bool any_constrained = false;
-  for (int b = 0; b < r.data.bands; ++b)
-    for (int c = 0; c < 3; ++c) {
-      const int column =
-          gains.column(b, grey ? kGreyChannel : c);  // of a grey sensor the others hold nothing
-      r.gain[b][c] = solution.coefficients[column];
-      constrained[b][c] = is_constrained(r.gain[b][c], std::sqrt(std::max(0.0, variance[column])));
-      any_constrained = any_constrained || constrained[b][c];
-    }
-  // Where bands have skies of their own, one that has next to no light may have any gain, and does not count.
-  const bool constrained_only = linear.skies() > 1 && any_constrained;
-  double sum = 0.0, lit = 0.0;
-  for (int b = 0; b < r.data.bands; ++b)
-    for (int c = 0; c < 3; ++c)
-      if (constrained_only ? constrained[b][c] : r.gain[b][c] > 0.0) {
-        sum += r.gain[b][c];
-        lit += 1.0;
-      }
-  if (lit > 0.0) {
-    // The night sky's lights keep the brightness that they had in the fit.
-    if (sim::has_night_sky(r.best))
-      r.best.sky.lights_gain *= sim::gain_per_kilorayleigh(r.best) / (sum / lit);
-    r.best.sensor.exposure = sim::ExposureRule::gain;  // found, in place of what the camera's settings say
-    r.best.sensor.gain_per_kilorayleigh = sum / lit;
-  }
-  static const char* const kTerm[3] = {"level", "gradient", "curvature"};
-  std::array<double, 3>* const terms[3] = {&r.best.sky.level, &r.best.sky.gradient, &r.best.sky.curvature};
-  // Skies of bands run along their profiles, which the picture's does not: it has their mean level.
-  const int skies = linear.skies();
-  for (int t = 0; t < 3; ++t)
-    for (int c = 0; c < 3; ++c) {
-      const bool is_solved = t < linear.sky_terms();
-      (*terms[t])[c] = is_solved && skies == 1 ? solution.coefficients[linear.sky(t, c)] : 0.0;
-      double levels = 0.0;
-      int seen = 0;
-      for (int b = 0; b < skies && is_solved && has_channel(r.best, c); ++b) {
-        if (skies > 1 && variance[linear.sky(t, c, b)] <= 0.0) continue;  // unconstrained
-        levels += solution.coefficients[linear.sky(t, c, b)];
-        ++seen;
-        solved(std::string("sky.") + (skies > 1 ? "band_" + std::to_string(b) + "." : "") + kTerm[t] + "." +
-                   kChannel[c],
-               linear.sky(t, c, b));
-      }
-      if (skies > 1 && t == 0 && seen > 0) (*terms[t])[c] = levels / seen;
-    }
-  // A grey sensor's channels are one, which was solved for.
-  if (grey)
-    for (std::array<double, 3>* term : terms) term->fill((*term)[kGreyChannel]);
+  SolvedNumbers solved(comparison, point, known, error_inflation, r);
+  solved.put_gains();
+  solved.put_sky();
   for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {
     r.solved.push_back({s.name, s.value, {}});
     if (s.sigma > 0.0) r.solved.back().sigma = s.sigma;
