@@ -173,7 +173,7 @@ class SolvedNumbers {
     bool any_constrained = false;
     for (int b = 0; b < r_.data.bands; ++b)
       for (int c = 0; c < 3; ++c) {
-        // Of a grey sensor the others hold nothing.
+        // A grey sensor's other channels hold nothing.
         const int column = gains_.column(b, grey_ ? kGreyChannel : c);
         r_.gain[b][c] = solution_.coefficients[column];
         constrained[b][c] = is_constrained(r_.gain[b][c], std::sqrt(std::max(0.0, variance_[column])));

@@ -25,9 +25,10 @@ constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
 constexpr double kUsualTrials = 5.0;
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
-// From the strongest on, until what is left out has been predicted worse for so many in a row. No weaker
-// ones: of real photographs left-out blocks of the coarse film ask for ever weaker ones, which make up for
-// the film's coarseness, explain the fine film no better, and leave error bars up to twice as wide.
+// Priors are tried from the strongest on, until what is left out has been predicted worse for so many in a
+// row. There are no weaker ones: of real photographs left-out blocks of the coarse film ask for ever weaker
+// ones, which make up for the film's coarseness, explain the fine film no better, and leave error bars up to
+// twice as wide.
 constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
 constexpr double kWideReach_km = 10.0;
@@ -91,7 +92,7 @@ std::size_t all_values(const std::vector<MapObservation>& pictures) {
   return sum;
 }
 
-/// Which share of all work is behind at the end of each stage, as far as can be said before.
+/// The share of all work that is done at the end of each stage, as far as can be said before.
 struct WorkShares {
   double prior = 0.0, coarse = 0.0, map = 0.0;
 
@@ -105,7 +106,7 @@ struct WorkShares {
   }
 };
 
-/// The coarse and the fine problem.
+/// Solves the coarse and then the fine problem.
 class Mapping {
  public:
   Mapping(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options)
@@ -165,7 +166,7 @@ class Mapping {
   std::vector<double> energies_ = energy_nodes();
 };
 
-/// With films of the sizes that those of `like` have.
+/// The films get the sizes that those of `like` have.
 std::vector<MapObservation> Mapping::pictures(int coarseness, const std::vector<sim::Scene>& scenes,
                                               const std::vector<MapObservation>* like) const {
   std::vector<MapObservation> all;
@@ -331,14 +332,14 @@ double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim
   return strongest_good_prior(result.trials);
 }
 
-/// A film of independent normal numbers, drawn again for each replicate.
+/// Returns one number of a film of independent normal numbers, drawn again for each replicate.
 double normal(std::uint64_t seed, std::uint32_t replicate, std::uint32_t picture, std::uint32_t i) {
   const sim::Words w = sim::random_words(seed, sim::Stream::bootstrap, i, replicate + 1000u, picture);
   const double u = sim::fine_uniform(w[0], w[1]);
   return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * 3.141592653589793 * sim::fine_uniform(w[2], w[3]));
 }
 
-/// Smooth normal numbers of variance 1 over a film: a model's error, which neighbours share.
+/// Returns smooth normal numbers of variance 1 over a film: a model's error, which neighbours share.
 std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t seed, int replicate, int picture,
                                 int threads) {
   std::vector<float> drawn(static_cast<std::size_t>(film.rows) * film.columns), blurred(drawn.size());

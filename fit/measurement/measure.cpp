@@ -59,7 +59,7 @@ int exit_code_of(sim::ErrorKind kind) {
   }
 }
 
-/// A number as a command has it that was shown it as text.
+/// Returns a number as a command has it that was shown it as text.
 double as_written(const std::string& text) {
   double value = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), value);
@@ -76,14 +76,14 @@ std::string site_text(const sim::Observer& site) {
   return fmt::format("{:.10g},{:.10g},{:.10g}", site.latitude_deg, site.longitude_deg, site.height_m);
 }
 
-/// The site of which site_text() speaks.
+/// Returns the site of which site_text() speaks.
 sim::Observer site_as_written(const sim::Observer& site) {
   const auto digits = [](double value) { return as_written(fmt::format("{:.10g}", value)); };
   return {digits(site.latitude_deg), digits(site.longitude_deg), digits(site.height_m)};
 }
 
-/// The lowest points of a skyline in ten parts of the picture's width: hills stand above the horizon, nothing
-/// below it. None of a skyline that is too short.
+/// Returns the lowest points of a skyline in ten parts of the picture's width: hills stand above the horizon,
+/// nothing below it. There are none of a skyline that is too short.
 std::vector<PixelPoint> horizon_points(const std::vector<PixelPoint>& skyline) {
   constexpr std::size_t kParts = 10;
   std::vector<PixelPoint> points;
@@ -102,7 +102,7 @@ std::vector<PixelPoint> horizon_points(const std::vector<PixelPoint>& skyline) {
 std::optional<sim::Observer> place_below(const std::vector<StarSighting>& stars, const std::string& time) {
   double up[3] = {0.0, 0.0, 0.0};
   for (const StarSighting& star : stars) {
-    // As the table of recognised stars has them.
+    // The table of recognised stars has as many digits.
     const sim::Equatorial place = equatorial_place({star.enu[0], star.enu[1], star.enu[2]});
     const sim::Direction at{as_written(fmt::format("{:.4f}", place.right_ascension_deg)),
                             as_written(fmt::format("{:.4f}", place.declination_deg))};
@@ -300,7 +300,7 @@ class Measuring {
   bool is_skyline_open_ = false;  ///< whether it is ground or the light's own border is not decided
 };
 
-/// What is given of time, place and camera, refused here before any stage if nobody can read it.
+/// Reads what is given of time, place and camera, and refuses before any stage what nobody can read.
 void Measuring::read_given() {
   if (!request_.time.empty()) {
     const std::optional<double> seconds = sim::utc_seconds(request_.time);
@@ -377,7 +377,7 @@ std::string Measuring::picture_numbers(const PhotoFacts& facts) const {
   return json_text(numbers);
 }
 
-/// One way to mask the sky; `finder` are the words that ask for it.
+/// Masks the sky in one way; `finder` are the words that ask for it.
 bool Measuring::mask_sky(MeasureStage& stage, const Words& finder, const MaskRequest& mask) {
   Words words = {"mask", request_.photo, "-o", sky_mask_};
   words.insert(words.end(), finder.begin(), finder.end());
@@ -432,7 +432,7 @@ void Measuring::sky() {
   stage.lacking = "a mask that leaves out the ground: --mask MASK.png (vegard mask)";
 }
 
-/// A point a column; none if no skyline was found.
+/// Returns a point for each column; none if no skyline was found.
 std::vector<PixelPoint> Measuring::skyline() const {
   std::vector<PixelPoint> points;
   if (!result_.sky || !result_.sky->skyline) return points;
@@ -475,7 +475,7 @@ void Measuring::camera() {
   stage.lacking = "stars in the picture, with time and place";
 }
 
-/// Stars first: they alone determine the azimuth.
+/// Tries the stars first: they alone determine the azimuth.
 bool Measuring::camera_by_stars() {
   MeasureStage& stage = begin("Where the camera points: stars");
   Words words = {"calibrate",           "--image",     request_.photo,      "-o",
@@ -533,7 +533,7 @@ bool Measuring::camera_by_stars() {
   return false;
 }
 
-/// The lens of recognised stars whose time or place is not known: taken as if they stood about the zenith.
+/// Finds the lens by recognised stars whose time or place is not known, as if they stood about the zenith.
 void Measuring::lens_by_stars() {
   const std::string time = "2000-01-01T12:00:00Z";
   const std::optional<sim::Observer> place =
@@ -669,7 +669,7 @@ void Measuring::border() {
   result_.pictures.insert(result_.pictures.begin(), "border/border.svg");
 }
 
-/// Pixels of light near the borders, without stars.
+/// Masks all but pixels of light near the borders, without stars.
 bool Measuring::mask_for_map(MeasureStage& stage) {
   write("region.png", mask_png(away_from_traces(*result_.border, *result_.border_scene)));
   MaskRequest mask;
@@ -719,7 +719,7 @@ void Measuring::map_light(MeasureStage& stage) {
   });
 }
 
-/// The scene that the map and later fits are made with, beside the camera.
+/// Returns the scene that the map and later fits are made with, beside the camera.
 std::string Measuring::scene_for_map() const {
   const double focal_px = sim::camera_view(*result_.camera).lens.focal_px;
   return fmt::format(
@@ -768,7 +768,7 @@ void Measuring::map() {
                    (v.value.empty() ? "" : ", " + v.value) + ".";
 }
 
-/// The answer: what the border says for certain, then what the map says of it.
+/// Returns the answer: what the border says for certain, then what the map says of it.
 std::vector<std::string> Measuring::answer_sentences() const {
   const bool has_border = result_.border && result_.border->measured > 0;
   std::vector<std::string> answer;

@@ -69,7 +69,7 @@ TrackEstimate updated(const TrackEstimate& estimate, const Innovation& innovatio
 }
 
 bool measures_position(const TrackPoint& point) {
-  // Nor what no square of a double can hold.
+  // Numbers whose squares no double can hold are no measurements either.
   constexpr double kMax = 1e100;
   return std::abs(point.value) < kMax && point.sigma < kMax && point.sigma > 1.0 / kMax;
 }
@@ -194,7 +194,7 @@ std::vector<WeighedNoise> weighed_noise(const std::vector<TrackPoint>& points, c
   for (const double node : nodes)
     logs.push_back(0.5 * node - 0.5 * misfit_of(points, pieces, std::exp(node)).deviance);
   const double most = *std::max_element(logs.begin(), logs.end());
-  // Of long tracks the peak is narrower than the nodes' distance: then it is looked at more closely.
+  // A long track's peak is narrower than the distance of the nodes: it is looked at more closely.
   constexpr double kBelow = 8.0, kFine = 12.0;
   double low = nodes.back(), high = nodes.front();
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -397,7 +397,7 @@ void smooth_piece(const std::vector<TrackPoint>& points, const Indices& piece, s
         gain * (smoothed[i + 1].covariance - prediction[k + 1].covariance) * gain.transpose();
     is_known[i] = 1;
   }
-  // Before the second number the filter has no state: from there on backwards.
+  // Before the second number the filter has no state: the steps go backwards from there.
   const TrackPoint& begin = points[piece[0]];
   for (std::size_t i = second; i-- > first;) {
     BackwardStep back(points[i + 1].time_s - points[i].time_s, q);
@@ -482,7 +482,7 @@ SmoothedStates smoothed_states(const std::vector<TrackPoint>& points, const Piec
 SmoothedStates states_of_all_noise(const std::vector<TrackPoint>& points, const Pieces& pieces) {
   const std::vector<WeighedNoise> weighed = weighed_noise(points, pieces);
   SmoothedStates sum = smoothed_states(points, pieces, weighed.front().q);
-  // Counted from the first, so that nothing is lost in differences of large numbers.
+  // States are counted from the first, so that nothing is lost in differences of large numbers.
   const std::vector<TrackEstimate> origin = sum.states;
   std::vector<TrackCovariance> squares(points.size(), TrackCovariance::Zero());
   for (TrackEstimate& estimate : sum.states) estimate = TrackEstimate();
@@ -513,7 +513,7 @@ void leave_out_jumps(const std::vector<TrackPoint>& points, double q, double lim
     for (Indices& piece : segmentation.pieces) {
       if (piece.size() < 4) continue;
       const auto jumps = jumps_between(points, piece, now.states, limit);
-      // From behind, so that the places before stay; three at least are left to agree.
+      // The last is erased first, so that the places before it stay; three at least are left to agree.
       for (auto jump = jumps.rbegin(); jump != jumps.rend() && piece.size() > 3; ++jump) {
         segmentation.outliers.emplace_back(piece[jump->first], jump->second);
         piece.erase(piece.begin() + static_cast<std::ptrdiff_t>(jump->first));

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kShards = 8;  // of the derivatives; fixed, so that sums do not depend on the threads
 
-/// Distortion that is free may be none at present.
+/// Whether distortion is free; it may be none at present.
 bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free) {
   return std::any_of(free.begin(), free.end(), [&](const ParameterId& id) {
     const int number = camera_number_of(camera, id);
@@ -28,7 +28,7 @@ bool frees_distortion(const Camera& camera, const std::vector<ParameterId>& free
   });
 }
 
-/// The local inputs that a number is, in some sheet.
+/// Returns the local inputs that a number is, in some sheet.
 std::set<int> local_inputs_of(const Scene& scene, const ParameterId& number) {
   std::set<int> inputs;
   for (std::size_t s = 0; s < scene.sheets.size(); ++s)
@@ -133,7 +133,7 @@ struct BeamExposer::Workspace {
 
   bool is_dark(const Chunk& chunk) const { return !shining.empty() && !shining[chunk.sheet]; }
 
-  /// One per sheet.
+  /// Returns the kernel's data of each sheet.
   std::vector<KernelScene> kernels(const Scene& scene, const std::vector<HeightProfile>& profiles) const {
     std::vector<KernelScene> all;
     for (std::size_t s = 0; s < scene.sheets.size(); ++s) {

@@ -24,7 +24,8 @@ double wind_km_s(const Scene& scene) {
 
 double diagonal_px(const Scene& scene) { return std::hypot(scene.camera.width, scene.camera.height); }
 
-/// The same scene with some of its lines only, no other blur, and no volumes, which come from elsewhere.
+/// Returns the same scene with some of its lines only, no other blur, and no volumes, which come from
+/// elsewhere.
 Scene with_lines(const Scene& scene, const std::vector<double>& lines_nm) {
   Scene part = scene;
   part.emission.lines = lines_nm;
@@ -80,7 +81,7 @@ class NearestScale {
          per_km_at_1_km_ = 0.0;
 };
 
-/// The largest of `km[a]` in pixels, over the altitudes up to top_km.
+/// Returns the largest of `km(a)` in pixels, over the altitudes up to top_km.
 template <class Kilometres>
 double largest_px(const Scene& scene, double top_km, const Kilometres& km) {
   const NearestScale scale(scene);
@@ -93,7 +94,7 @@ double largest_px(const Scene& scene, double top_km, const Kilometres& km) {
   return largest;
 }
 
-/// The film that holds every level's and what the wind carries there.
+/// Returns the film that holds those of all levels and what the wind carries there.
 FilmGeometry film_of_all(const std::vector<BlurLevel>& levels, double carried_px) {
   FilmGeometry all;
   double right = 0.0, bottom = 0.0;
@@ -225,7 +226,7 @@ class SlowLine {
   std::vector<Slot> slots_;
 };
 
-/// One metastable line into one channel.
+/// Adds one metastable line to one channel.
 std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const BeamLayout& layout,
                             int threads, const std::function<void(double)>& progress,
                             const std::atomic<bool>* stop, Image& rayleigh, int channel, int only_sheet) {
@@ -235,7 +236,7 @@ std::uint64_t add_slow_line(const Scene& scene, const EmissionLine& line, const 
   return points;
 }
 
-/// The prompt lines at once, without any blur.
+/// Adds the prompt lines at once, without any blur.
 std::uint64_t add_prompt_lines(const Scene& scene, const std::vector<int>& channels, int threads,
                                const std::function<void(double)>& progress, const std::atomic<bool>* stop,
                                Image& rayleigh, int only_sheet) {

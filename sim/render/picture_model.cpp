@@ -59,7 +59,7 @@ class NightSkyMeans {
   NightSkyMeans(const CellMeans& means, bool keeps_negative_light)
       : means_(means), keeps_negative_light_(keeps_negative_light) {}
 
-  /// Fills the offset alone.
+  /// Fills the offsets of the values.
   void put_offset(const Scene& scene, PictureMeans& out) const {
     out.offset.clear();
     out.offset_derivative.clear();
@@ -68,7 +68,7 @@ class NightSkyMeans {
     for_every_value<double>(scene, [&](std::size_t i, double mean) { out.offset[i] = mean; });
   }
 
-  /// The same with their derivatives by `free`. A free brightness counts even where it is 0.
+  /// Fills the offsets and their derivatives by `free`. A free brightness counts even where it is 0.
   void put_offset(const Scene& scene, const std::vector<ParameterId>& free, PictureMeans& out) const {
     const std::vector<int> which = sky_numbers_of(scene, free);
     out.offset.clear();
@@ -132,8 +132,8 @@ struct PictureModel::Workspace {
   Image rayleigh, rgb;               // of all cells, of the last evaluation
   std::vector<float> down, blurred;  // planes
   std::vector<std::uint8_t> lit;     // [row][column][channel]: not clipped
-  // As weights.pixels, 0 where the light is clipped, [cell of a run] within [channel] within the run: what
-  // the derivatives of the cells count for.
+  // What the derivatives of the cells count for: as weights.pixels, but 0 where the light is clipped, [cell
+  // of a run] within [channel] within the run.
   std::vector<float> shown;
   std::vector<double> slopes;   // [run][channel][stride]
   std::vector<Vector3> colour;  // RGB per rayleigh at unit gain, of the last evaluation
@@ -170,7 +170,7 @@ struct PictureModel::Workspace {
     });
   }
 
-  /// After finish_values().
+  /// Fills `shown`, after finish_values().
   void find_shown() {
     shown.resize(means.weights.pixels.size());
     means.for_every_mean([&](std::size_t mean) {

@@ -29,7 +29,7 @@
 namespace vegard::sim {
 namespace {
 
-/// A picture without light, of rayleighs per line.
+/// Returns a picture without light, of rayleighs per line.
 Image dark_lines(const Scene& scene) {
   std::vector<std::string> names;
   for (double nm : scene.emission.lines) names.push_back(line_name(nm));
@@ -47,8 +47,8 @@ void add_behind(const Scene& scene, const Rendering& layers, const Image& night_
   if (!layers.stars.empty()) add_light(layers.stars, 1.0, rgb);
 }
 
-/// Everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or what a
-/// display shows of it.
+/// Adds everything else in the picture around the aurora's light. `night_sky` is the layer of that name, or
+/// what a display shows of it.
 void compose_layers(const Scene& scene, const Rendering& layers, const Image& night_sky, Image& rgb) {
   if (layers.volume.empty()) {
     add_behind(scene, layers, night_sky, rgb);
@@ -63,7 +63,7 @@ void compose_layers(const Scene& scene, const Rendering& layers, const Image& ni
   if (!layers.foreground.empty()) cover(layers.foreground, rgb);
 }
 
-/// A picture of a cube's face, where the whole one has it.
+/// Puts the picture of a cube's face where the whole one has it.
 void put_face(const Image& part, const CubeFace& face, Image& whole) {
   const int size = part.width, x = face.column * size, y = face.row * size;
   const std::size_t channels = static_cast<std::size_t>(part.channels()), run = size * channels;
@@ -82,14 +82,14 @@ void put_face(const VolumePictures& parts, const CubeFace& face, const Scene& sc
   put(parts.hidden, whole.hidden);
 }
 
-/// The scene before one of the pinholes that its picture is put together from.
+/// Returns the scene before one of the pinholes that its picture is put together from.
 Scene seen_by_face(const Scene& scene, const CubeFace& face) {
   Scene one = scene;
   one.camera = camera_of_face(scene.camera, face);
   return one;
 }
 
-/// The whole picture's.
+/// Returns the film of the whole picture.
 FilmGeometry film_of(const Scene& scene) {
   return film_for(scene, 0, 0, scene.camera.width, scene.camera.height, 1.0, 1.0);
 }
@@ -108,7 +108,7 @@ Scene with_enough_beams_around(const Scene& scene) {
   return enough;
 }
 
-/// The stars of a picture: those at a face's edge shine into the next one.
+/// Returns the stars of a picture: those at a face's edge shine into the next one.
 Image stars_of(const Scene& scene, const std::atomic<bool>* stop, int threads) {
   const std::vector<double> instants = instants_s(scene.time);
   if (scene.camera.model != LensModel::cube) return star_light(scene, instants, stop, threads);
@@ -118,7 +118,7 @@ Image stars_of(const Scene& scene, const std::atomic<bool>* stop, int threads) {
   return all;
 }
 
-/// The volumes' light, of which none is of the air's excited atoms.
+/// Adds the volumes' light, of which none is of the air's excited atoms.
 VolumePictures add_volumes_unblurred(const Scene& scene, const FilmGeometry& film,
                                      const RenderOptions& options, Image& rayleigh) {
   Exposure exposure;
@@ -307,7 +307,8 @@ void add_given_pictures(const Scene& scene, const CompositePictures& pictures, R
   }
 }
 
-/// The light on the ground. It is that of the scene as given: it does not depend on the picture's beams.
+/// Returns the light on the ground. It is that of the scene as given: it does not depend on the picture's
+/// beams.
 GroundIllumination ground_illumination(const Scene& as_given, const RenderOptions& options) {
   RenderOptions sky_options;
   sky_options.threads = options.threads;
