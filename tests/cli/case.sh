@@ -70,11 +70,11 @@ scene_with() {
   ! cmp -s scene.toml "$SCENES/small.toml" || fail "'$1' changes nothing"
 }
 
-# interrupt JOB: Ctrl-C once it listens and has said something; $status is its exit code.
+# interrupt JOB: Ctrl-C once it listens and has said something, or at once what has ended; $status is its exit code.
 interrupt() {
   wait_until_interruptible "$1"
   for _ in $(seq 3000); do
-    [[ ! -s $stderr ]] || break
+    [[ ! -s $stderr && -e /proc/$1 ]] || break
     sleep 0.01
   done
   kill -INT "$1" 2>/dev/null || true

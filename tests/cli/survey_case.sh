@@ -50,9 +50,12 @@ expect_exit 0 survey run plan.json --out local --local 2 --threads 2
 expect_exit 0 survey merge local -o local.sqlite
 expect_same whole.sqlite local.sqlite
 
-# Interrupted at its beginning, when it has most to do; then killed again and again.
+# Interrupted at its beginning, when it has most to do, where it has said nothing yet; then killed again and again.
 "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
-interrupt $!
+wait_until_interruptible $!
+kill -INT $!
+status=0
+wait $! || status=$?
 [[ $status -eq 130 || $status -eq 0 ]] || fail "exit $status after Ctrl-C"
 for work in 5 20 35 25 15 45; do
   "$VEGARD" survey run plan.json --out killed >"$stdout" 2>"$stderr" &
