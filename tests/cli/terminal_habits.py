@@ -20,7 +20,8 @@ VEGARD, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 SCENES = SOURCE / "tests" / "cli" / "scenes"
 PHOTO = str(SOURCE / "data" / "examples" / "h000" / "photo.jpg")
 FEW = ["--set", "sheet.main.beams=20"]
-MAP = ["map", "map.toml", "--photo", "band.png", "--replicates", "2", "--sparsity", "16"]
+SMALL = ["--set", "camera.width=48", "--set", "camera.height=32"]
+MAP = ["map", "map.toml", "--photo", "little.png", "--replicates", "2", "--sparsity", "16", *SMALL]
 STARS = ["--size", "64,48", "--site", "65,20,100", "--time", "2020-01-01T20:00:00Z"]
 
 
@@ -119,6 +120,7 @@ def make_inputs():
         shutil.copy(SCENES / name, name)
     made(["render", "small.toml", "-o", "a.png", *FEW])
     made(["render", str(SCENES / "map_light.toml"), "-o", "band.png"])
+    made(["render", str(SCENES / "map_light.toml"), "-o", "little.png", *SMALL])
     made(["render", str(SCENES / "map_light.toml"), "-o", "wide.png", "--set", "camera.width=360", "--set", "camera.height=240"])
     for second in (0, 10):
         shutil.copy("a.png", f"sky_20140221_1930{second:02}.png")
