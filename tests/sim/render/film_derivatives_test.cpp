@@ -224,6 +224,7 @@ TEST(FilmDerivatives, OfACurveAgreeWithDifferences) {
     Scene scene = tests::small_scene();
     scene.time.start_s = 1.3;
     Sheet& sheet = scene.sheets[0];
+    sheet.beams = 100;
     sheet.course = SheetCourse::curve;
     // Its ends are in the picture.
     sheet.east_km = {-60.0, -40.0, 10.0, 30.0, 80.0};
