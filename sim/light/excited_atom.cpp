@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "sim/light/height_profile.h"
+#include "sim/light/reactions.h"
 
 namespace vegard::sim {
 namespace {
@@ -16,25 +17,28 @@ constexpr double kOxygenInN2 = 10.18, kOxygenInOxygen = 8.00;  // reduced masses
 
 double mass_dalton(const EmissionLine& line) { return std::string_view(line.species) == "O" ? 16.0 : 14.0; }
 
-/// Returns the rate of quenching by collisions, per second.
-double quenching_s(const EmissionLine& line, const Air& air) {
-  const double t = air.temperature_k;
+/// Returns the rate at which the line's upper state ends, per second, by light and by collisions.
+double end_s(const EmissionLine& line, const Air& air) {
+  using R = Reaction;
+  const Reactions& reactions = Reactions::standard();
+  const auto k = [&](Reaction reaction) { return reactions.rate(reaction, air.temperature_k); };
   const std::string_view transition = line.transition;
   if (transition == "(1D)-(3P)")
-    return 2.0e-11 * std::exp(107.8 / t) * air.n2_cm3 + 2.9e-11 * std::exp(67.5 / t) * air.o2_cm3 +
-           8.0e-12 * air.o_cm3;
-  if (transition == "(1S)-(1D)") return 4.0e-12 * std::exp(-865.0 / t) * air.o2_cm3 + 2.0e-14 * air.o_cm3;
-  if (transition == "(2D)-(4S)") return 6.0e-12 * air.o2_cm3 + 6.9e-13 * air.o_cm3;
-  return 0.0;
+    return reactions.value(R::o1d_6300) + reactions.value(R::o1d_6364) + k(R::o1d_n2) * air.n2_cm3 +
+           k(R::o1d_o2) * air.o2_cm3 + k(R::o1d_o) * air.o_cm3;
+  if (transition == "(1S)-(1D)")
+    return reactions.value(R::o1s_5577) + reactions.value(R::o1s_2972) + k(R::o1s_o2) * air.o2_cm3 +
+           k(R::o1s_o) * air.o_cm3;
+  if (transition == "(2D)-(4S)")
+    return reactions.value(R::n2d_5200) + k(R::n2d_o2) * air.o2_cm3 + k(R::n2d_o) * air.o_cm3;
+  return 1.0 / line.lifetime_s;
 }
 
 }  // namespace
 
 bool is_prompt(const EmissionLine& line) { return line.lifetime_s < kPromptS || !is_auroral(line); }
 
-double effective_lifetime_s(const EmissionLine& line, const Air& air) {
-  return 1.0 / (1.0 / line.lifetime_s + quenching_s(line, air));
-}
+double effective_lifetime_s(const EmissionLine& line, const Air& air) { return 1.0 / end_s(line, air); }
 
 double thermal_variance_m2_s2(const EmissionLine& line, const Air& air) {
   return kBoltzmannPerDalton * air.temperature_k / mass_dalton(line);

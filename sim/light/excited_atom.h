@@ -9,18 +9,9 @@
 //     tau(h) = 1 / (1/T + sum over gases of k_i n_i(h)).
 //
 // This is also the mean age of the atoms that radiate: the lifetimes are exponentially distributed with mean
-// tau, whether they end by radiation or by quenching. Coefficients k in cm^3 s^-1:
-//
-//     O(1D)   N2  2.0e-11 exp(107.8/T)   Streit et al. 1976, J. Chem. Phys. 65, 4761
-//             O2  2.9e-11 exp(67.5/T)    Streit et al. 1976
-//             O   8.0e-12                Abreu et al. 1986, Planet. Space Sci. 34, 1143
-//     O(1S)   O2  4.0e-12 exp(-865/T)    Slanger, Wood and Black 1972
-//             O   2.0e-14                Slanger and Black 1981
-//     N(2D)   O2  6.0e-12                Lin and Kaufman 1971
-//             O   6.9e-13                Fell et al. 1990
-//
-// They are those of GLOW (gchem.f90), from which the height profiles come, except for O(1D) + O, for which
-// GLOW has 3.0e-12. Quenching by electrons and NO is neglected.
+// tau, whether they end by radiation or by quenching. The coefficients k and the lifetime T, which is that of
+// all the light of the state, are those of data/electrons/reactions.csv (sim/light/reactions.h), by which the
+// program's own emission tables are made. Quenching by electrons and NO is neglected.
 //
 // **Distance.** With collisions at a frequency nu the velocity along an axis follows Langevin's equation
 //

@@ -16,7 +16,7 @@
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
-#include "sim/light/chemistry/reactions.h"
+#include "sim/light/reactions.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/light/transport/field_air.h"

@@ -1,6 +1,6 @@
 // The densities of the ions that electrons produce, in balance with the air and the thermal electrons.
 //
-// Every ion has its production over its losses (sim/light/chemistry/reactions.h); the density of thermal
+// Every ion has its production over its losses (sim/light/reactions.h); the density of thermal
 // electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
 // is one such density. Above some 250 km O+ lives so long that it moves first: it is taken to leave by
 // ambipolar diffusion within H^2/D, H = k(T + Te)/(m g) and D = k(T + Te)/(m nu), nu of O+ in O, N2 and
@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "sim/light/chemistry/reactions.h"
+#include "sim/light/reactions.h"
 
 namespace vegard::sim {
 

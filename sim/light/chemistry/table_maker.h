@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/light/chemistry/reactions.h"
+#include "sim/light/reactions.h"
 #include "sim/light/transport/field_air.h"
 
 namespace vegard::sim {

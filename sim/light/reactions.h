@@ -108,7 +108,14 @@ class Reactions {
   /// share above 1, or 0 for a loss without which a product would accumulate for ever.
   static Reactions changed(const std::string& csv, const std::string& name);
 
+  /// Returns the reactions with the values of some rows times a factor above 0. A share stays at most 1, and
+  /// the shares of N+ + O2 keep their sum.
+  Reactions scaled(const std::map<int, double>& factor_of_number) const;
+
   RatesAtPlace at(double temperature_k, double electron_temperature_k) const;
+
+  /// Returns the rate of one row with the air, cm^3 s^-1.
+  double rate(Reaction reaction, double temperature_k) const;
 
   /// Returns the value of a row that does not depend on a temperature: a yield, a share, s^-1.
   double value(Reaction reaction) const;

@@ -1,4 +1,4 @@
-#include "sim/light/chemistry/reactions.h"
+#include "sim/light/reactions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/light/chemistry/reactions.h"
+#include "sim/light/reactions.h"
 
 #include <algorithm>
 #include <cassert>
@@ -87,6 +87,20 @@ Reactions Reactions::changed(const std::string& csv, const std::string& name) {
   return reactions;
 }
 
+Reactions Reactions::scaled(const std::map<int, double>& factor_of_number) const {
+  Reactions reactions = *this;
+  for (const auto& [number, factor] : factor_of_number) {
+    Row& row = reactions.rows_.at(number);
+    row.value *= factor;
+    if (is_share(number)) row.value = std::min(1.0, row.value);
+  }
+  double sum = 0.0;
+  constexpr std::array kParts = {Reaction::np_to_nop, Reaction::np_to_o2p, Reaction::np_to_op};
+  for (const Reaction part : kParts) sum += reactions.value(part);
+  for (const Reaction part : kParts) reactions.rows_.at(static_cast<int>(part)).value /= sum;
+  return reactions;
+}
+
 RatesAtPlace Reactions::at(double temperature_k, double electron_temperature_k) const {
   std::array<double, kReactionNumbers> rates{};
   for (const auto& [number, row] : rows_) {
@@ -97,6 +111,12 @@ RatesAtPlace Reactions::at(double temperature_k, double electron_temperature_k) 
     rate *= std::pow(temperature / kRoomK, row.exponent) * std::exp(-row.activation_k / temperature);
   }
   return {rates, electron_temperature_k >= kHotElectronsK};
+}
+
+double Reactions::rate(Reaction reaction, double temperature_k) const {
+  const Row& row = rows_.at(static_cast<int>(reaction));
+  assert(row.of == 1);
+  return row.value * std::pow(temperature_k / kRoomK, row.exponent) * std::exp(-row.activation_k / temperature_k);
 }
 
 double Reactions::value(Reaction reaction) const {
