@@ -104,7 +104,7 @@ class LightOfElectrons {
 
   /// Returns the rate of an excitation by its name in sim/light/transport/collisions.cpp.
   const Rate& excited(std::size_t gas, const char* name) const {
-    const auto& excitations = gas_collisions(static_cast<Gas>(gas)).excitations;
+    const auto& excitations = degradation_.collisions[gas].excitations;
     for (std::size_t e = 0; e < excitations.size(); ++e)
       if (excitations[e].name == name) return rates_.excitation_cm3_s[gas][e];
     assert(false);
@@ -112,7 +112,7 @@ class LightOfElectrons {
   }
 
   const Rate& shell(std::size_t gas, const char* name) const {
-    const auto& shells = gas_collisions(static_cast<Gas>(gas)).shells;
+    const auto& shells = degradation_.collisions[gas].shells;
     for (std::size_t s = 0; s < shells.size(); ++s)
       if (shells[s].name == name) return rates_.shell_cm3_s[gas][s];
     assert(false);
@@ -121,9 +121,10 @@ class LightOfElectrons {
 
   Rate impact(std::size_t gas, ImpactLight process) const {
     const CollisionCurve curve = impact_curve(process);
+    const double factor = degradation_.factor(static_cast<int>(process));
     Rate rate(places(), 0.0);
     for (std::size_t j = 0; j < degradation_.grid.size(); ++j) {
-      const double cm2 = curve.at(degradation_.grid.energy_ev[j]);
+      const double cm2 = factor * curve.at(degradation_.grid.energy_ev[j]);
       if (cm2 <= 0.0) continue;
       for (std::size_t m = 0; m < places(); ++m) rate[m] += cm2 * rates_.flux[j][m];
     }
@@ -134,7 +135,7 @@ class LightOfElectrons {
   /// Returns the photons of 427.8 nm per ionisation of the shell that leaves N2+(B).
   double photons_4278_of_shell() const {
     constexpr double kMeasuredEv = 100.0, kUnitCm2 = 1e-18;
-    const GasCollisions& n2 = gas_collisions(Gas::n2);
+    const GasCollisions& n2 = degradation_.collisions[kN2];
     for (const IonisedShell& s : n2.shells)
       if (s.name == "N2+ B")
         return kUnitCm2 * value(R::light_3914) * value(R::light_4278) /

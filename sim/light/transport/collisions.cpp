@@ -77,14 +77,18 @@ constexpr std::array<int, kGases> kElastic = {100, 200, 300}, kIonisation = {110
 constexpr std::array<double, kGases> kCharge = {7.0, 8.0, 8.0};  // of a nucleus
 constexpr int kTransferOfN2 = 101;
 
-CollisionCurve collision_curve(const CsvTable& table, int process) {
+using Factors = std::map<int, double>;
+
+CollisionCurve collision_curve(const CsvTable& table, int process, const Factors& factors = {}) {
+  const auto scaled = factors.find(process);
+  const double unit_cm2 = kUnitCm2 * (scaled == factors.end() ? 1.0 : scaled->second);
   const auto& numbers = table.column("process");
   const auto &energy = table.column("energy_eV"), &value = table.column("cross_section_1e-16_cm2");
   CollisionCurve curve;
   for (std::size_t r = 0; r < table.rows(); ++r)
     if (numbers[r] == process) {
       curve.energy_ev.push_back(energy[r]);
-      curve.cm2.push_back(kUnitCm2 * value[r]);
+      curve.cm2.push_back(unit_cm2 * value[r]);
     }
   return curve;
 }
@@ -100,16 +104,16 @@ double rutherford(double charge, double energy_ev) {
   return relativistic * relativistic / (energy_ev * energy_ev * a * (1.0 + a));
 }
 
-GasCollisions read_gas(const CsvTable& table, const CsvTable& shells, Gas gas) {
+GasCollisions read_gas(const CsvTable& table, const CsvTable& shells, Gas gas, const Factors& factors) {
   const auto g = static_cast<std::size_t>(gas);
   GasCollisions result;
   result.name = kGasNames[g];
   result.nuclear_charge = kCharge[g];
-  result.elastic = collision_curve(table, kElastic[g]);
-  result.ionisation = collision_curve(table, kIonisation[g]);
+  result.elastic = collision_curve(table, kElastic[g], factors);
+  result.ionisation = collision_curve(table, kIonisation[g], factors);
   for (const ProcessRow& row : kExcitations) {
     if (row.gas != gas) continue;
-    Excitation excitation{row.name, collision_curve(table, row.process)};
+    Excitation excitation{row.name, collision_curve(table, row.process, factors)};
     excitation.curve.loss_ev = row.loss_ev;
     excitation.curve.tail = row.tail;
     result.excitations.push_back(excitation);
@@ -122,12 +126,6 @@ GasCollisions read_gas(const CsvTable& table, const CsvTable& shells, Gas gas) {
                                  shells.column("kinetic_eV")[r], shells.column("electrons")[r],
                                  shells.column("auger_eV")[r]});
   return result;
-}
-
-std::array<GasCollisions, kGases> read_gases() {
-  const CsvTable table = embedded_csv_table("cross_sections.csv"), shells = embedded_csv_table("shells.csv");
-  return {read_gas(table, shells, Gas::n2), read_gas(table, shells, Gas::o2),
-          read_gas(table, shells, Gas::o)};
 }
 
 double shells_cm2(const GasCollisions& gas, double energy_ev) {
@@ -194,8 +192,15 @@ double GasCollisions::shell_factor(double energy_ev) const {
   return factor + (1.0 - factor) * way;
 }
 
+std::array<GasCollisions, kGases> scaled_collisions(const std::map<int, double>& factor_of_process) {
+  const CsvTable table = embedded_csv_table("cross_sections.csv"), shells = embedded_csv_table("shells.csv");
+  return {read_gas(table, shells, Gas::n2, factor_of_process),
+          read_gas(table, shells, Gas::o2, factor_of_process),
+          read_gas(table, shells, Gas::o, factor_of_process)};
+}
+
 const GasCollisions& gas_collisions(Gas gas) {
-  static const std::array<GasCollisions, kGases> gases = read_gases();
+  static const std::array<GasCollisions, kGases> gases = scaled_collisions({});
   return gases[static_cast<std::size_t>(gas)];
 }
 

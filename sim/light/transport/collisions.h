@@ -4,6 +4,8 @@
 // number; docs/electrons.md rows T1 to T4. None of them is from GLOW.
 #pragma once
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -95,6 +97,10 @@ struct GasCollisions {
 
 /// Returns the cross-sections of a gas, which are read once.
 const GasCollisions& gas_collisions(Gas gas);
+
+/// Returns those of all gases with the curves of some processes of cross_sections.csv times a factor. Shells
+/// follow the total ionisation (110, 210, 310), as shell_factor() says; 101 is a ratio and stays.
+std::array<GasCollisions, kGases> scaled_collisions(const std::map<int, double>& factor_of_process);
 
 /// Returns the momentum transfer by elastic scattering over all elastic scattering, the mean of 1 - cos, at
 /// most 1: that of N2, which is used for all three gases. Above 0.97 keV it is that of screened Rutherford

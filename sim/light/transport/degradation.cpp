@@ -35,11 +35,13 @@ class Collector {
   GasDegradation& gas_;
 };
 
-double straight_on(double loss_ev, double energy_ev) {
-  return std::sqrt(std::max(0.0, 1.0 - loss_ev / energy_ev));
+/// `turn`: factor on the mean turn.
+double straight_on(double loss_ev, double energy_ev, double turn) {
+  const double cosine = std::sqrt(std::max(0.0, 1.0 - loss_ev / energy_ev));
+  return turn == 1.0 ? cosine : std::max(0.0, 1.0 - turn * (1.0 - cosine));
 }
 
-void add_excitations(const GasCollisions& collisions, const EnergyGrid& grid, std::size_t from,
+void add_excitations(const GasCollisions& collisions, const EnergyGrid& grid, std::size_t from, double turn,
                      GasDegradation& gas) {
   const double energy = grid.energy_ev[from];
   Collector collector(grid, from, gas);
@@ -50,12 +52,12 @@ void add_excitations(const GasCollisions& collisions, const EnergyGrid& grid, st
     if (cm2 <= 0.0) continue;
     gas.inelastic[from] += cm2;
     gas.bound_ev_cm2[from] += cm2 * curve.loss_ev;
-    collector.electron(energy - curve.loss_ev, cm2, straight_on(curve.loss_ev, energy));
+    collector.electron(energy - curve.loss_ev, cm2, straight_on(curve.loss_ev, energy, turn));
   }
 }
 
 void add_shell(const IonisedShell& shell, double factor, const EnergyGrid& grid, std::size_t from,
-               GasDegradation& gas, std::vector<double>& rates) {
+               double turn, GasDegradation& gas, std::vector<double>& rates) {
   const double energy = grid.energy_ev[from];
   const ShellSpectrum spectrum(shell, energy);
   const double all = factor * spectrum.cm2();
@@ -72,14 +74,13 @@ void add_shell(const IonisedShell& shell, double factor, const EnergyGrid& grid,
     const double to_here = factor * spectrum.cm2_below(upper);
     const double second = 0.5 * (lower + upper), loss = shell.loss_ev + second;
     collector.electron(second, to_here - below, 0.0);
-    collector.electron(energy - loss, to_here - below, straight_on(loss, energy));
+    collector.electron(energy - loss, to_here - below, straight_on(loss, energy, turn));
     lower = upper;
     below = to_here;
   }
 }
 
-GasDegradation degradation_of(Gas which, const EnergyGrid& grid) {
-  const GasCollisions& collisions = gas_collisions(which);
+GasDegradation degradation_of(const GasCollisions& collisions, const EnergyGrid& grid, double turn) {
   const std::size_t n = grid.size();
   GasDegradation gas;
   for (std::size_t to = 0; to < n; ++to) {
@@ -95,18 +96,25 @@ GasDegradation degradation_of(Gas which, const EnergyGrid& grid) {
   for (std::size_t from = 0; from < n; ++from) {
     const double energy = grid.energy_ev[from];
     gas.elastic[from] = collisions.elastic_cm2(energy);
-    add_excitations(collisions, grid, from, gas);
+    add_excitations(collisions, grid, from, turn, gas);
     const double factor = collisions.shell_factor(energy);
     for (std::size_t s = 0; s < collisions.shells.size(); ++s)
-      add_shell(collisions.shells[s], factor, grid, from, gas, gas.shell[s]);
+      add_shell(collisions.shells[s], factor, grid, from, turn, gas, gas.shell[s]);
   }
   return gas;
 }
 
 }  // namespace
 
-Degradation degradation(const EnergyGrid& grid) {
-  return {grid, {degradation_of(Gas::n2, grid), degradation_of(Gas::o2, grid), degradation_of(Gas::o, grid)}};
+Degradation degradation(const EnergyGrid& grid, const std::map<int, double>& factor_of_process) {
+  Degradation all;
+  all.grid = grid;
+  all.factor_of_process = factor_of_process;
+  all.collisions = scaled_collisions(factor_of_process);
+  const double turn = all.factor(kInelasticTurn);
+  for (std::size_t g = 0; g < all.gases.size(); ++g)
+    all.gases[g] = degradation_of(all.collisions[g], grid, turn);
+  return all;
 }
 
 }  // namespace vegard::sim

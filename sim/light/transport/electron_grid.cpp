@@ -6,7 +6,6 @@
 
 #include "sim/base/number/gauss_quadrature.h"
 
-
 namespace vegard::sim {
 namespace {
 

@@ -137,7 +137,8 @@ class Sweep {
   void solve(std::size_t i, const Vector& from_above) {
     constexpr double kNothing = 1e-200;  // cm^-1: no air
     const ElasticTurn turn =
-        elastic_turn(directions_, elastic_transfer_ratio(degradation_.grid.energy_ev[i]));
+        elastic_turn(directions_, std::min(1.0, degradation_.factor(kElasticTurn) *
+                                                    elastic_transfer_ratio(degradation_.grid.energy_ev[i])));
     const Block elastic = Eigen::Map<const Block>(turn.into.data());
     for (std::size_t m = 0; m < places_; ++m) {
       double sum = 0.0;
@@ -234,7 +235,7 @@ void add_rates(const Degradation& degradation, const FieldAir& column, ElectronR
   std::vector<double> ion_pairs(places, 0.0);
   for (std::size_t g = 0; g < kGases; ++g) {
     const GasDegradation& gas = degradation.gases[g];
-    const GasCollisions& collisions = gas_collisions(static_cast<Gas>(g));
+    const GasCollisions& collisions = degradation.collisions[g];
     const std::vector<double>& density = column.density_cm3[g];
     std::vector<double> excited(places, 0.0);
     for (std::size_t e = 0; e < gas.excitation.size(); ++e) {
