@@ -200,13 +200,16 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
   sim::WholeFiles outputs({request.output, request.plot}, overwrite);
 
   const sim::Degradation all = sim::degradation(sim::energy_grid(1e3 * sim::highest_energy_kev(spectrum)));
-  const sim::AuroralRun run = sim::auroral_run(all, sim::field_air(air, electrons.dip_deg),
-                                               sim::incident_flux(spectrum, all.grid, electrons.flux_mw_m2),
-                                               pitch_angles_of(electrons), reactions);
+  const sim::AuroralRun run = sim::auroral_run(
+      all, sim::field_air(air, electrons.dip_deg),
+      sim::incident_flux(spectrum, all.grid, electrons.flux_mw_m2), pitch_angles_of(electrons), reactions,
+      request.seconds.value_or(std::numeric_limits<double>::infinity()));
   require_balance(electrons, run.rates.budget.missing_share());
   std::vector<sim::SourcedLine> lines = run.light.lines;
   if (request.seconds)
-    for (sim::SourcedLine& line : lines) line = sim::after_seconds(line, *request.seconds);
+    for (sim::SourcedLine& line : lines)
+      if (line.column != "ver_5200")
+        line = sim::after_seconds(line, *request.seconds);  // N(2D) is so already
   const std::string words = electron_words(electrons, spectrum) + "; " + words_of_air(electrons.atmosphere);
   if (!request.output.empty()) outputs.write(request.output, sources_csv(run, lines));
   if (format != PlotFormat::none)

@@ -1,3 +1,4 @@
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +29,8 @@ constexpr const char* kFiles[] = {"ver_maxwellian.csv", "ver_mono.csv",   "colum
 struct TablesRequest {
   std::string output, atmosphere = kDefaultAir, reactions;
   std::vector<double> oxygen = {0.5, 1.0, 2.0};
-  double dip_deg = 78.0, refinement = 0.5;
+  double dip_deg = 78.0, refinement = 0.5, seconds = 120.0;
+  bool steady = false;
   int threads = 0;
   bool overwrite = false;
 };
@@ -69,6 +71,7 @@ int run_tables(const TablesRequest& request) {
   sim::TableRequest tables;
   tables.dip_deg = request.dip_deg;
   tables.refinement = request.refinement;
+  tables.seconds = request.steady ? std::numeric_limits<double>::infinity() : request.seconds;
   tables.oxygen_factors = request.oxygen;
   tables.air_file = air_file(request.atmosphere);
   tables.air_name = words_of_air(request.atmosphere);
@@ -93,10 +96,10 @@ int run_tables(const TablesRequest& request) {
     file.commit();
   }
   folder.commit();
-  json_answer() = {{"outputs", json_names({request.output})},
-                   {"maxwellian_energies", tables.maxwellian_kev.size()},
-                   {"single_energies", tables.mono_kev.size()},
-                   {"oxygen_factors", request.oxygen}};
+  json_answer()["outputs"] = json_names({request.output});
+  json_answer()["maxwellian_energies"] = tables.maxwellian_kev.size();
+  json_answer()["single_energies"] = tables.mono_kev.size();
+  json_answer()["oxygen_factors"] = request.oxygen;
   say_text(fmt::format("emission tables of {} Maxwellian and {} single energies, {} oxygen factors: {}\n",
                        tables.maxwellian_kev.size(), tables.mono_kev.size(), request.oxygen.size(),
                        request.output));
@@ -125,6 +128,12 @@ void add_tables_command(Program& program) {
   command.option("--dip-deg", options->dip_deg, "Inclination of the field to the horizontal")
       .finite_range(10.0, 90.0)
       .shows_default();
+  command
+      .option("--seconds", options->seconds,
+              "Time since the electrons have begun to fall, for ions, thermal electrons and N(2D)")
+      .finite_range(1.0, 1e6)
+      .shows_default();
+  command.flag("--steady", options->steady, "The steady state of hours in place of --seconds");
   command
       .option("--refinement", options->refinement,
               "Fineness of the steps in energy and altitude; the work grows as its cube (columns at 0.5 "

@@ -8,37 +8,52 @@
 namespace vegard::sim {
 namespace {
 
-double over(double production, double loss) { return production > 0.0 ? production / loss : 0.0; }
+/// What an implicit step in time adds to the balance: the densities before it, over its length. Nothing: a
+/// steady state.
+struct TimeStep {
+  IonDensities before;
+  double per_s = 0.0;
+
+  double density(double production, double loss, double IonDensities::*ion) const {
+    const double gained = production + per_s * before.*ion;
+    return gained > 0.0 ? gained / (loss + per_s) : 0.0;
+  }
+};
 
 /// Returns all ions for a given density of thermal electrons.
 IonDensities ions_among(const ReactingAir& a, const IonProduction& p, const RatesAtPlace& k, double diffusion,
-                        double electrons) {
+                        double electrons, const TimeStep& step) {
   using R = Reaction;
   IonDensities i;
   i.electrons = electrons;
   const double e = electrons;
-  i.op2p = over(p.op2p, k(R::op2p_light_4s) + k(R::op2p_light_2d) + k(R::op2p_n2) * a.n2 +
-                            k(R::op2p_o2) * a.o2 + k(R::op2p_o) * a.o + k(R::op2p_e) * e);
-  i.op2d = over(p.op2d + i.op2p * (k(R::op2p_light_2d) + k(R::op2p_o) * a.o + k(R::op2p_e) * e),
-                k(R::op2d_n2) * a.n2 + k(R::op2d_o2) * a.o2 + k(R::op2d_o) * a.o + k(R::op2d_e) * e);
+  i.op2p = step.density(p.op2p,
+                        k(R::op2p_light_4s) + k(R::op2p_light_2d) + k(R::op2p_n2) * a.n2 +
+                            k(R::op2p_o2) * a.o2 + k(R::op2p_o) * a.o + k(R::op2p_e) * e,
+                        &IonDensities::op2p);
+  i.op2d = step.density(p.op2d + i.op2p * (k(R::op2p_light_2d) + k(R::op2p_o) * a.o + k(R::op2p_e) * e),
+                        k(R::op2d_n2) * a.n2 + k(R::op2d_o2) * a.o2 + k(R::op2d_o) * a.o + k(R::op2d_e) * e,
+                        &IonDensities::op2d);
   const double np_o2 = k(R::np_o2) * a.o2;
-  i.np = over(p.np, np_o2 + k(R::np_o) * a.o + k(R::np_no) * a.no);
-  i.n2p = over(
+  i.np = step.density(p.np, np_o2 + k(R::np_o) * a.o + k(R::np_no) * a.no, &IonDensities::np);
+  i.n2p = step.density(
       p.n2p + a.n2 * (k(R::op2d_n2) * i.op2d + k(R::op2p_n2) * i.op2p),
-      (k(R::n2p_o) + k(R::n2p_o_charge)) * a.o + k(R::n2p_o2) * a.o2 + k(R::n2p_no) * a.no + k(R::n2p_e) * e);
-  i.op = over(p.op + k(R::op2p_light_4s) * i.op2p + i.op2d * (k(R::op2d_o) * a.o + k(R::op2d_e) * e) +
-                  i.np * (k(R::np_o) * a.o + k(R::np_to_op) * np_o2) + k(R::n2p_o_charge) * a.o * i.n2p,
-              k(R::op_n2) * a.n2 + k(R::op_o2) * a.o2 + diffusion);
+      (k(R::n2p_o) + k(R::n2p_o_charge)) * a.o + k(R::n2p_o2) * a.o2 + k(R::n2p_no) * a.no + k(R::n2p_e) * e,
+      &IonDensities::n2p);
+  i.op =
+      step.density(p.op + k(R::op2p_light_4s) * i.op2p + i.op2d * (k(R::op2d_o) * a.o + k(R::op2d_e) * e) +
+                       i.np * (k(R::np_o) * a.o + k(R::np_to_op) * np_o2) + k(R::n2p_o_charge) * a.o * i.n2p,
+                   k(R::op_n2) * a.n2 + k(R::op_o2) * a.o2 + diffusion, &IonDensities::op);
   i.leaving_cm3_s = diffusion * i.op;
-  i.o2p = over(p.o2p +
-                   a.o2 * (k(R::op_o2) * i.op + k(R::op2d_o2) * i.op2d + k(R::op2p_o2) * i.op2p +
-                           k(R::n2p_o2) * i.n2p) +
-                   k(R::np_to_o2p) * np_o2 * i.np,
-               k.o2p_e() * e + k(R::o2p_no) * a.no + k(R::o2p_n) * a.n);
-  i.nop = over(k(R::op_n2) * a.n2 * i.op + k(R::n2p_o) * a.o * i.n2p +
-                   a.no * (k(R::n2p_no) * i.n2p + k(R::np_no) * i.np + k(R::o2p_no) * i.o2p) +
-                   k(R::np_to_nop) * np_o2 * i.np + k(R::o2p_n) * a.n * i.o2p,
-               k.nop_e() * e);
+  i.o2p = step.density(p.o2p +
+                           a.o2 * (k(R::op_o2) * i.op + k(R::op2d_o2) * i.op2d + k(R::op2p_o2) * i.op2p +
+                                   k(R::n2p_o2) * i.n2p) +
+                           k(R::np_to_o2p) * np_o2 * i.np,
+                       k.o2p_e() * e + k(R::o2p_no) * a.no + k(R::o2p_n) * a.n, &IonDensities::o2p);
+  i.nop = step.density(k(R::op_n2) * a.n2 * i.op + k(R::n2p_o) * a.o * i.n2p +
+                           a.no * (k(R::n2p_no) * i.n2p + k(R::np_no) * i.np + k(R::o2p_no) * i.o2p) +
+                           k(R::np_to_nop) * np_o2 * i.np + k(R::o2p_n) * a.n * i.o2p,
+                       k.nop_e() * e, &IonDensities::nop);
   return i;
 }
 
@@ -58,20 +73,46 @@ double diffusion_loss_s(const ReactingAir& air) {
   return kBoltzmann * temperatures_k / (kMassG * std::max(kMinS, collisions_s)) / (scale_cm * scale_cm);
 }
 
-IonDensities ion_balance(const ReactingAir& air, const IonProduction& production,
-                         const Reactions& reactions) {
-  if (production.all() <= 0.0) return {};
+IonDensities night_ions(const ReactingAir& air) {
+  // A layer of Chapman's form (alpha), of O+ where electrons live longest, and a floor of NO+.
+  constexpr double kPeakCm3 = 1e5, kPeakKm = 300.0, kHeightKm = 50.0, kFloorCm3 = 2e3;
+  const double z = (air.altitude_km - kPeakKm) / kHeightKm;
+  IonDensities ions;
+  ions.op = kPeakCm3 * std::exp(0.5 * (1.0 - z - std::exp(-z)));
+  ions.nop = kFloorCm3;
+  ions.electrons = ions.op + ions.nop;
+  return ions;
+}
+
+IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
+                         double seconds) {
+  const bool is_steady = std::isinf(seconds);
+  if (is_steady && production.all() <= 0.0) return {};
   const RatesAtPlace rates = reactions.at(air.temperature_k, air.electron_temperature_k);
   const double diffusion = diffusion_loss_s(air);
-  // In logarithms: the sum of ions over the electrons falls through 1.
-  constexpr double kMin = 1e-12, kMax = 1e12;
-  constexpr int kHalvings = 60;
-  double low = std::log(kMin), high = std::log(kMax);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high), electrons = std::exp(middle);
-    (ions_among(air, production, rates, diffusion, electrons).ions() > electrons ? low : high) = middle;
+  const auto balance = [&](const TimeStep& step) {
+    // In logarithms: the sum of ions over the electrons falls through 1.
+    constexpr double kMin = 1e-12, kMax = 1e12;
+    constexpr int kHalvings = 60;
+    double low = std::log(kMin), high = std::log(kMax);
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (low + high), electrons = std::exp(middle);
+      (ions_among(air, production, rates, diffusion, electrons, step).ions() > electrons ? low : high) =
+          middle;
+    }
+    return ions_among(air, production, rates, diffusion, std::exp(0.5 * (low + high)), step);
+  };
+  if (is_steady) return balance({});
+  // Steps grow by a half, as changes slow down.
+  constexpr int kSteps = 8;
+  constexpr double kGrowth = 1.5;
+  TimeStep step{night_ions(air), 0.0};
+  double length_s = seconds * (kGrowth - 1.0) / (std::pow(kGrowth, kSteps) - 1.0);
+  for (int s = 0; s < kSteps; ++s, length_s *= kGrowth) {
+    step.per_s = 1.0 / length_s;
+    step.before = balance(step);
   }
-  return ions_among(air, production, rates, diffusion, std::exp(0.5 * (low + high)));
+  return step.before;
 }
 
 }  // namespace vegard::sim

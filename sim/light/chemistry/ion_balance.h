@@ -1,4 +1,5 @@
-// The densities of the ions that electrons produce, in balance with the air and the thermal electrons.
+// The densities of the ions that electrons produce, in balance with the air and the thermal electrons, or as
+// they are some time after the electrons have begun to fall.
 //
 // Every ion has its production over its losses (sim/light/reactions.h); the density of thermal
 // electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
@@ -7,6 +8,7 @@
 // O2 (Schunk and Nagy 2009, "Ionospheres", chapter 4), along a vertical field. Where it goes is left out.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "sim/light/reactions.h"
@@ -33,8 +35,14 @@ struct IonDensities {
   double ions() const { return n2p + np + o2p + op + op2d + op2p + nop; }
 };
 
-/// Returns the densities of the ions in balance.
-IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions);
+/// Returns the ions of a night without aurora: electrons of 1e5 cm^-3 at 300 km, half as many 40 km below,
+/// and 2e3 farther down. ESTIMATED within a factor of 3, as the auroral zone's F layer varies.
+IonDensities night_ions(const ReactingAir& air);
+
+/// Returns the densities of the ions `seconds` after the production has begun, in the night's ions; without a
+/// time, in balance. Eight implicit steps (backward Euler): electrons that grow from nothing are within 8 %.
+IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
+                         double seconds = std::numeric_limits<double>::infinity());
 
 /// Returns the loss rate of O+ by diffusion, s^-1.
 double diffusion_loss_s(const ReactingAir& air);

@@ -52,12 +52,13 @@ ReactingAir reacting_air(const FieldAir& column, std::size_t m) {
 class LightOfElectrons {
  public:
   LightOfElectrons(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
-                   const Reactions& reactions)
-      : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions) {
+                   const Reactions& reactions, double seconds)
+      : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions), seconds_(seconds) {
     for (std::size_t m = 0; m < column.size(); ++m) {
       air_.push_back(reacting_air(column, m));
       at_.push_back(reactions.at(air_[m].temperature_k, air_[m].electron_temperature_k));
-      light_.ions.push_back(ion_balance(air_[m], production(m), reactions));
+      light_.ions.push_back(ion_balance(air_[m], production(m), reactions, seconds));
+      night_.push_back(ion_balance(air_[m], {}, reactions, seconds));
     }
   }
 
@@ -170,16 +171,19 @@ class LightOfElectrons {
              k(R::n2d_no) * air_[m].no + k(R::n2d_e) * light_.ions[m].electrons;
     });
     const auto photons = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::n2d_5200) * made(m) / losses_s[m]; });
+      return by_place([&](std::size_t m) {
+        return at_[m](R::n2d_5200) * made(m) / losses_s[m] * -std::expm1(-seconds_ * losses_s[m]);
+      });
     };
     add("ver_5200", 520.0,
-        {{"N2+ + O",
-          photons([&](std::size_t m) { return at_[m](R::n2p_o) * air_[m].o * light_.ions[m].n2p; })},
+        {{"N2+ + O", photons([&](std::size_t m) {
+            return at_[m](R::n2p_o) * air_[m].o * (light_.ions[m].n2p - night_[m].n2p);
+          })},
          {"N2+ + e", photons([&](std::size_t m) {
-            return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * light_.ions[m].electrons * light_.ions[m].n2p;
+            return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * recombining(m, &IonDensities::n2p);
           })},
          {"NO+ + e", photons([&](std::size_t m) {
-            return value(R::n2d_of_nop) * at_[m].nop_e() * light_.ions[m].electrons * light_.ions[m].nop;
+            return value(R::n2d_of_nop) * at_[m].nop_e() * recombining(m, &IonDensities::nop);
           })},
          {"N2 + e", photons([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
          {"N2 + e, to N+", photons([&](std::size_t m) {
@@ -242,19 +246,28 @@ class LightOfElectrons {
         losses_s);
   }
 
-  double o2p_recombined(std::size_t m) const {
-    return at_[m].o2p_e() * light_.ions[m].electrons * light_.ions[m].o2p;
+  double o2p_recombined(std::size_t m) const { return at_[m].o2p_e() * recombining(m, &IonDensities::o2p); }
+  double np_o2(std::size_t m) const {
+    return at_[m](R::np_o2) * air_[m].o2 * (light_.ions[m].np - night_[m].np);
   }
-  double np_o2(std::size_t m) const { return at_[m](R::np_o2) * air_[m].o2 * light_.ions[m].np; }
+
+  /// Returns the product of the densities of electrons and an ion, less that of a night without aurora, whose
+  /// light is not the electrons': the airglow.
+  double recombining(std::size_t m, double IonDensities::*ion) const {
+    const IonDensities &now = light_.ions[m], &night = night_[m];
+    return std::max(0.0, now.electrons * now.*ion - night.electrons * night.*ion);
+  }
 
   const Degradation& degradation_;
   const FieldAir& column_;
   const ElectronRates& rates_;
   const Reactions& reactions_;
+  double seconds_;
   std::vector<ReactingAir> air_;
   std::vector<RatesAtPlace> at_;
   Rate n2d_cm3_;
   AuroralLight light_;
+  std::vector<IonDensities> night_;  // without the electrons that fall
 };
 
 }  // namespace
@@ -281,13 +294,13 @@ double column_rayleigh(const FieldAir& column, const std::vector<double>& photon
 }
 
 AuroralRun auroral_run(const Degradation& degradation, FieldAir column, const std::vector<double>& flux,
-                       PitchAngles angles, const Reactions& reactions) {
+                       PitchAngles angles, const Reactions& reactions, double seconds) {
   AuroralRun run;
   run.column = std::move(column);
   run.column.electrons_cm3.clear();
   const auto compute = [&] {
     run.rates = electron_transport(degradation, run.column, flux, angles);
-    run.light = LightOfElectrons(degradation, run.column, run.rates, reactions).run();
+    run.light = LightOfElectrons(degradation, run.column, run.rates, reactions, seconds).run();
   };
   compute();
   for (const IonDensities& ions : run.light.ions) run.column.electrons_cm3.push_back(ions.electrons);

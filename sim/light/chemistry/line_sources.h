@@ -8,11 +8,14 @@
 //     520.0        N(2D): N2+ + O, N2+ + e, NO+ + e, impact on N2
 //     777.4, 844.6 impact on O and O2
 //
-// Metastable atoms are in a steady state: production over losses by light and collisions. Left out: transport
-// of atoms, O(1D) by thermal electrons, the nightglow, scattered sunlight. Sources: data/electrons;
-// docs/electrons.md.
+// Ions, thermal electrons and N(2D), which live long, are as they are some time after the electrons have
+// begun to fall, or in a steady state; the light of the night's ions without
+// aurora is taken off. Metastable atoms are in a steady state: production over losses by
+// light and collisions. Left out: transport of atoms, O(1D) by thermal electrons, the nightglow, scattered
+// sunlight. Sources: data/electrons; docs/electrons.md.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,8 +46,7 @@ struct AuroralLight {
 };
 
 /// Returns the line some seconds after the electrons have begun to fall: a source grows as 1 -
-/// exp(-t/lifetime) of the line's own atoms. Their production is taken to be steady at once, so that N(2D)
-/// and ions, which live as long, appear too early.
+/// exp(-t/lifetime) of the line's own atoms, whose production is taken to be steady at once.
 SourcedLine after_seconds(SourcedLine line, double seconds);
 
 /// Returns the rayleighs seen from straight below, 1e-6 times the integral over the altitude.
@@ -58,10 +60,11 @@ struct AuroralRun {
   AuroralLight light;
 };
 
-/// Computes the light of electrons; `flux` as in electron_transport(). The column's thermal electrons, if it
-/// has any, are replaced: a first run without them gives their density, a second one loses energy to them.
-/// Deterministic.
+/// Computes the light of electrons, `seconds` after they have begun to fall, or in a steady state; `flux` as
+/// in electron_transport(). The column's thermal electrons, if it has any, are replaced: a first run without
+/// them gives their density, a second one loses energy to them. Deterministic.
 AuroralRun auroral_run(const Degradation& degradation, FieldAir column, const std::vector<double>& flux,
-                       PitchAngles angles, const Reactions& reactions);
+                       PitchAngles angles, const Reactions& reactions,
+                       double seconds = std::numeric_limits<double>::infinity());
 
 }  // namespace vegard::sim

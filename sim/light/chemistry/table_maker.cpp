@@ -20,13 +20,7 @@ constexpr double kMinOfPeak = 1e-7;  // less is written as 0
 constexpr const char* kIonisationColumn = "ionisation_electron";
 constexpr std::array<double, 3> kFluxes = {0.1, 1.0, 10.0};  // mW m^-2, of the flux law
 
-std::string number(const char* format, double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
-double rounded(const char* format, double value) { return std::stod(number(format, value)); }
+double rounded(const char* format, double value) { return std::stod(table_number(format, value)); }
 
 std::vector<double> energies(double first, double last, int count) {
   std::vector<double> kev;
@@ -47,49 +41,8 @@ double at_altitude(const FieldAir& column, const std::vector<double>& rate, doub
   return rate[low] * std::pow(rate[high] / rate[low], way);
 }
 
-struct Case {
-  SpectrumKind kind = SpectrumKind::maxwellian;
-  double oxygen = 1.0, energy_kev = 1.0, flux_mw_m2 = 1.0;
-};
-
-struct CaseLight {
-  std::vector<std::string> names;          ///< of the columns
-  std::vector<std::vector<double>> rates;  ///< [column][altitude], photons or ion pairs cm^-3 s^-1
-  std::vector<double> rayleigh;            ///< [column], of the lines
-};
-
-CaseLight light_of(const Case& which, const TableRequest& request, const Degradation& all) {
-  IncidentSpectrum spectrum;
-  spectrum.kind = which.kind;
-  spectrum.energy_kev = which.energy_kev;
-  const FieldAir air =
-      field_air(with_oxygen_factor(request.air, which.oxygen), request.dip_deg, request.refinement);
-  const AuroralRun run = auroral_run(all, air, incident_flux(spectrum, all.grid, which.flux_mw_m2),
-                                     PitchAngles::isotropic, request.reactions);
-  if (std::abs(run.rates.budget.missing_share()) > kMaxMissingShare)
-    throw unreadable(request.air_file.empty() ? request.air_name : request.air_file,
-                     "the energy of the electrons does not balance in this air")
-        .expected("densities that fall off smoothly, to where electrons pass freely at the top");
-  CaseLight light;
-  const auto add = [&](const std::string& name, const std::vector<double>& rate) {
-    light.names.push_back(name);
-    light.rates.emplace_back();
-    for (const double altitude : made_altitudes_km())
-      light.rates.back().push_back(at_altitude(run.column, rate, altitude) / which.flux_mw_m2);
-  };
-  for (const SourcedLine& line : run.light.lines) {
-    const std::vector<double> photons = line.photons_cm3_s();
-    add(line.column, photons);
-    light.rayleigh.push_back(column_rayleigh(run.column, photons));
-  }
-  std::vector<double> pairs;
-  for (std::size_t m = 0; m < run.column.size(); ++m) pairs.push_back(run.rates.all_ion_pairs(m));
-  add(kIonisationColumn, pairs);
-  return light;
-}
-
-std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLight>& lights, SpectrumKind kind,
-                      const char* energy_name) {
+std::string rates_csv(const std::vector<MadeCase>& cases, const std::vector<MadeLight>& lights,
+                      SpectrumKind kind, const char* energy_name) {
   std::string text = std::string("oxygen_factor,") + energy_name + ",altitude_km";
   for (const std::string& name : lights.front().names) text += "," + name;
   text += "\n";
@@ -100,11 +53,11 @@ std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLigh
     for (const std::vector<double>& rate : lights[c].rates)
       least.push_back(kMinOfPeak * *std::max_element(rate.begin(), rate.end()));
     for (std::size_t a = 0; a < altitudes.size(); ++a) {
-      text +=
-          number("%g", cases[c].oxygen) + number(",%.5g", cases[c].energy_kev) + number(",%g", altitudes[a]);
+      text += table_number("%g", cases[c].oxygen) + table_number(",%.5g", cases[c].energy_kev) +
+              table_number(",%g", altitudes[a]);
       for (std::size_t n = 0; n < least.size(); ++n) {
         const double rate = lights[c].rates[n][a];
-        text += rate > least[n] ? number(",%.4e", rate) : ",0";
+        text += rate > least[n] ? table_number(",%.4e", rate) : ",0";
       }
       text += "\n";
     }
@@ -113,22 +66,23 @@ std::string rates_csv(const std::vector<Case>& cases, const std::vector<CaseLigh
 }
 
 /// Returns the names of the columns of brightness: "R_5577" for "ver_5577".
-std::string column_names(const CaseLight& light) {
+std::string column_names(const MadeLight& light) {
   std::string text;
   for (const std::string& name : light.names)
     if (name != kIonisationColumn) text += ",R_" + name.substr(4);
   return text + "\n";
 }
 
-std::string columns_csv(const std::vector<Case>& cases, const std::vector<CaseLight>& lights, bool by_flux) {
+std::string columns_csv(const std::vector<MadeCase>& cases, const std::vector<MadeLight>& lights,
+                        bool by_flux) {
   std::string text = (by_flux ? "Q_erg,E0_keV" : "E0_keV") + column_names(lights.front());
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const Case& which = cases[c];
+    const MadeCase& which = cases[c];
     if (which.kind != SpectrumKind::maxwellian || which.oxygen != 1.0) continue;
     if (!by_flux && which.flux_mw_m2 != 1.0) continue;
-    if (by_flux) text += number("%g,", which.flux_mw_m2);
-    text += number("%.5g", which.energy_kev);
-    for (const double rayleigh : lights[c].rayleigh) text += number(",%.6e", rayleigh);
+    if (by_flux) text += table_number("%g,", which.flux_mw_m2);
+    text += table_number("%.5g", which.energy_kev);
+    for (const double rayleigh : lights[c].rayleigh) text += table_number(",%.6e", rayleigh);
     text += "\n";
   }
   return text;
@@ -137,12 +91,14 @@ std::string columns_csv(const std::vector<Case>& cases, const std::vector<CaseLi
 std::string air_csv(const FieldAir& air) {
   std::string text = "altitude_km,T_K,nO,nO2,nN2,nNO,nN4S,Te_K\n";
   for (const double altitude : made_altitudes_km()) {
-    text += number("%g", altitude) + number(",%.2f", at_altitude(air, air.temperature_k, altitude));
+    text +=
+        table_number("%g", altitude) + table_number(",%.2f", at_altitude(air, air.temperature_k, altitude));
     for (const Gas gas : {Gas::o, Gas::o2, Gas::n2})
-      text += number(",%.6e", at_altitude(air, air.density_cm3[static_cast<std::size_t>(gas)], altitude));
-    text += number(",%.6e", at_altitude(air, air.no_cm3, altitude)) +
-            number(",%.6e", at_altitude(air, air.n_cm3, altitude)) +
-            number(",%.2f\n", at_altitude(air, air.electron_temperature_k, altitude));
+      text +=
+          table_number(",%.6e", at_altitude(air, air.density_cm3[static_cast<std::size_t>(gas)], altitude));
+    text += table_number(",%.6e", at_altitude(air, air.no_cm3, altitude)) +
+            table_number(",%.6e", at_altitude(air, air.n_cm3, altitude)) +
+            table_number(",%.2f\n", at_altitude(air, air.electron_temperature_k, altitude));
   }
   return text;
 }
@@ -159,16 +115,23 @@ std::string quoted(const std::string& text) {
 std::string about_json(const TableRequest& request) {
   std::string factors;
   for (const double factor : request.oxygen_factors)
-    factors += (factors.empty() ? "" : ", ") + number("%g", factor);
+    factors += (factors.empty() ? "" : ", ") + table_number("%g", factor);
   return std::string("{\n  \"format\": \"vegard emission tables 1\",\n  \"made_by\": \"vegard tables ") +
          version() + "\",\n  \"licence\": \"MIT\",\n  \"atmosphere\": " + quoted(request.air_name) +
          ",\n  \"reactions\": " + quoted(request.reactions_name) +
-         ",\n  \"dip_deg\": " + number("%g", request.dip_deg) +
-         ",\n  \"refinement\": " + number("%g", request.refinement) + ",\n  \"oxygen_factors\": [" + factors +
-         "]\n}\n";
+         ",\n  \"seconds\": " + (std::isinf(request.seconds) ? "null" : table_number("%g", request.seconds)) +
+         ",\n  \"dip_deg\": " + table_number("%g", request.dip_deg) +
+         ",\n  \"refinement\": " + table_number("%g", request.refinement) + ",\n  \"oxygen_factors\": [" +
+         factors + "]\n}\n";
 }
 
 }  // namespace
+
+std::string table_number(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
 
 std::vector<double> usual_maxwellian_kev() {
   std::vector<double> kev = energies(0.1, 15.849, 23);
@@ -187,28 +150,69 @@ std::vector<double> made_altitudes_km() {
   return altitudes;
 }
 
-MadeTables make_tables(const TableRequest& request, int threads,
-                       const std::function<void(std::size_t, std::size_t)>& progress) {
+MadeLight made_light(const MadeCase& which, const TableRequest& request, const Degradation& degradation) {
+  IncidentSpectrum spectrum;
+  spectrum.kind = which.kind;
+  spectrum.energy_kev = which.energy_kev;
+  const FieldAir air =
+      field_air(with_oxygen_factor(request.air, which.oxygen), request.dip_deg, request.refinement);
+  const AuroralRun run =
+      auroral_run(degradation, air, incident_flux(spectrum, degradation.grid, which.flux_mw_m2),
+                  PitchAngles::isotropic, request.reactions, request.seconds);
+  if (std::abs(run.rates.budget.missing_share()) > kMaxMissingShare)
+    throw unreadable(request.air_file.empty() ? request.air_name : request.air_file,
+                     "the energy of the electrons does not balance in this air")
+        .expected("densities that fall off smoothly, to where electrons pass freely at the top");
+  MadeLight light;
+  const auto add = [&](const std::string& name, const std::vector<double>& rate) {
+    light.names.push_back(name);
+    light.rates.emplace_back();
+    for (const double altitude : made_altitudes_km())
+      light.rates.back().push_back(at_altitude(run.column, rate, altitude) / which.flux_mw_m2);
+  };
+  for (const SourcedLine& line : run.light.lines) {
+    const std::vector<double> photons = line.photons_cm3_s();
+    add(line.column, photons);
+    light.rayleigh.push_back(column_rayleigh(run.column, photons));
+  }
+  std::vector<double> pairs;
+  for (std::size_t m = 0; m < run.column.size(); ++m) pairs.push_back(run.rates.all_ion_pairs(m));
+  add(kIonisationColumn, pairs);
+  return light;
+}
+
+Degradation table_degradation(const TableRequest& request, const std::map<int, double>& factor_of_process) {
+  IncidentSpectrum fastest;
+  fastest.energy_kev = request.maxwellian_kev.back();
+  return degradation(energy_grid(1e3 * std::max(highest_energy_kev(fastest),
+                                                request.mono_kev.empty() ? 0.0 : request.mono_kev.back()),
+                                 request.refinement),
+                     factor_of_process);
+}
+
+void require_air_of_tables(const TableRequest& request) {
   if (request.air.altitude_km.front() > kFirstKm || request.air.altitude_km.back() < kLastKm)
     throw unreadable(request.air_file, "the air reaches from " +
-                                           number("%g", request.air.altitude_km.front()) + " to " +
-                                           number("%g km", request.air.altitude_km.back()))
+                                           table_number("%g", request.air.altitude_km.front()) + " to " +
+                                           table_number("%g km", request.air.altitude_km.back()))
         .expected("a table from 80 km or below to 640 km or above, as emission tables have it");
-  std::vector<Case> cases;
+}
+
+MadeTables make_tables(const TableRequest& request, int threads,
+                       const std::function<void(std::size_t, std::size_t)>& progress) {
+  require_air_of_tables(request);
+  std::vector<MadeCase> cases;
   for (const double oxygen : request.oxygen_factors) {
     for (const double energy : request.maxwellian_kev)
       for (const double flux : kFluxes)
         if (flux == 1.0 || oxygen == 1.0) cases.push_back({SpectrumKind::maxwellian, oxygen, energy, flux});
     for (const double energy : request.mono_kev) cases.push_back({SpectrumKind::mono, oxygen, energy, 1.0});
   }
-  IncidentSpectrum fastest;
-  fastest.energy_kev = request.maxwellian_kev.back();
-  const Degradation all = degradation(
-      energy_grid(1e3 * std::max(highest_energy_kev(fastest), request.mono_kev.back()), request.refinement));
-  std::vector<CaseLight> lights(cases.size());
+  const Degradation all = table_degradation(request);
+  std::vector<MadeLight> lights(cases.size());
   std::atomic<std::size_t> done{0};
   parallel_for(cases.size(), threads, [&](std::size_t c, int) {
-    lights[c] = light_of(cases[c], request, all);
+    lights[c] = made_light(cases[c], request, all);
     const std::size_t now = ++done;
     if (progress) progress(now, cases.size());
   });

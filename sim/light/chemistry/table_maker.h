@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "sim/light/reactions.h"
+#include "sim/light/transport/degradation.h"
 #include "sim/light/transport/field_air.h"
+#include "sim/light/transport/incident_electrons.h"
 
 namespace vegard::sim {
 
@@ -25,11 +27,39 @@ struct TableRequest {
   double dip_deg = 78.0;
   Reactions reactions = Reactions::standard();
   std::string reactions_name = "data/electrons/reactions.csv";
+  double seconds = 120.0;  ///< since the electrons have begun to fall; infinite: a steady state
   std::vector<double> oxygen_factors = {0.5, 1.0, 2.0};  ///< increasing, 1 among them
   std::vector<double> maxwellian_kev = usual_maxwellian_kev(), mono_kev = usual_mono_kev();  ///< increasing
   /// Of the energies and places. At 0.5 columns are within 0.3 % of those at 1, and peaks within 0.1 km.
   double refinement = 0.5;
 };
+
+/// What electrons shine, as a table has it: photons or ion pairs cm^-3 s^-1 and mW m^-2 at
+/// made_altitudes_km().
+struct MadeLight {
+  std::vector<std::string> names;          ///< of the columns
+  std::vector<std::vector<double>> rates;  ///< [column][altitude]
+  std::vector<double> rayleigh;            ///< [column], of the lines, which stand before the ion pairs
+};
+
+/// Electrons that come down isotropically.
+struct MadeCase {
+  SpectrumKind kind = SpectrumKind::maxwellian;
+  double oxygen = 1.0, energy_kev = 1.0, flux_mw_m2 = 1.0;
+};
+
+/// Returns the light of such electrons in the request's air and by its reactions. Throws as make_tables().
+MadeLight made_light(const MadeCase& which, const TableRequest& request, const Degradation& degradation);
+
+/// Returns the electrons' cross-sections, times factors, on a grid that reaches the energies of the request.
+Degradation table_degradation(const TableRequest& request,
+                              const std::map<int, double>& factor_of_process = {});
+
+/// Throws Error(unreadable_input) if the request's air does not reach from 80 to 640 km.
+void require_air_of_tables(const TableRequest& request);
+
+/// Returns a number as printf() writes it, 31 characters at most.
+std::string table_number(const char* format, double value);
 
 /// The text of each file of the folder by its name.
 using MadeTables = std::map<std::string, std::string>;
