@@ -12,6 +12,7 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/electrons/shells.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/reactions.csv
     ${PROJECT_SOURCE_DIR}/data/electrons/emissions.csv
+    ${PROJECT_SOURCE_DIR}/data/electrons/uncertainties.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1931_2deg_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/cie1951_scotopic_5nm.csv
     ${PROJECT_SOURCE_DIR}/data/cie/daylight_components_10nm.csv
@@ -25,7 +26,7 @@ set(VEGARD_EMBEDDED_TABLES
 # be. Others of data/ are found as files at run time (sim/base/data_folders.h). They are called by folder and file, "glow/atmosphere.csv".
 set(VEGARD_EMBEDDED_EMISSION emission)
 foreach(folder IN LISTS VEGARD_EMBEDDED_EMISSION)
-  foreach(name ver_maxwellian.csv ver_mono.csv column_brightness.csv linearity_Q.csv atmosphere.csv about.json)
+  foreach(name ver_maxwellian.csv ver_mono.csv column_brightness.csv linearity_Q.csv atmosphere.csv modes.csv about.json)
     if(EXISTS ${PROJECT_SOURCE_DIR}/data/${folder}/${name})
       list(APPEND VEGARD_EMBEDDED_TABLES ${PROJECT_SOURCE_DIR}/data/${folder}/${name})
     endif()

@@ -46,6 +46,26 @@ void sample_line(const std::vector<double>& altitudes_km, const std::vector<doub
   }
 }
 
+void add_modes(const EmissionSource& source, const std::string& column, double energy_kev,
+               const std::vector<double>& altitudes_km, SlopeBy by, std::vector<double>& log_rate,
+               std::vector<double>& log_slope) {
+  const LightModes& modes = source.tables.modes();
+  const bool by_mode = mode_of(by) >= 0;
+  if (by_mode) std::fill(log_slope.begin(), log_slope.end(), 0.0);
+  for (int k = 0; k < modes.count(); ++k) {
+    const double coefficient = static_cast<std::size_t>(k) < source.modes.size() ? source.modes[k] : 0.0;
+    if (coefficient == 0.0 && mode_of(by) != k) continue;
+    const std::vector<ModeValue> mode = modes.at(k, column, energy_kev, altitudes_km);
+    for (std::size_t a = 0; a < mode.size(); ++a) {
+      log_rate[a] += coefficient * mode[a].value;
+      if (mode_of(by) == k)
+        log_slope[a] = mode[a].value;
+      else if (by == SlopeBy::log_energy)
+        log_slope[a] += coefficient * mode[a].slope;
+    }
+  }
+}
+
 HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                                  double energy_kev, double energy_flux_mw_m2, SlopeBy by) {
   const EmissionTable& table = source.tables.maxwellian();
@@ -62,6 +82,7 @@ HeightProfile maxwellian_profile(const EmissionSource& source, const std::vector
       log_slope.push_back(by == SlopeBy::oxygen_factor ? e.d_rate_d_ln_oxygen / e.rate / source.oxygen_factor
                                                        : e.d_rate_d_ln_energy / e.rate + flux.by_log_energy);
     }
+    add_modes(source, column.name, energy_kev, table.altitudes_km(), by, log_rate, log_slope);
     sample_line(table.altitudes_km(), log_rate, log_slope, l, profile);
     if (by != SlopeBy::energy_flux && by != SlopeBy::energy_spread) continue;
     const double growth =

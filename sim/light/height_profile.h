@@ -1,6 +1,7 @@
 // The light of a beam against altitude: one finely sampled curve per emission line.
 #pragma once
 
+#include <string>
 #include <vector>
 
 namespace vegard::sim {
@@ -42,7 +43,20 @@ void sample_line(const std::vector<double>& altitudes_km, const std::vector<doub
 
 /// The number by which the derivative in HeightProfile::d_rate_d_ln_energy is taken: ln(energy) by default,
 /// or another number that the caller chooses; the member's name then does not apply.
-enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor };
+enum class SlopeBy { log_energy, energy_flux, energy_spread, oxygen_factor, first_mode };
+
+/// The coefficient of a mode of the tables' uncertainty (sim/light/tables/light_modes.h), from 0.
+inline SlopeBy slope_by_mode(int mode) {
+  return static_cast<SlopeBy>(static_cast<int>(SlopeBy::first_mode) + mode);
+}
+/// Its mode; negative for another number.
+inline int mode_of(SlopeBy by) { return static_cast<int>(by) - static_cast<int>(SlopeBy::first_mode); }
+
+/// Adds the modes of the tables' uncertainty, with the source's coefficients, to logarithms of a column's
+/// rates at these altitudes, for Maxwellian electrons of E0, and what they add to the derivatives.
+void add_modes(const EmissionSource& source, const std::string& column, double energy_kev,
+               const std::vector<double>& altitudes_km, SlopeBy by, std::vector<double>& log_rate,
+               std::vector<double>& log_slope);
 
 /// Returns the profile of Maxwellian electrons of characteristic energy E0 from emission tables. Between the
 /// tabulated altitudes log(rate) is a natural cubic spline. A wavelength that is no line of the tables is

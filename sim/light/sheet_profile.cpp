@@ -88,6 +88,8 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
       return slope_by(SlopeBy::energy_flux, follows_flux_law(scene, sheet));
     case ParameterRole::oxygen_factor:
       return slope_by(SlopeBy::oxygen_factor, is_of_electrons(sheet.profile));
+    case ParameterRole::light_mode:
+      return slope_by(slope_by_mode(number.component), is_of_electrons(sheet.profile));
     case ParameterRole::profile_coefficient:
       if (!has_spline_profile(sheet)) return {};
       return spline_slope(wavelengths_nm, scene, sheet, index_in(scene, number));
@@ -103,7 +105,8 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
 }
 
 bool may_shape(const ParameterId& number, int sheet) {
-  return number.sheet() == sheet || number.role() == ParameterRole::oxygen_factor;
+  return number.sheet() == sheet || number.role() == ParameterRole::oxygen_factor ||
+         number.role() == ParameterRole::light_mode;
 }
 
 }  // namespace

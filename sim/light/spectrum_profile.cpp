@@ -11,38 +11,48 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kFirstTau = -14.0, kLastTau = 6.0, kTauStep = 0.125;
+constexpr double kMaxwellianOfMono = 0.5;    // the E0 of a Maxwellian with this mean energy
 constexpr double kSpectrumMinShare = 1e-14;  // a piece below that changes no float
 
-std::vector<MonoRate> mono_rates(const EmissionSource& source, const EmissionLine& line, double energy_kev) {
+/// Returns the logarithms of rates and their derivatives as `by` says; for the energy spread, those by the
+/// logarithm of the energy.
+std::vector<LogRate> mono_rates(const EmissionSource& source, const EmissionLine& line, double energy_kev,
+                                SlopeBy by) {
   const MonoEnergeticTable& table = source.tables.mono();
   const LineColumn column = column_of(line, table);
-  std::vector<MonoRate> rates = table.at_energy(column.name, energy_kev, source.oxygen_factor);
-  for (MonoRate& rate : rates) rate.value += std::log(column.ratio);
+  const bool by_energy = by == SlopeBy::log_energy || by == SlopeBy::energy_spread;
+  std::vector<double> value, slope;
+  for (const MonoRate& rate : table.at_energy(column.name, energy_kev, source.oxygen_factor)) {
+    value.push_back(rate.value + std::log(column.ratio));
+    slope.push_back(by_energy                      ? rate.slope
+                    : by == SlopeBy::oxygen_factor ? rate.by_log_oxygen / source.oxygen_factor
+                                                   : 0.0);
+  }
+  add_modes(source, column.name, kMaxwellianOfMono * energy_kev, table.altitudes_km(),
+            by_energy ? SlopeBy::log_energy : by, value, slope);
+  std::vector<LogRate> rates;
+  for (std::size_t a = 0; a < value.size(); ++a) rates.push_back({value[a], slope[a]});
   return rates;
-}
-
-double slope_of(const MonoRate& rate, SlopeBy by, double oxygen_factor) {
-  if (by == SlopeBy::log_energy) return rate.slope;
-  return by == SlopeBy::oxygen_factor ? rate.by_log_oxygen / oxygen_factor : 0.0;
 }
 
 /// Sums over the Gaussian pieces in logarithms: far below where the electrons stop every piece would
 /// underflow. Returns values, and slopes as `by` says.
 std::vector<LogRate> gaussian_rates(const EmissionSource& source, const EmissionLine& line,
                                     const std::vector<GaussianPiece>& pieces, SlopeBy by) {
-  std::vector<std::vector<MonoRate>> of_piece;
-  for (const GaussianPiece& piece : pieces) of_piece.push_back(mono_rates(source, line, piece.energy_kev));
+  std::vector<std::vector<LogRate>> of_piece;
+  for (const GaussianPiece& piece : pieces)
+    of_piece.push_back(mono_rates(source, line, piece.energy_kev, by));
   std::vector<LogRate> rates(of_piece.front().size());
   for (std::size_t a = 0; a < rates.size(); ++a) {
     double largest = -1e300, sum = 0.0, slope = 0.0;
-    for (const std::vector<MonoRate>& rate : of_piece) largest = std::max(largest, rate[a].value);
+    for (const std::vector<LogRate>& rate : of_piece) largest = std::max(largest, rate[a].value);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      const MonoRate& rate = of_piece[p][a];
+      const LogRate& rate = of_piece[p][a];
       const double light = pieces[p].share * std::exp(rate.value - largest);
       sum += light;
       slope +=
           light * (by == SlopeBy::energy_spread ? pieces[p].d_log_share_d_spread + rate.slope * pieces[p].tau
-                                                : slope_of(rate, by, source.oxygen_factor));
+                                                : rate.slope);
     }
     rates[a] = {largest + std::log(sum), slope / sum};
   }
@@ -72,9 +82,9 @@ HeightProfile sampled(const EmissionSource& source, const std::vector<double>& w
 HeightProfile mono_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                            double energy_kev, SlopeBy by) {
   return sampled(source, wavelengths_nm, [&](const EmissionLine& line) {
-    std::vector<LogRate> rates;
-    for (const MonoRate& rate : mono_rates(source, line, energy_kev))
-      rates.push_back({rate.value, slope_of(rate, by, source.oxygen_factor)});
+    std::vector<LogRate> rates = mono_rates(source, line, energy_kev, by);
+    if (by == SlopeBy::energy_spread)
+      for (LogRate& rate : rates) rate.slope = 0.0;
     return rates;
   });
 }

@@ -17,14 +17,22 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/light/chemistry/light_mode_maker.h"
 #include "sim/light/chemistry/table_maker.h"
 
 namespace vegard::apps {
 namespace {
 
 constexpr const char* kAbout = "about.json";
-constexpr const char* kFiles[] = {"ver_maxwellian.csv", "ver_mono.csv",   "column_brightness.csv",
-                                  "linearity_Q.csv",    "atmosphere.csv", kAbout};
+constexpr const char* kModes = "modes.csv";
+constexpr const char* kFiles[] = {"ver_maxwellian.csv",
+                                  "ver_mono.csv",
+                                  "column_brightness.csv",
+                                  "linearity_Q.csv",
+                                  "atmosphere.csv",
+                                  kModes,
+                                  kAbout};
+constexpr int kMostDraws = 2000;
 
 struct TablesRequest {
   std::string output, atmosphere = kDefaultAir, reactions;
@@ -32,6 +40,8 @@ struct TablesRequest {
   double dip_deg = 78.0, refinement = 0.5, seconds = 120.0;
   bool steady = false;
   int threads = 0;
+  int ensemble = 0;
+  std::uint64_t seed = 1;
   bool overwrite = false;
 };
 
@@ -65,6 +75,24 @@ void require_factors(const std::vector<double>& factors) {
                       "up to nine that increase, from 0.1 to 10, 1 among them, such as 0.5,1,2");
 }
 
+/// Makes the modes of the tables' uncertainty.
+std::string modes_of(const TablesRequest& request, const sim::TableRequest& tables) {
+  sim::ModeRequest modes;
+  modes.draws = request.ensemble;
+  modes.seed = request.seed;
+  ProgressBar bar("drawing the numbers of physics");
+  sim::ModeSummary summary;
+  std::string text =
+      sim::make_light_modes(tables, modes, request.threads, summary, [&](std::size_t done, std::size_t all) {
+        bar.update(static_cast<double>(done) / static_cast<double>(all));
+      });
+  bar.finish();
+  json_answer()["modes"] = {{"count", summary.modes}, {"carried_share", summary.carried_share}};
+  say_text(fmt::format("{} modes of their uncertainty carry {:.1f} % of the variance of {} draws\n",
+                       summary.modes, 100.0 * summary.carried_share, request.ensemble));
+  return text;
+}
+
 int run_tables(const TablesRequest& request) {
   end_at_once_when_interrupted();
   require_factors(request.oxygen);
@@ -85,11 +113,11 @@ int run_tables(const TablesRequest& request) {
   sim::WholeDirectory folder(request.output, request.overwrite,
                              {"a folder of emission tables", look_at_tables, {kAbout}});
   ProgressBar bar("making emission tables");
-  const sim::MadeTables made =
-      sim::make_tables(tables, request.threads, [&](std::size_t done, std::size_t all) {
-        bar.update(static_cast<double>(done) / static_cast<double>(all));
-      });
+  sim::MadeTables made = sim::make_tables(tables, request.threads, [&](std::size_t done, std::size_t all) {
+    bar.update(static_cast<double>(done) / static_cast<double>(all));
+  });
   bar.finish();
+  if (request.ensemble > 0) made[kModes] = modes_of(request, tables);
   for (const auto& [name, text] : made) {
     sim::WholeFile file(folder.file(name), false);
     file.write(text);
@@ -140,6 +168,14 @@ void add_tables_command(Program& program) {
               "agree with 1 within 0.3 %)")
       .finite_range(0.25, 2.0)
       .shows_default();
+  command
+      .option(
+          "--ensemble", options->ensemble,
+          "Draw the numbers of physics so often within their uncertainty, and write the modes of the light's "
+          "(modes.csv)")
+      .range(2, kMostDraws)
+      .type_name("DRAWS");
+  command.option("--seed", options->seed, "Of the draws").shows_default();
   add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace a folder of emission tables");
   command.runs([options] { return run_tables(*options); });

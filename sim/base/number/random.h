@@ -38,6 +38,7 @@ enum class Stream : std::uint32_t {
   ensemble = 32,      ///< the walkers of a fit's sampler
   bootstrap = 33,     ///< which bands a fit's bootstrap draws
   flare = 34,         ///< when flares heat a strand of a loop
+  physics = 35,       ///< numbers of physics within their uncertainty
   circle = 40,        ///< triples of points, in the search for a fisheye's circle
 };
 

@@ -109,6 +109,13 @@ std::unique_ptr<MonoEnergeticTable> EmissionTables::read_mono() const {
   return std::make_unique<MonoEnergeticTable>(std::move(mono));
 }
 
+const LightModes& EmissionTables::modes() const {
+  std::call_once(modes_read_, [&] {
+    if (folder_->files.count(kModesFile) > 0) modes_ = LightModes(table_in(*folder_, kModesFile));
+  });
+  return modes_;
+}
+
 const MonoEnergeticTable& EmissionTables::mono() const {
   std::call_once(mono_made_, [&] { mono_ = read_mono(); });
   return *mono_;
@@ -125,7 +132,7 @@ const EmissionTables& emission_tables(const Scene& scene) {
 }
 
 EmissionSource emission_source(const Scene& scene) {
-  return {emission_tables(scene), scene.emission.oxygen_factor};
+  return {emission_tables(scene), scene.emission.oxygen_factor, scene.emission.modes};
 }
 
 void check_emission_tables(const Scene& scene) {

@@ -14,6 +14,7 @@
 #include "sim/light/tables/emission_table.h"
 #include "sim/light/tables/flux_law.h"
 #include "sim/light/tables/ionisation.h"
+#include "sim/light/tables/light_modes.h"
 #include "sim/light/tables/mono_table.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/light.h"
@@ -43,6 +44,10 @@ class EmissionTables {
   const MonoEnergeticTable& mono() const;
   bool has_mono_file() const;
 
+  /// The modes of the tables' uncertainty; none if the folder has no modes.csv. Read at the first call;
+  /// throws as the constructor does.
+  const LightModes& modes() const;
+
   /// Energies of the table for Maxwellian electrons; energies of scenes are limited to their range.
   const std::vector<double>& energies_kev() const { return maxwellian_.energies_kev(); }
 
@@ -53,7 +58,8 @@ class EmissionTables {
   EmissionTable maxwellian_;
   FluxFactors flux_factors_;
   std::vector<StoppingAir> air_;
-  mutable std::once_flag mono_made_;
+  mutable std::once_flag mono_made_, modes_read_;
+  mutable LightModes modes_;
   mutable std::unique_ptr<MonoEnergeticTable> mono_;
 };
 
@@ -62,10 +68,12 @@ class EmissionTables {
 const EmissionTables& emission_tables(const std::string& built_in);
 const EmissionTables& emission_tables(const Scene& scene);
 
-/// The inputs of every height profile: tables, and the factor of atomic oxygen, within the tables' range.
+/// The inputs of every height profile: tables, the factor of atomic oxygen, within the tables' range, and the
+/// coefficients of the modes of their uncertainty (light_modes.h), 0 for those that are not there.
 struct EmissionSource {
   const EmissionTables& tables;
   double oxygen_factor = 1.0;
+  std::vector<double> modes = {};
 };
 EmissionSource emission_source(const Scene& scene);
 

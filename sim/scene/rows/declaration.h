@@ -66,6 +66,7 @@ enum class ParameterRole {
   lens_p1,
   lens_p2,
   oxygen_factor,  ///< of the emission tables
+  light_mode,     ///< of their uncertainty
   blur_width,
   // of the air and the night sky
   aerosol_depth,

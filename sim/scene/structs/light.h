@@ -45,6 +45,12 @@ inline const char* const kDefaultEmissionTables = "vegard";
 /// Limits of Emission::oxygen_factor, and of the factors that emission tables cover.
 inline constexpr double kMinOxygenFactor = 0.1, kMaxOxygenFactor = 10.0;
 
+/// Whether error bars contain the uncertainty of the emission tables.
+enum class TablesUncertainty {
+  modes,  ///< the coefficients of the tables' modes have mean 0 and standard deviation 1
+  none    ///< the tables are exact
+};
+
 /// The delay between the electrons and the light that they excite.
 enum class EmissionLag {
   lifetime,  ///< effective lifetimes of the excited atoms
@@ -58,6 +64,10 @@ struct Emission {
   /// tables.
   std::shared_ptr<const TableFolder> folder;
   double oxygen_factor = 1.0;  ///< factor on the atomic oxygen of the tables' atmosphere
+  /// Coefficients of the modes of the tables' uncertainty (sim/light/tables/light_modes.h), in standard
+  /// deviations; those that are not there are 0.
+  std::vector<double> modes;
+  TablesUncertainty uncertainty = TablesUncertainty::modes;
   FluxLaw flux_law = FluxLaw::column;
   EmissionLag lag = EmissionLag::lifetime;
   /// Factors on the light, [line][altitude] with the altitudes of a HeightProfile; empty: all 1. No key of a

@@ -23,7 +23,7 @@ struct BuiltIn {
 constexpr std::array<BuiltIn, 2> kBuiltIn = {{{"glow", "glow"}, {"vegard", "emission"}}};
 
 constexpr std::array<const char*, 4> kRequired = {kMaxwellianFile, kColumnsFile, kFluxesFile, kTablesAirFile};
-constexpr std::array<const char*, 2> kOptional = {kMonoFile, kAboutFile};
+constexpr std::array<const char*, 3> kOptional = {kMonoFile, kModesFile, kAboutFile};
 
 const BuiltIn* find_built_in(const std::string& name) {
   for (const BuiltIn& one : kBuiltIn)

@@ -19,6 +19,7 @@ inline constexpr const char* kColumnsFile = "column_brightness.csv";
 inline constexpr const char* kFluxesFile = "linearity_Q.csv";
 inline constexpr const char* kTablesAirFile = "atmosphere.csv";
 inline constexpr const char* kMonoFile = "ver_mono.csv";
+inline constexpr const char* kModesFile = "modes.csv";
 inline constexpr const char* kAboutFile = "about.json";
 
 /// True if the value of emission.tables names tables that come with the program ("glow"), not a folder.
