@@ -39,7 +39,7 @@ constexpr const char* kMapForm = "NM=FILE, such as 427.8=blue.fits";
 struct InvertRequest {
   std::vector<std::string> lines, maps, errors, outputs, free = {"energy", "flux"};
   std::string relative_error, model_error, spectrum = "maxwellian", tables = sim::kDefaultEmissionTables,
-                                           plot, command;
+                                           uncertainty = "modes", plot, command;
   std::optional<double> spread;
   std::array<std::optional<double>, fit::kColumnUnknowns> held;
   int threads = 0;
@@ -94,6 +94,7 @@ class Inversion {
       throw usage_error("--spread", "a spectrum of the kind '" + request.spectrum + "' has no such number",
                         "--spectrum gaussian beside it");
     options.spread = request.spread.value_or(options.spread);
+    options.has_modes = request.uncertainty != "none";
     return options;
   }
 
@@ -277,7 +278,7 @@ int invert_line_maps(const InvertRequest& request) {
                    {"height_px", height},
                    {"words", fit::column_maps_text(maps)}};
   say_text(fit::column_maps_text(maps));
-  return good;
+  return fit::most_contradict(maps) ? doubted : good;
 }
 
 /// The model's own error goes with the brightness that is measured, as the model's is not known yet.
@@ -369,6 +370,11 @@ void add_invert_command(Program& program) {
       .option("--model-error", options->model_error,
               "Error of the tables, in per cent of each line, added in quadrature to its own error")
       .type_name("PERCENT");
+  command
+      .option("--uncertainty", options->uncertainty,
+              "Errors contain the tables' own uncertainty (modes), or take the tables as exact (none)")
+      .one_of({"modes", "none"})
+      .shows_default();
   command.option("--spectrum", options->spectrum, "Spectrum of the electrons")
       .one_of({"maxwellian", "gaussian", "mono"})
       .shows_default();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace vegard::fit {
@@ -24,7 +25,122 @@ struct ColumnGradient {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
+constexpr auto kMostLines = static_cast<int>(kMaxColumnLines);
+using LineMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostLines, kMostLines>;
+using LineVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostLines, 1>;
+using ModeMatrix =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostLines, sim::kMaxLightModes>;
+using ModeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, sim::kMaxLightModes, 1>;
+using LineSlopes = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMostLines, 3>;
+
+/// The brightnesses at a point with the modes at the coefficients that make chi2 least.
+class BestModes {
+ public:
+  BestModes(const ColumnModel& model, const ColumnData& data, const ColumnPoint& point)
+      : lines_(static_cast<int>(model.lines())),
+        changes_(lines_, model.modes()),
+        changes_by_energy_(lines_, model.modes()),
+        slopes_(lines_, 3),
+        usual_(lines_),
+        wanted_(lines_),
+        variance_(lines_) {
+    for (int l = 0; l < lines_; ++l) {
+      const auto line = static_cast<std::size_t>(l);
+      const ColumnLight light = model.at(line, point);
+      const ColumnModes modes = model.modes_at(line, point);
+      usual_(l) = std::exp(light.ln_rayleigh);
+      slopes_.row(l) << light.slope[0], light.slope[1], light.slope[2];
+      for (int k = 0; k < model.modes(); ++k) {
+        changes_(l, k) = modes.value[static_cast<std::size_t>(k)];
+        changes_by_energy_(l, k) = modes.slope[static_cast<std::size_t>(k)];
+      }
+      wanted_(l) = data.rayleigh[line];
+      variance_(l) = data.sigma[line] * data.sigma[line];
+    }
+    solve();
+  }
+
+  ColumnGradient gradient() const {
+    ColumnGradient g;
+    const LineVector residual = rayleigh_ - wanted_;
+    const LineSlopes slopes = slopes_of_rayleigh();
+    // Where the coefficients are best, chi2 does not change with them.
+    g.chi2 = residual.cwiseAbs2().cwiseQuotient(variance_).sum() + coefficients_.squaredNorm();
+    g.slope = slopes.transpose() * residual.cwiseQuotient(variance_);
+    g.information = slopes.transpose() * covariance().ldlt().solve(slopes);
+    return g;
+  }
+
+  std::vector<LineCorrection> corrections(const ColumnFreedom& is_free) const {
+    const LineVector logs = changes_ * coefficients_;
+    const ModeMatrix response = rayleigh_.asDiagonal() * changes_;
+    const LineVector weight = variance_.cwiseInverse();
+    Eigen::MatrixXd information = response.transpose() * weight.asDiagonal() * response;
+    information.diagonal().array() += 1.0;
+    LineSlopes slopes = slopes_of_rayleigh();
+    Eigen::Matrix3d of_unknowns = slopes.transpose() * weight.asDiagonal() * slopes;
+    for (int i = 0; i < 3; ++i) {
+      if (is_free[static_cast<std::size_t>(i)]) continue;
+      of_unknowns.row(i).setZero();
+      of_unknowns.col(i).setZero();
+      of_unknowns(i, i) = 1.0;
+      slopes.col(i).setZero();
+    }
+    const Eigen::MatrixXd both = response.transpose() * weight.asDiagonal() * slopes;
+    information -= both * of_unknowns.ldlt().solve(both.transpose());
+    const Eigen::MatrixXd left = changes_ * information.ldlt().solve(Eigen::MatrixXd(changes_.transpose()));
+    std::vector<LineCorrection> result;
+    for (int l = 0; l < lines_; ++l)
+      result.push_back({std::exp(logs(l)), changes_.row(l).norm(), std::sqrt(std::max(0.0, left(l, l)))});
+    return result;
+  }
+
+ private:
+  static constexpr int kMostRounds = 12;
+  static constexpr double kSettled = 1e-9, kMostOfLogarithm = 2.0;
+
+  /// Gauss-Newton steps: with the light linear in the coefficients each would be the last.
+  void solve() {
+    coefficients_ = ModeVector::Zero(changes_.cols());
+    for (int round = 0; round < kMostRounds; ++round) {
+      take();
+      const LineVector towards = wanted_ - rayleigh_ + rayleigh_.cwiseProduct(changes_ * coefficients_);
+      const ModeVector next =
+          changes_.transpose() * rayleigh_.cwiseProduct(LineVector(covariance().ldlt().solve(towards)));
+      const double moved = (next - coefficients_).cwiseAbs().maxCoeff();
+      coefficients_ = next;
+      const double most = (changes_ * coefficients_).cwiseAbs().maxCoeff();
+      if (most > kMostOfLogarithm) coefficients_ *= kMostOfLogarithm / most;
+      if (moved < kSettled) break;
+    }
+    take();
+  }
+
+  void take() { rayleigh_ = usual_.cwiseProduct((changes_ * coefficients_).array().exp().matrix()); }
+
+  LineMatrix covariance() const {
+    const ModeMatrix response = rayleigh_.asDiagonal() * changes_;
+    LineMatrix matrix = response * response.transpose();
+    matrix.diagonal() += variance_;
+    return matrix;
+  }
+
+  LineSlopes slopes_of_rayleigh() const {
+    LineSlopes slopes = slopes_;
+    slopes.col(kLnEnergy) += changes_by_energy_ * coefficients_;
+    return rayleigh_.asDiagonal() * slopes;
+  }
+
+  int lines_;
+  ModeMatrix changes_, changes_by_energy_;
+  LineSlopes slopes_;
+  LineVector usual_, wanted_, variance_, rayleigh_;
+  ModeVector coefficients_;
+};
+
 ColumnGradient column_gradient(const ColumnModel& model, const ColumnData& data, const ColumnPoint& point) {
+  if (model.modes() > 0) return BestModes(model, data, point).gradient();
   ColumnGradient g;
   for (std::size_t l = 0; l < model.lines(); ++l) {
     const ColumnLight light = model.at(l, point);
@@ -97,12 +213,28 @@ ColumnChi2::ColumnChi2(const ColumnModel& model, const ColumnFreedom& free, cons
         for (const double ln_flux : ln_fluxes_)
           place.rayleigh_per_flux.push_back(
               std::exp(model.at(l, {ln_energies_[e], ln_flux, ln_oxygen}).ln_rayleigh - ln_flux));
+      if (model.modes() > 0) {
+        std::vector<ColumnModes> modes;
+        for (std::size_t l = 0; l < model.lines(); ++l) modes.push_back(model.modes_at(l, place.at));
+        for (const ColumnModes& one : modes)
+          for (const ColumnModes& other : modes)
+            place.ln_covariance.push_back(
+                std::inner_product(one.value.begin(), one.value.end(), other.value.begin(), 0.0));
+      }
       places_.push_back(std::move(place));
     }
 }
 
 double ColumnChi2::at(const ColumnData& data, const ColumnPoint& point) const {
   return column_gradient(model_, data, point).chi2;
+}
+
+std::vector<LineCorrection> ColumnChi2::corrections(const ColumnData& data,
+                                                    const ColumnValley& valley) const {
+  if (model_.modes() == 0) return {};
+  ColumnFreedom is_free = free_;
+  for (std::size_t k = 0; k < kColumnUnknowns; ++k) is_free[k] = free_[k] && !valley.at_edge[k];
+  return BestModes(model_, data, valley.at).corrections(is_free);
 }
 
 double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const {
@@ -119,13 +251,27 @@ double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, dou
   };
   ln_flux = free_[kLnFlux] ? 0.0 : fixed_[kLnFlux];
   take(ln_flux);
-  for (int round = 0; free_[kLnFlux] && round < kFluxRounds; ++round) {
-    double above = 0.0, below = 0.0;
-    for (std::size_t l = 0; l < model_.lines(); ++l) {
-      const double weight = per_flux[l] / (data.sigma[l] * data.sigma[l]);
-      above += weight * data.rayleigh[l];
-      below += weight * per_flux[l];
+  const auto lines = static_cast<Eigen::Index>(model_.lines());
+  // The inverse of the covariance of the lines, with the modes linear about the tables' light.
+  LineMatrix weight = LineMatrix::Zero(lines, lines);
+  const auto weigh = [&] {
+    for (Eigen::Index l = 0; l < lines; ++l) {
+      const double sigma = data.sigma[static_cast<std::size_t>(l)];
+      weight(l, l) = 1.0 / (sigma * sigma);
     }
+    if (place.ln_covariance.empty()) return;
+    const Eigen::Map<const LineVector> light(per_flux.data(), lines);
+    const Eigen::Map<const LineMatrix> ln_covariance(place.ln_covariance.data(), lines, lines);
+    LineMatrix covariance =
+        std::exp(2.0 * ln_flux) * (light.asDiagonal() * ln_covariance * light.asDiagonal());
+    for (Eigen::Index l = 0; l < lines; ++l) covariance(l, l) += 1.0 / weight(l, l);
+    weight = covariance.inverse();
+  };
+  const Eigen::Map<const LineVector> wanted(data.rayleigh.data(), lines), of_flux(per_flux.data(), lines);
+  for (int round = 0; free_[kLnFlux] && round < kFluxRounds; ++round) {
+    weigh();
+    const LineVector weighted = weight * of_flux;
+    const double above = weighted.dot(wanted), below = weighted.dot(of_flux);
     const double flux = above > 0.0 ? std::clamp(above / below, ColumnModel::kMinFlux, ColumnModel::kMaxFlux)
                                     : ColumnModel::kMinFlux;
     const double before = ln_flux;
@@ -133,13 +279,9 @@ double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, dou
     take(ln_flux);
     if (std::abs(ln_flux - before) < 1e-4) break;
   }
-  const double flux = std::exp(ln_flux);
-  double chi2 = 0.0;
-  for (std::size_t l = 0; l < model_.lines(); ++l) {
-    const double residual = (flux * per_flux[l] - data.rayleigh[l]) / data.sigma[l];
-    chi2 += residual * residual;
-  }
-  return chi2;
+  weigh();
+  const LineVector residual = std::exp(ln_flux) * of_flux - wanted;
+  return residual.dot(weight * residual);
 }
 
 ColumnValley ColumnChi2::descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const {

@@ -4,6 +4,14 @@
 // range of energies is scanned first, with the energy flux solved for at each energy (brightness is nearly
 // proportional to it). From every local minimum of that scan, damped Gauss-Newton steps (Levenberg 1944,
 // Marquardt 1963) lead to a minimum of chi2 inside the limits of the tables.
+//
+// The modes of the tables' uncertainty are solved for at every point, chi2 being the least over their
+// coefficients a of
+//
+//     sum over lines of ((R exp(M a) - y)/sigma)^2 + |a|^2,
+//
+// so that with Gaussian errors it is that of the errors and the modes together, of covariance
+// sigma^2 + (R M)(R M)^T.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,6 +43,12 @@ struct ColumnValley {
   double barrier = 0.0;
 };
 
+/// The factor on the tables' brightness of a line that the data ask for, and the error of its logarithm: that
+/// of the tables before the data, and that which the data leave.
+struct LineCorrection {
+  double factor = 1.0, ln_sigma_of_tables = 0.0, ln_sigma = 0.0;
+};
+
 class ColumnChi2 {
  public:
   /// Unknowns that are not free keep their values in `fixed`. `model` must outlive this object. Of the
@@ -48,6 +62,9 @@ class ColumnChi2 {
 
   double at(const ColumnData& data, const ColumnPoint& point) const;
 
+  /// Returns what the modes of the tables' uncertainty make of each line's brightness at a minimum.
+  std::vector<LineCorrection> corrections(const ColumnData& data, const ColumnValley& valley) const;
+
   /// Descends from `start` by changing the unknowns of `free`.
   ColumnValley descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const;
 
@@ -59,6 +76,8 @@ class ColumnChi2 {
     ColumnPoint at{};
     std::size_t energy = 0;                 ///< index among the scanned energies
     std::vector<double> rayleigh_per_flux;  ///< [line * fluxes + flux]
+    /// Covariance of the logarithms of the lines by the modes, [line * lines + line]; empty without modes.
+    std::vector<double> ln_covariance;
   };
   double best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const;
 

@@ -82,8 +82,10 @@ ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, Colum
     break;
   }
   solution.chi2 = valley.chi2;
+  solution.corrections = chi2.corrections(data, valley);
   for (std::size_t l = 0; l < chi2.model().lines(); ++l)
-    solution.rayleigh.push_back(std::exp(chi2.model().at(l, valley.at).ln_rayleigh));
+    solution.rayleigh.push_back(std::exp(chi2.model().at(l, valley.at).ln_rayleigh) *
+                                (solution.corrections.empty() ? 1.0 : solution.corrections[l].factor));
   return solution;
 }
 

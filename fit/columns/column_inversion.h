@@ -41,7 +41,9 @@ struct ColumnSolution {
   std::array<ColumnEstimate, kColumnUnknowns> of;
   double chi2 = 0.0;
   Eigen::Matrix3d correlation = Eigen::Matrix3d::Identity();  ///< of the logarithms
-  std::vector<double> rayleigh;                               ///< of the model, by line
+  std::vector<double> rayleigh;                               ///< of the model, by line, with the corrections
+  /// What the data ask of the tables' light, by line; empty for exact tables.
+  std::vector<LineCorrection> corrections;
 };
 
 struct ColumnInversion {

@@ -39,7 +39,6 @@ bool light_in_pixel(const ColumnData& data, std::size_t lines) {
 
 ColumnVerdict verdict_of_pixel(const ColumnChi2& chi2, const ColumnValley& best, const ColumnPoint& sigma_ln,
                                bool has_second) {
-  if (contradicts_tables(best.chi2, degrees_of_freedom(chi2))) return ColumnVerdict::contradiction;
   if (has_second) return ColumnVerdict::two_solutions;
   ColumnVerdict verdict = ColumnVerdict::well_constrained;
   for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
@@ -56,6 +55,14 @@ ColumnVerdict verdict_of_pixel(const ColumnChi2& chi2, const ColumnValley& best,
 void invert_pixel(const ColumnChi2& chi2, const ColumnData& data, std::size_t i, ColumnMaps& maps) {
   const std::vector<ColumnValley> valleys = chi2.valleys(data);
   const ColumnValley& best = valleys.front();
+  const int degrees = degrees_of_freedom(chi2);
+  maps.chi2[i] = static_cast<float>(best.chi2);
+  maps.consistency[i] =
+      static_cast<float>(degrees > 0 ? chi2_tail(best.chi2, degrees) : std::exp(-0.5 * best.chi2));
+  if (contradicts_tables(best.chi2, degrees)) {
+    maps.quality[i] = static_cast<std::uint8_t>(ColumnVerdict::contradiction);
+    return;
+  }
   const Eigen::Matrix3d covariance = column_covariance(best, chi2.free());
   ColumnPoint sigma_ln{};
   for (std::size_t k = 0; k < kColumnUnknowns; ++k)
@@ -73,11 +80,20 @@ void invert_pixel(const ColumnChi2& chi2, const ColumnData& data, std::size_t i,
   maps.relative_flux_error[i] = static_cast<float>(sigma_ln[kLnFlux]);
   maps.ln_oxygen_error[i] = static_cast<float>(sigma_ln[kLnOxygen]);
   if (second != nullptr) maps.other_energy_kev[i] = static_cast<float>(std::exp(second->at[kLnEnergy]));
-  maps.chi2[i] = static_cast<float>(best.chi2);
   maps.quality[i] = static_cast<std::uint8_t>(verdict_of_pixel(chi2, best, sigma_ln, second != nullptr));
 }
 
 }  // namespace
+
+bool most_contradict(const ColumnMaps& maps) {
+  std::size_t lit = 0, contradicting = 0;
+  for (const std::uint8_t quality : maps.quality) {
+    const auto verdict = static_cast<ColumnVerdict>(quality);
+    lit += verdict != ColumnVerdict::no_light && verdict != ColumnVerdict::not_measured ? 1 : 0;
+    contradicting += verdict == ColumnVerdict::contradiction ? 1 : 0;
+  }
+  return 2 * contradicting > lit;
+}
 
 ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines, std::size_t width,
                        std::size_t height, int threads) {
@@ -86,9 +102,9 @@ ColumnMaps invert_maps(const ColumnChi2& chi2, const std::vector<LineMap>& lines
   maps.height = height;
   const std::size_t pixels = width * height;
   const auto nan = static_cast<float>(sim::kNaN);
-  for (std::vector<float>* values :
-       {&maps.energy_kev, &maps.flux_mw_m2, &maps.oxygen_factor, &maps.ln_energy_error,
-        &maps.relative_flux_error, &maps.ln_oxygen_error, &maps.other_energy_kev, &maps.chi2})
+  for (std::vector<float>* values : {&maps.energy_kev, &maps.flux_mw_m2, &maps.oxygen_factor,
+                                     &maps.ln_energy_error, &maps.relative_flux_error, &maps.ln_oxygen_error,
+                                     &maps.other_energy_kev, &maps.chi2, &maps.consistency})
     values->assign(pixels, nan);
   maps.quality.assign(pixels, static_cast<std::uint8_t>(ColumnVerdict::not_measured));
   sim::parallel_for(height, threads, [&](std::size_t row, int) {

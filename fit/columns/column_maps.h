@@ -19,16 +19,21 @@ struct LineMap {
   BrightnessError error;
 };
 
-/// Results, row by row as the line maps. NaN where a pixel has no answer; an error is also NaN where the
-/// answer is at an edge of the tables.
+/// Results, row by row as the line maps. NaN where a pixel has no answer, or its lines contradict each other
+/// (but chi2 and consistency are there); an error is also NaN where the answer is at an edge of the tables.
 struct ColumnMaps {
   std::size_t width = 0, height = 0;
   std::vector<float> energy_kev, flux_mw_m2, oxygen_factor;
   std::vector<float> ln_energy_error, relative_flux_error, ln_oxygen_error;
   std::vector<float> other_energy_kev;  ///< of a second solution, else NaN
   std::vector<float> chi2;
+  /// Probability of so large a chi2 by chance; without a degree of freedom exp(-chi2/2).
+  std::vector<float> consistency;
   std::vector<std::uint8_t> quality;  ///< a ColumnVerdict
 };
+
+/// Returns whether most of the pixels that have light contradict the tables.
+bool most_contradict(const ColumnMaps& maps);
 
 /// Inverts the maps of the lines of chi2's model, in its order. Errors are by the covariance at the minimum.
 /// What a likelihood interval would add is in `quality`: an answer at an edge (or within two standard

@@ -98,6 +98,7 @@ ColumnModel::ColumnModel(const sim::EmissionTables& tables, const std::vector<do
   oxygen_nodes_ = factors.size() > 1 ? even_nodes(least_[kLnOxygen], most_[kLnOxygen], kOxygenStep)
                                      : std::vector<double>{least_[kLnOxygen]};
   tabulate_columns(tables, options, threads);
+  if (options.has_modes) tabulate_modes(tables, options, threads);
   if (options.spectrum == ColumnSpectrum::maxwellian) tabulate_flux_law(tables);
 }
 
@@ -120,6 +121,56 @@ void ColumnModel::tabulate_columns(const sim::EmissionTables& tables, const Colu
       ln_column_[(l * oxygens + o) * energies + e] = std::log(column.rayleigh);
     }
   });
+}
+
+void ColumnModel::tabulate_modes(const sim::EmissionTables& tables, const ColumnModelOptions& options,
+                                 int threads) {
+  const sim::LightModes& modes = tables.modes();
+  modes_ = modes.count();
+  if (modes_ == 0) return;
+  // Of the electrons of a single energy the modes are those of the Maxwellian with the same mean energy.
+  const double maxwellian_kev = options.spectrum == ColumnSpectrum::maxwellian ? 1.0 : 0.5;
+  const std::vector<double>& known_kev = tables.energies_kev();
+  std::vector<double> altitudes_km;
+  constexpr int kRows = 4;  // of the profile, from one altitude to the next: 1 km
+  for (int a = 0; a < sim::HeightProfile::kAltitudes; a += kRows)
+    altitudes_km.push_back(sim::HeightProfile::altitude_km(a));
+  const std::size_t energies = energy_nodes_.size(), count = static_cast<std::size_t>(modes_);
+  mode_.assign(lines() * energies * count, 0.0);
+  sim::parallel_for(energies, threads, [&](std::size_t e, int) {
+    const double energy_kev = std::clamp(std::exp(energy_nodes_[e]), known_kev.front(), known_kev.back());
+    const sim::HeightProfile profile = profile_of({tables}, lines_nm_, options, energy_kev);
+    for (std::size_t l = 0; l < lines(); ++l) {
+      const std::string column =
+          sim::column_of(*sim::find_emission_line(lines_nm_[l]), tables.maxwellian()).name;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::vector<sim::ModeValue> mode =
+            modes.at(static_cast<int>(k), column, maxwellian_kev * energy_kev, altitudes_km);
+        double light = 0.0, changed = 0.0;
+        for (std::size_t a = 0; a < mode.size(); ++a) {
+          const double rate = profile.rate[a * kRows * static_cast<std::size_t>(profile.stride) + l];
+          light += rate;
+          changed += rate * mode[a].value;
+        }
+        mode_[(l * energies + e) * count + k] = changed / light;
+      }
+    }
+  });
+}
+
+ColumnModes ColumnModel::modes_at(std::size_t line, const ColumnPoint& point) const {
+  const CubicWeights energy = cubic_weights(energy_nodes_, point[kLnEnergy]);
+  ColumnModes result;
+  for (int e = 0; e < energy.count; ++e) {
+    const double* row =
+        mode_.data() + (line * energy_nodes_.size() + energy.first + static_cast<std::size_t>(e)) *
+                           static_cast<std::size_t>(modes_);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(modes_); ++k) {
+      result.value[k] += energy.value[e] * row[k];
+      result.slope[k] += energy.slope[e] * row[k];
+    }
+  }
+  return result;
 }
 
 void ColumnModel::tabulate_flux_law(const sim::EmissionTables& tables) {

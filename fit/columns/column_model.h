@@ -27,13 +27,20 @@ enum class ColumnSpectrum { maxwellian, gaussian, mono };
 
 struct ColumnModelOptions {
   ColumnSpectrum spectrum = ColumnSpectrum::maxwellian;
-  double spread = 0.25;  ///< of a Gaussian: its standard deviation over its energy
+  double spread = 0.25;   ///< of a Gaussian: its standard deviation over its energy
+  bool has_modes = true;  ///< with the modes of the tables' uncertainty; false: the tables are exact
 };
 
 /// ln of a line's brightness in rayleighs, and its derivatives by the three unknowns.
 struct ColumnLight {
   double ln_rayleigh = 0.0;
   ColumnPoint slope{};
+};
+
+/// The derivatives of a line's ln(rayleighs) by the coefficients of the modes of the tables' uncertainty
+/// (sim/light/tables/light_modes.h), and their derivatives by ln(energy).
+struct ColumnModes {
+  std::array<double, sim::kMaxLightModes> value{}, slope{};
 };
 
 class ColumnModel {
@@ -50,6 +57,10 @@ class ColumnModel {
 
   /// Brightness at a point inside the limits.
   ColumnLight at(std::size_t line, const ColumnPoint& point) const;
+
+  /// The number of modes, and what they change at a point inside the limits, for the tables' own oxygen.
+  int modes() const { return modes_; }
+  ColumnModes modes_at(std::size_t line, const ColumnPoint& point) const;
 
   /// The range of each unknown: that of the tables, for the flux kMinFlux to kMaxFlux. If both ends are
   /// equal, the tables do not depend on it (knows() is false).
@@ -70,11 +81,14 @@ class ColumnModel {
     return ln_column_[(line * oxygen_nodes_.size() + oxygen) * energy_nodes_.size() + energy];
   }
   void tabulate_columns(const sim::EmissionTables& tables, const ColumnModelOptions& options, int threads);
+  void tabulate_modes(const sim::EmissionTables& tables, const ColumnModelOptions& options, int threads);
   void tabulate_flux_law(const sim::EmissionTables& tables);
 
   std::vector<double> lines_nm_, energy_nodes_, oxygen_nodes_, flux_nodes_;
   ColumnPoint least_{}, most_{};
   std::vector<double> ln_column_;  ///< [(line * oxygens + oxygen) * energies + energy], at 1 mW m^-2
+  int modes_ = 0;
+  std::vector<double> mode_;  ///< [(line * energies + energy) * modes + mode]
   std::vector<double>
       ln_factor_;  ///< of the flux law, [(line * energies + energy) * fluxes + flux]; or empty
 };

@@ -94,6 +94,11 @@ Json solution_json(const ColumnSolution& solution) {
         json["correlations"][std::string(kUnknownWords[a].key) + "," + kUnknownWords[b].key] =
             solution.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
   json["rayleigh"] = solution.rayleigh;
+  json["corrections"] = Json::array();
+  for (const LineCorrection& line : solution.corrections)
+    json["corrections"].push_back({{"factor", line.factor},
+                                   {"sigma_ln", line.ln_sigma},
+                                   {"sigma_ln_of_tables", line.ln_sigma_of_tables}});
   return json;
 }
 
@@ -103,7 +108,7 @@ struct MapPlane {
   const char* unit;
   const std::vector<float> ColumnMaps::*values;
 };
-constexpr std::array<MapPlane, 8> kPlanes = {
+constexpr std::array<MapPlane, 9> kPlanes = {
     {{"energy_flux", "energy flux of the electrons", "mW m-2", &ColumnMaps::flux_mw_m2},
      {"energy", "characteristic energy E0 of the electrons", "keV", &ColumnMaps::energy_kev},
      {"energy_flux_error", "relative standard error of energy_flux", "1", &ColumnMaps::relative_flux_error},
@@ -112,7 +117,8 @@ constexpr std::array<MapPlane, 8> kPlanes = {
      {"ln_oxygen_error", "standard error of the logarithm of oxygen_factor", "1",
       &ColumnMaps::ln_oxygen_error},
      {"other_energy", "energy of a second solution", "keV", &ColumnMaps::other_energy_kev},
-     {"chi2", "chi2 of the brightnesses", "1", &ColumnMaps::chi2}}};
+     {"chi2", "chi2 of the brightnesses", "1", &ColumnMaps::chi2},
+     {"consistency", "probability of so large a chi2 by chance", "1", &ColumnMaps::consistency}}};
 
 constexpr std::array<ColumnVerdict, 7> kQualities = {
     ColumnVerdict::well_constrained, ColumnVerdict::loosely_constrained, ColumnVerdict::one_sided,
@@ -304,7 +310,14 @@ std::string inversion_text(const ColumnInversion& inversion, const InversionFact
                             best.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)));
   text += fmt::format("verdict: {}; {}\n", column_verdict_name(inversion.verdict), inversion.reason);
   for (const std::string& words : inversion.degeneracies) text += words + "\n";
-  if (facts.model_error == 0.0) text += "errors of the tables are not in this: see --model-error\n";
+  for (std::size_t l = 0; l < best.corrections.size(); ++l) {
+    const LineCorrection& line = best.corrections[l];
+    text += fmt::format(
+        "{:.1f} nm: these data ask for {:.2f} ± {:.2f} of the tables' light, which is known to {:.0f} %\n",
+        inversion.lines_nm[l], line.factor, line.factor * line.ln_sigma, 100.0 * line.ln_sigma_of_tables);
+  }
+  if (facts.model_error == 0.0 && best.corrections.empty())
+    text += "errors of the tables are not in this: see --model-error\n";
   return text;
 }
 
@@ -381,6 +394,8 @@ std::string column_maps_text(const ColumnMaps& maps) {
   for (const ColumnVerdict verdict : kQualities)
     text +=
         fmt::format("  {:>9}  {}\n", counts[static_cast<std::size_t>(verdict)], column_verdict_name(verdict));
+  if (most_contradict(maps))
+    text += "verdict: most of the pixels with light contradict the tables, so that the others are doubtful\n";
   return text;
 }
 
