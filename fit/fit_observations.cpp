@@ -22,6 +22,7 @@
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
+#include "fit/uncertainty/physics_uncertainty.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "fit/uncertainty/uncertainty.h"
 #include "sim/base/error.h"
@@ -330,6 +331,7 @@ class FitRun {
                  2.0 * log_of_limits(free_, values_, step);
         },
         bounded_by_prior(settled_.prior, free_.size()), u);
+    add_physics(*cost_, values_, u);
     without_anchors(anchors_, free_, values_, u);
     if (curve_ != nullptr) widen(*curve_, u);
     return u;

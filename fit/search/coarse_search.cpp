@@ -46,7 +46,9 @@ ProfileCost::Options coarse_options() {
 
 }  // namespace
 
-bool is_searched(const FreeNumber& n) { return !n.has_role(ParameterRole::profile_coefficient); }
+bool is_searched(const FreeNumber& n) {
+  return !n.has_role(ParameterRole::profile_coefficient) && !n.has_role(ParameterRole::light_mode);
+}
 
 void sort_by_chi2(std::vector<Trial>& trials) {
   std::stable_sort(trials.begin(), trials.end(),
