@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Holds what vegard computes against measurements and against the light of other models.
+
+usage: reality.py VEGARD [--table]
+
+The tables are those of $VEGARD_REALITY, or of shared/reality beside the repository; each names its source. Without them the exit
+code is 77. --table prints every figure, as docs/validation.md has them.
+"""
+import csv
+import json
+import math
+import os
+import pathlib
+import random
+import statistics
+import subprocess
+import sys
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+REALITY = pathlib.Path(os.environ.get("VEGARD_REALITY", SOURCE.parent / "shared/reality"))
+COLUMN = {"427.8": "R_4278", "557.7": "R_5577", "630.0": "R_6300", "844.6": "R_8446"}
+LINES = [("427.8", "630.0"), ("427.8", "557.7", "630.0"), ("427.8", "557.7", "630.0", "844.6")]
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as file:
+        return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+
+class Checks:
+    def __init__(self, program, shown):
+        self.program, self.shown, self.failed = program, shown, []
+
+    def invert(self, lines, *options):
+        """`lines`: rayleighs and their errors by wavelength. No options: what a user gets by default."""
+        command = [self.program, "invert", "--json", *options]
+        for name, (rayleigh, error) in lines.items():
+            command += ["--line", f"{name}={rayleigh:.6g}±{error:.4g}"]
+        run = subprocess.run(command, capture_output=True, text=True, check=False)
+        if run.returncode not in (0, 5):
+            sys.exit(f"{' '.join(command)}\n{run.stderr}")
+        return json.loads(run.stdout)
+
+    def require(self, what, value, low, high):
+        good = low <= value <= high
+        if self.shown or not good:
+            print(f"{what}: {value:.3g}, {'within' if good else 'NOT WITHIN'} {low:g} to {high:g}")
+        if not good:
+            self.failed.append(what)
+
+
+def holds(interval, truth):
+    low, high = interval
+    return (low is None or low <= truth) and (high is None or truth <= high)
+
+
+class Tally:
+    """Energies found, against the true ones."""
+
+    def __init__(self):
+        self.ratios, self.in68, self.in95, self.contradictions = [], 0, 0, 0
+
+    def add(self, answer, truth_kev):
+        energy = answer["solutions"][0]["energy_kev"]
+        self.ratios.append(energy["value"] / truth_kev)
+        self.in68 += holds(energy["interval68"], truth_kev)
+        self.in95 += holds(energy["interval95"], truth_kev)
+        self.contradictions += answer["verdict"].startswith("lines contradict")
+
+    def share(self, inside):
+        return 100.0 * inside / len(self.ratios)
+
+    def median(self):
+        return statistics.median(self.ratios)
+
+
+def poker_flat_2008(checks):
+    """E0 of a radar (its mean energy is twice that of a Maxwellian) and of the photometer beside it, 5 % a line."""
+    for lines in LINES[:2]:
+        tally, green = Tally(), []
+        for row in rows_of(REALITY / "pfisr_msp_20080326.csv")[::2]:
+            answer = checks.invert({name: (float(row[COLUMN[name]]), 0.05 * float(row[COLUMN[name]])) for name in lines})
+            tally.add(answer, 0.5 * float(row["mean_E_radar_peer_keV"]))
+            if "557.7" in lines:
+                green.append(answer["solutions"][0]["corrections"][1]["factor"])
+        name = "Poker Flat 2008, " + "+".join(lines)
+        checks.require(f"{name}: E0 over the radar's, median", tally.median(), 0.85, 1.15)
+        checks.require(f"{name}: radar's E0 in 95 % intervals, %", tally.share(tally.in95), 88, 100)
+        checks.require(f"{name}: in 68 % intervals, %", tally.share(tally.in68), 55, 100)
+        checks.require(f"{name}: contradictions", tally.contradictions, 0, 0)
+        if green:
+            checks.require(f"{name}: 557.7 nm over the tables', median", statistics.median(green), 0.6, 1.6)
+
+
+def glow(checks):
+    """Stock GLOW 0.981, E0 0.5 to 10 keV at 5 mW m^-2, with normal errors of 3 % (seed 4)."""
+    random.seed(4)
+    for lines in LINES:
+        tally = Tally()
+        for row in rows_of(REALITY / "glow0981_equinox_columns.csv"):
+            energy = float(row["E0_keV"])
+            if energy < 0.5:
+                continue
+            light = {name: 5.0 * float(row[COLUMN[name]]) for name in lines}
+            tally.add(checks.invert({name: (r * (1.0 + 0.03 * random.gauss(0.0, 1.0)), 0.03 * r) for name, r in light.items()}), energy)
+        name = "GLOW, " + "+".join(lines)
+        checks.require(f"{name}: E0 over the true one, median", tally.median(), 0.75, 1.25)
+        checks.require(f"{name}: true E0 in 95 % intervals, %", tally.share(tally.in95), 88, 100)
+        checks.require(f"{name}: in 68 % intervals, %", tally.share(tally.in68), 40, 100)
+        checks.require(f"{name}: contradictions", tally.contradictions, 0, 0)
+
+
+def trex_atm(checks):
+    """Columns that the program's notebooks print for E0 5 keV and 10 mW m^-2, with errors of 3 %."""
+    for row in rows_of(REALITY / "trex_atm_notebooks.csv"):
+        if row["kind"] != "forward":
+            continue
+        for lines in LINES[1:]:
+            answer = checks.invert({name: (float(row[COLUMN[name]]), 0.03 * float(row[COLUMN[name]])) for name in lines})
+            name = f"TREx-ATM {row['time'][:4]}, {'+'.join(lines)}"
+            best = answer["solutions"][0]
+            checks.require(f"{name}: E0", best["energy_kev"]["value"], 5.0 / 1.3, 5.0 * 1.3)
+            checks.require(f"{name}: energy flux", best["energy_flux_mw_m2"]["value"], 8.5, 11.5)
+            checks.require(f"{name}: chance", answer["chance"], 0.0027, 1.0)
+
+
+def poker_2023(checks):
+    """Cells of a camera's maps, 15 % a line: no energy is known, but the lines must agree."""
+    cells = rows_of(REALITY / "poker2023_cells.csv")[::10]
+    answers = [checks.invert({name: (float(row[COLUMN[name]]), 0.15 * float(row[COLUMN[name]])) for name in LINES[1]}) for row in cells]
+    contradicting = sum(answer["verdict"].startswith("lines contradict") for answer in answers)
+    checks.require("Poker Flat 2023: contradicting cells, %", 100.0 * contradicting / len(cells), 0, 10)
+    green = [math.log(answer["solutions"][0]["corrections"][1]["factor"]) for answer in answers]
+    checks.require("Poker Flat 2023: 557.7 nm over the tables', median", math.exp(statistics.median(green)), 0.6, 1.6)
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    if not REALITY.is_dir():
+        print(f"skipped: no tables of measurements in {REALITY}")
+        return 77
+    checks = Checks(sys.argv[1], "--table" in sys.argv)
+    for check in (poker_flat_2008, glow, trex_atm, poker_2023):
+        check(checks)
+    for what in checks.failed:
+        print(f"reality.py: {what}", file=sys.stderr)
+    return 1 if checks.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
