@@ -57,6 +57,7 @@ done
 gallery_options() { # NAME: sets options
   local sheet
   options=(--set camera.width=120 --set camera.height=80 --set camera.focal_px=38)
+  if grep -q '"equirectangular"' "inputs/gallery/$1.toml"; then options=(--set camera.width=120 --set camera.height=60); fi
   while read -r sheet; do options+=(--set "sheet.$sheet.beams_per_km=4"); done < <(
     awk '/^\[/ { sheet = /^\[\[sheet\]\]/ } sheet && /^name = / { gsub(/"/, ""); print $3 }' "inputs/gallery/$1.toml"
   )
