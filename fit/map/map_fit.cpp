@@ -106,6 +106,14 @@ struct WorkShares {
   }
 };
 
+/// Returns what each replicate draws: the numbers of fit.free and the tables' uncertainty.
+std::vector<MapNumber> numbers_of(const sim::Scene& scene) {
+  std::vector<MapNumber> numbers = map_numbers(scene);
+  const std::vector<MapNumber> modes = mode_numbers(scene);
+  numbers.insert(numbers.end(), modes.begin(), modes.end());
+  return numbers;
+}
+
 /// Solves the coarse and then the fine problem.
 class Mapping {
  public:
@@ -114,7 +122,7 @@ class Mapping {
         photos_(photos),
         options_(options),
         scenes_(scenes_of(scene, photos)),
-        numbers_(map_numbers(scene)),
+        numbers_(numbers_of(scene)),
         share_(options) {}
 
   MapResult run();

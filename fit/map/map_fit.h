@@ -36,12 +36,18 @@ struct MapNumber {
   double value = 0.0;
   double error = 0.0;  ///< standard deviation of the prior
   double min = 0.0, max = 0.0;
+  int mode = -1;  ///< of the emission tables' uncertainty, from 0, which has no path; -1: another number
 };
 
 /// Returns the numbers in the scene's fit.free that belong to the camera, the air, the field or the blur.
 /// Others are ignored: a map solves for the light of emitters, the sky and the gains itself. Throws
 /// sim::Error(scene) as fit.free does, and for a number without a normal prior about the scene's own value.
 std::vector<MapNumber> map_numbers(const sim::Scene& scene);
+
+/// Returns the coefficients of the modes of the emission tables' uncertainty
+/// (sim/light/tables/light_modes.h), with the standard deviation 1; none if the scene takes its tables as
+/// exact, or they have no modes.
+std::vector<MapNumber> mode_numbers(const sim::Scene& scene);
 
 /// Returns the scene with other values of these numbers, moved inside their limits.
 sim::Scene scene_with(sim::Scene scene, const std::vector<MapNumber>& numbers,

@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/photo_scene.h"
 
@@ -70,10 +71,31 @@ std::vector<MapNumber> map_numbers(const sim::Scene& scene) {
   return numbers;
 }
 
+std::vector<MapNumber> mode_numbers(const sim::Scene& scene) {
+  std::vector<MapNumber> numbers;
+  if (scene.emission.uncertainty == sim::TablesUncertainty::none) return numbers;
+  const int count = sim::emission_tables(scene).modes().count();
+  for (int k = 0; k < count; ++k) {
+    MapNumber n;
+    n.label = "mode " + std::to_string(k + 1) + " of the emission tables";
+    n.mode = k;
+    n.value = static_cast<std::size_t>(k) < scene.emission.modes.size() ? scene.emission.modes[k] : 0.0;
+    n.error = 1.0;
+    numbers.push_back(n);
+  }
+  return numbers;
+}
+
 sim::Scene scene_with(sim::Scene scene, const std::vector<MapNumber>& numbers,
                       const std::vector<double>& values) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MapNumber& n = numbers[i];
+    if (n.mode >= 0) {
+      const auto mode = static_cast<std::size_t>(n.mode);
+      if (scene.emission.modes.size() <= mode) scene.emission.modes.resize(mode + 1, 0.0);
+      scene.emission.modes[mode] = values[i];
+      continue;
+    }
     const std::string text = sim::short_number(std::clamp(values[i], n.min, n.max), 17);
     if (n.photo.empty()) {
       sim::set_from_text(scene, n.path, text);

@@ -321,13 +321,20 @@ std::string prior_words(const MapResult& result) {
     html += "<p>All light is at " + sim::short_number(result.altitude_scale, 4) +
             " times the altitudes of the tables, as asked (--altitude-scale).</p>\n";
   if (!result.numbers.empty() && !result.replicates.empty()) {
-    html += "<p>In the error bars is also what is not known of ";
-    for (const MapNumber& n : result.numbers)
-      html +=
-          (&n == &result.numbers.front() ? "" : ", ") + sim::html_text(n.label) + " (" +
+    std::string unknown;
+    bool has_modes = false;
+    for (const MapNumber& n : result.numbers) {
+      has_modes = has_modes || n.mode >= 0;
+      if (n.mode >= 0) continue;
+      unknown +=
+          (unknown.empty() ? "" : ", ") + sim::html_text(n.label) + " (" +
           sim::html_text(sim::number_with_error(n.value, n.error) + (n.unit.empty() ? "" : " " + n.unit)) +
           ")";
-    html += ".</p>\n";
+    }
+    if (has_modes)
+      unknown += (unknown.empty() ? "" : ", ") +
+                 std::string("the light of electrons (the emission tables' uncertainty)");
+    html += "<p>In the error bars is also what is not known of " + unknown + ".</p>\n";
   }
   if (result.trials.empty()) return html;
   html += "<table>\n<tr><th>strength</th><th>loss of what was left out</th></tr>\n";

@@ -9,6 +9,7 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_verdicts.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/sight_lines.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/photo_scene.h"
@@ -185,6 +186,18 @@ TEST(MapNumbers, AreThoseOfCameraAndAirWithTheirPriors) {
   EXPECT_EQ(other.air.aerosol_optical_depth, 0.2);
   EXPECT_EQ(other.camera.elevation_deg, scene.camera.elevation_deg);
   EXPECT_EQ(sim::scene_of_photo(other, other.fit.photos[1]).camera.elevation_deg, 41.5);
+}
+
+TEST(MapNumbers, ModesOfTheTablesAreDrawnAsNumbers) {
+  sim::Scene scene = sim::parse_scene(kCamera, "scene");
+  const std::vector<MapNumber> modes = mode_numbers(scene);
+  ASSERT_EQ(static_cast<int>(modes.size()), sim::emission_tables(scene).modes().count());
+  ASSERT_GT(modes.size(), 2u);
+  std::vector<double> values(modes.size(), 0.0);
+  values[1] = -1.5;
+  EXPECT_EQ(scene_with(scene, modes, values).emission.modes, values);
+  scene.emission.uncertainty = sim::TablesUncertainty::none;
+  EXPECT_TRUE(mode_numbers(scene).empty());
 }
 
 TEST(MapNumbers, NeedPriors) {
