@@ -20,7 +20,9 @@ std::string label_of(const sim::EmissionLine& line) {
   for (const sim::EmissionLine& other : sim::emission_lines())
     if (std::string(other.table_column) == line.table_column)
       names += fmt::format("{}{:.1f}", names.empty() ? "" : " and ", other.wavelength_nm);
-  return fmt::format("{} nm, {}, T = {:g} s", names, line.species, line.lifetime_s);
+  return fmt::format("{} nm, {}, T = {} s", names, line.species,
+                     line.lifetime_s < 100.0 ? fmt::format("{:.2g}", line.lifetime_s)
+                                             : fmt::format("{:.0f}", line.lifetime_s));
 }
 
 }  // namespace

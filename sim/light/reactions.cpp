@@ -116,7 +116,8 @@ RatesAtPlace Reactions::at(double temperature_k, double electron_temperature_k) 
 double Reactions::rate(Reaction reaction, double temperature_k) const {
   const Row& row = rows_.at(static_cast<int>(reaction));
   assert(row.of == 1);
-  return row.value * std::pow(temperature_k / kRoomK, row.exponent) * std::exp(-row.activation_k / temperature_k);
+  return row.value * std::pow(temperature_k / kRoomK, row.exponent) *
+         std::exp(-row.activation_k / temperature_k);
 }
 
 double Reactions::value(Reaction reaction) const {

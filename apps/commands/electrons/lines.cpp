@@ -225,7 +225,7 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
 std::string lifetime_text(double seconds) {
   if (seconds == 0.0) return "–";
   if (seconds >= 3600.0) return fmt::format("{:.0f} h", seconds / 3600.0);
-  if (seconds >= 1e-3) return fmt::format("{:g} s", seconds);
+  if (seconds >= 1e-3) return fmt::format("{:.4g} s", seconds);
   return seconds >= 1e-6 ? fmt::format("{:g} µs", seconds * 1e6) : fmt::format("{:.0f} ns", seconds * 1e9);
 }
 

@@ -61,10 +61,13 @@ constexpr const char* kFirstPositiveSource =
 
 }  // namespace
 
-/// Sources of the lifetimes: 630.0 nm 110 s, 557.7 nm 0.7 s and 427.8 nm below 1 ms as in Baranoski et al.
-/// 2000, section 2.1; the N2 bands and the allowed lines of O are prompt (microseconds at most; the level
-/// B3Pi, v' = 3, lives 1/sum(A) = 6.5 microseconds by Vallance Jones 1974); 520.0 nm, N(2D), 26 hours.
+/// Lifetimes of O(1D) and O(1S): one over the sum of the Einstein coefficients of all their light, as
+/// data/electrons/reactions.csv has them (a test compares); Baranoski et al. 2000, section 2.1, have 110 s
+/// and 0.7 s, and 427.8 nm below 1 ms. The N2 bands and the allowed lines of O are prompt (microseconds at
+/// most; the level B3Pi, v' = 3, lives 1/sum(A) = 6.5 microseconds by Vallance Jones 1974); 520.0 nm, N(2D),
+/// 26 hours.
 std::vector<EmissionLine> auroral_lines() {
+  constexpr double kOxygen1dS = 1.0 / (6.48e-3 + 2.10e-3), kOxygen1sS = 1.0 / (1.26 + 0.134);
   return {
       {337.1, "N2", "second positive (0,0)", 4e-8, "ver_3371", 1.0, "", "N2 second positive (1,1) 333.8", {}},
       {391.4,
@@ -86,11 +89,11 @@ std::vector<EmissionLine> auroral_lines() {
        "N2+ first negative (1,2) 423.7, N2 second positive (1,5) 426.8, N2 Vegard-Kaplan (4,15)",
        {}},
       {520.0, "N", "(2D)-(4S)", 94000.0, "ver_5200", 1.0, "", "N2+ first negative (0,3) 522.8", {}},
-      {557.7, "O", "(1S)-(1D)", 0.7, "ver_5577", 1.0, "", "", {}},
+      {557.7, "O", "(1S)-(1D)", kOxygen1sS, "ver_5577", 1.0, "", "", {}},
       {630.0,
        "O",
        "(1D)-(3P)",
-       110.0,
+       kOxygen1dS,
        "ver_6300",
        1.0,
        "",
@@ -99,7 +102,7 @@ std::vector<EmissionLine> auroral_lines() {
       {636.4,
        "O",
        "(1D)-(3P)",
-       110.0,
+       kOxygen1dS,
        "ver_6300",
        1.0 / 2.997,
        kRedSource,
