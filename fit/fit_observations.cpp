@@ -224,7 +224,9 @@ class FitRun {
     settle_priors(outcome);
     evaluate_answer();
     const Uncertainty u = find_error_bars();
-    put_answer(u);
+    Uncertainty with_physics = u;
+    if (!evidence_.stopped) add_physics(*cost_, values_, with_physics);
+    put_answer(with_physics);
     judge(outcome);
     if (r_.verdict == Verdict::good || r_.verdict == Verdict::doubtful)
       validate_error_bars({scene_, free_, observations_, values_, settled_.prior, r_.error_inflation, u},
@@ -331,7 +333,6 @@ class FitRun {
                  2.0 * log_of_limits(free_, values_, step);
         },
         bounded_by_prior(settled_.prior, free_.size()), u);
-    add_physics(*cost_, values_, u);
     without_anchors(anchors_, free_, values_, u);
     if (curve_ != nullptr) widen(*curve_, u);
     return u;

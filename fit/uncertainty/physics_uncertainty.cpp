@@ -4,23 +4,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "sim/light/tables/emission_tables.h"
 
 namespace vegard::fit {
 namespace {
 
-/// The number of modes to be considered.
-int considered_modes(const ProfileCost& cost) {
+/// The modes to be considered.
+std::vector<std::size_t> considered_modes(const ProfileCost& cost) {
   const sim::Scene& scene = cost.terms().front().scene;
-  if (scene.emission.uncertainty == sim::TablesUncertainty::none) return 0;
+  if (scene.emission.uncertainty == sim::TablesUncertainty::none) return {};
   const auto by_tables = [](const auto& each) { return sim::is_of_electrons(each.profile); };
   if (std::none_of(scene.sheets.begin(), scene.sheets.end(), by_tables) &&
       std::none_of(scene.footprints.begin(), scene.footprints.end(), by_tables))
-    return 0;
-  for (const FreeNumber& number : cost.moved())
-    if (number.has_role(sim::ParameterRole::light_mode)) return 0;
-  return sim::emission_tables(scene).modes().count();
+    return {};
+  std::vector<std::size_t> modes;
+  for (int k = 0; k < sim::emission_tables(scene).modes().count(); ++k) {
+    const auto is_this = [&](const FreeNumber& number) {
+      return number.has_role(sim::ParameterRole::light_mode) && number.id.component == k;
+    };
+    if (std::none_of(cost.moved().begin(), cost.moved().end(), is_this))
+      modes.push_back(static_cast<std::size_t>(k));
+  }
+  return modes;
 }
 
 /// Half the gradient of the data's chi2 by the coordinates.
@@ -41,33 +48,48 @@ Eigen::VectorXd half_gradient(const ProfileCost& cost, const std::vector<double>
 }  // namespace
 
 void add_physics(const ProfileCost& cost, const std::vector<double>& values, Uncertainty& u) {
-  const int modes = considered_modes(cost);
-  if (modes == 0) return;
-  const auto n = static_cast<Eigen::Index>(values.size());
-  Eigen::MatrixXd covariance(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (Eigen::Index k = 0; k < n; ++k)
-      covariance(j, k) = u.covariance[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
-  const Eigen::MatrixXd of_data = covariance / (u.inflation * u.inflation);
-  const Eigen::VectorXd usual = half_gradient(cost, values);
-  for (int k = 0; k < modes; ++k) {
+  const std::vector<std::size_t> modes = considered_modes(cost);
+  if (modes.empty()) return;
+  const std::size_t n = values.size();
+  const auto size = static_cast<Eigen::Index>(n);
+  Eigen::MatrixXd covariance(size, size);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k)
+      covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = u.covariance[j][k];
+  const Eigen::MatrixXd before_inflation = covariance / (u.inflation * u.inflation);
+  EvaluationLog aside;
+  const auto gradient_of = [&](const std::vector<CostTerm>& terms) {
+    return half_gradient(ProfileCost(cost.moved(), terms, aside), values);
+  };
+  const Eigen::VectorXd usual = gradient_of(cost.terms());
+  std::vector<bool> is_unknown(n, false);
+  for (const std::size_t mode : modes) {
     std::vector<CostTerm> terms = cost.terms();
     for (CostTerm& term : terms) {
       std::vector<double>& coefficients = term.scene.emission.modes;
-      coefficients.resize(static_cast<std::size_t>(modes), 0.0);
-      coefficients[static_cast<std::size_t>(k)] += 1.0;
+      coefficients.resize(std::max(coefficients.size(), mode + 1), 0.0);
+      coefficients[mode] += 1.0;
     }
-    EvaluationLog aside;
-    const ProfileCost changed(cost.moved(), terms, aside, {{}, {}, {}, 1.0, cost.anchors()});
-    const Eigen::VectorXd shift = of_data * (half_gradient(changed, values) - usual);
-    if (shift.allFinite()) covariance += shift * shift.transpose();
+    Eigen::VectorXd shift = before_inflation * (gradient_of(terms) - usual);
+    for (std::size_t j = 0; j < n; ++j) {
+      double& of_number = shift(static_cast<Eigen::Index>(j));
+      is_unknown[j] = is_unknown[j] || !std::isfinite(of_number);
+      if (!std::isfinite(of_number)) of_number = 0.0;
+    }
+    covariance += shift * shift.transpose();
   }
-  for (Eigen::Index j = 0; j < n; ++j) {
-    for (Eigen::Index k = 0; k < n; ++k)
-      u.covariance[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] = covariance(j, k);
-    double& sigma = u.sigma[static_cast<std::size_t>(j)];
-    if (!std::isnan(sigma)) sigma = std::sqrt(covariance(j, j));
+  for (std::size_t j = 0; j < n; ++j) {
+    double& sigma = u.sigma[j];
+    if (is_unknown[j]) sigma = std::numeric_limits<double>::quiet_NaN();
+    if (!std::isnan(sigma))
+      sigma = std::sqrt(covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(j)));
   }
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k) {
+      u.covariance[j][k] = covariance(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+      const double both = u.sigma[j] * u.sigma[k];
+      u.correlation[j][k] = both > 0.0 ? u.covariance[j][k] / both : 0.0;
+    }
 }
 
 }  // namespace vegard::fit

@@ -24,10 +24,10 @@ const char* const kCamera =
 sim::Scene two_curves() {
   return sim::parse_scene(std::string(kCamera) +
                               "[[sheet]]\nname = \"near\"\ncourse = \"curve\"\nlayers = 1\nwidth_km = 2\n"
-                              "beams_per_km = 12\nenergy_flux_mw_m2 = 10\nenergy_kev = 4\n"
+                              "beams_per_km = 12\nenergy_flux_mw_m2 = 13\nenergy_kev = 4\n"
                               "east_km = [-80, -30, 25, 80]\nnorth_km = [180, 168, 190, 178]\n"
                               "[[sheet]]\nname = \"far\"\ncourse = \"curve\"\nlayers = 1\nwidth_km = 2\n"
-                              "beams_per_km = 12\nenergy_flux_mw_m2 = 5\nenergy_kev = 3\n"
+                              "beams_per_km = 12\nenergy_flux_mw_m2 = 6.5\nenergy_kev = 3\n"
                               "east_km = [-110, -20, 60, 120]\nnorth_km = [275, 290, 272, 280]\n",
                           "scene");
 }

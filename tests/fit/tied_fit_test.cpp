@@ -79,6 +79,7 @@ TEST(TiedFit, TwoSheetsShareOneEnergyAndKeepTheirDistance) {
 TEST(TiedFit, AnAngleInAFormulaKeepsItsTurns) {
   const sim::Scene truth = two_sheets();
   sim::Scene scene = truth;
+  scene.emission.uncertainty = sim::TablesUncertainty::none;
   scene.fit.free = {tests::free_entry("sheet.near.phase_rad")};
   scene.fit.free[0].start = 2.0 * std::acos(-1.0) + 0.05;
   scene.fit.tied = {{"sheet.far.phase_rad", "1 - pi + sheet.near.phase_rad / 2", "", 0}};

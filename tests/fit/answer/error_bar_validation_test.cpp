@@ -25,6 +25,7 @@ constexpr int kBands = 16;
 sim::Scene validated_scene() {
   sim::Scene scene = tests::small_scene();
   scene.sheets[0].spacing_jitter = 0.0;
+  scene.emission.uncertainty = sim::TablesUncertainty::none;  // of the data alone
   scene.sheets[0].layers = 1;
   scene.sheets[0].beams = 300;
   scene.sky.level = {0.002, 0.003, 0.004};
