@@ -15,6 +15,8 @@ refuses 2 "--oxygen-factors" -o out --oxygen-factors 0.5,2
 refuses 2 "--oxygen-factors" -o out --oxygen-factors 1,0.5
 refuses 2 "--oxygen-factors" -o out --oxygen-factors 1,nan
 refuses 2 "--refinement" -o out --refinement 0.01
+refuses 2 "--steady | --seconds" -o out --steady --seconds 60
+refuses 2 "--seed | --ensemble" -o out --seed 3
 refuses 3 "missing.csv" -o out --atmosphere missing.csv
 printf 'altitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n400,1000,4e6,1e5,1e8\n' >short.csv
 refuses 3 "80 km | 640 km" -o out --atmosphere short.csv

@@ -99,6 +99,8 @@ int run_tables(const TablesRequest& request) {
   sim::TableRequest tables;
   tables.dip_deg = request.dip_deg;
   tables.refinement = request.refinement;
+  tables.draws = request.ensemble;
+  tables.seed = request.seed;
   tables.seconds = request.steady ? std::numeric_limits<double>::infinity() : request.seconds;
   tables.oxygen_factors = request.oxygen;
   tables.air_file = air_file(request.atmosphere);
@@ -156,26 +158,28 @@ void add_tables_command(Program& program) {
   command.option("--dip-deg", options->dip_deg, "Inclination of the field to the horizontal")
       .finite_range(10.0, 90.0)
       .shows_default();
-  command
-      .option("--seconds", options->seconds,
-              "Time since the electrons have begun to fall, for ions, thermal electrons and N(2D)")
-      .finite_range(1.0, 1e6)
-      .shows_default();
-  command.flag("--steady", options->steady, "The steady state of hours in place of --seconds");
+  const Option seconds =
+      command
+          .option("--seconds", options->seconds,
+                  "Time since the electrons have begun to fall, for ions, thermal electrons and N(2D)")
+          .finite_range(1.0, 1e6)
+          .shows_default();
+  command.flag("--steady", options->steady, "The steady state of hours in place of --seconds")
+      .excludes(seconds);
   command
       .option("--refinement", options->refinement,
               "Fineness of the steps in energy and altitude; the work grows as its cube (columns at 0.5 "
               "agree with 1 within 0.3 %)")
       .finite_range(0.25, 2.0)
       .shows_default();
-  command
-      .option(
-          "--ensemble", options->ensemble,
-          "Draw the numbers of physics so often within their uncertainty, and write the modes of the light's "
-          "(modes.csv)")
-      .range(2, kMostDraws)
-      .type_name("DRAWS");
-  command.option("--seed", options->seed, "Of the draws").shows_default();
+  const Option ensemble = command
+                              .option("--ensemble", options->ensemble,
+                                      "Draw the numbers of physics so often within their uncertainty, and "
+                                      "write the modes of the light's "
+                                      "(modes.csv)")
+                              .range(2, kMostDraws)
+                              .type_name("DRAWS");
+  command.option("--seed", options->seed, "Of the draws").shows_default().needs(ensemble);
   add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace a folder of emission tables");
   command.runs([options] { return run_tables(*options); });

@@ -35,7 +35,7 @@ struct IonDensities {
   double ions() const { return n2p + np + o2p + op + op2d + op2p + nop; }
 };
 
-/// Returns the ions of a night without aurora: electrons of 1e5 cm^-3 at 300 km, half as many 40 km below,
+/// Returns the ions of a night without aurora: electrons of 1e5 cm^-3 at 300 km, half as many 65 km below,
 /// and 2e3 farther down. ESTIMATED within a factor of 3, as the auroral zone's F layer varies.
 IonDensities night_ions(const ReactingAir& air);
 

@@ -53,7 +53,8 @@ class Changes {
           shares.push_back(0.5 * (below + above) * rate[a]);
           column += shares.back();
         }
-        for (const double share : shares) weight_.push_back(mode_weight(columns_[c]) * share / column);
+        for (const double share : shares)
+          weight_.push_back(column > 0.0 ? mode_weight(columns_[c]) * share / column : 0.0);
       }
   }
 
@@ -68,7 +69,7 @@ class Changes {
         const std::vector<double>&before = usual_[c][e], &now = light[c][e];
         const double faint = kFaintOfPeak * *std::max_element(before.begin(), before.end());
         for (std::size_t a = 0; a < before.size(); ++a)
-          change[i++] = std::log((now[a] + faint) / (before[a] + faint));
+          change[i++] = faint > 0.0 ? std::log((now[a] + faint) / (before[a] + faint)) : 0.0;
       }
     return change;
   }
@@ -109,7 +110,7 @@ std::vector<std::string> lines_of_tables(const TableRequest& request) {
 double mode_weight(const std::string& column) {
   if (column == "ver_4278") return 4.0;
   if (column == "ver_5577" || column == "ver_6300") return 1.0;
-  return column == "ver_5200" ? 0.01 : 0.2;
+  return column == "ver_5200" ? 0.1 : 0.5;
 }
 
 std::string make_light_modes(const TableRequest& request, const ModeRequest& modes, int threads,
@@ -118,6 +119,7 @@ std::string make_light_modes(const TableRequest& request, const ModeRequest& mod
   require_air_of_tables(request);
   TableRequest usual = request;
   usual.mono_kev.clear();
+  usual.air = changed_air(usual.air, {});  // what it leaves to formulae, as the draws have it
   const std::vector<double> energies_kev = energies_of_modes(request);
   const std::vector<std::string> columns = lines_of_tables(usual);
   const auto draws = static_cast<std::size_t>(modes.draws);

@@ -15,7 +15,7 @@ namespace vegard::sim {
 struct ModeRequest {
   int draws = 200;
   std::uint64_t seed = 1;
-  double carried_share = 0.95;  ///< of the variance, by the modes together
+  double carried_share = 0.98;  ///< of the variance, by the modes together
 };
 
 /// What the modes are of, for a report.

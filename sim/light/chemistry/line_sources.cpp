@@ -217,7 +217,8 @@ class LightOfElectrons {
           })},
          {"O2 + e", photons([&](std::size_t m) { return value(R::o1s_of_o2) * o2_7774[m]; })},
          {"O2+ + N", photons([&](std::size_t m) {
-            return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n * light_.ions[m].o2p;
+            return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n *
+                   (light_.ions[m].o2p - night_[m].o2p);
           })},
          {"N+ + O2", photons([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}},
         losses_s);

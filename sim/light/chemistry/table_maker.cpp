@@ -122,7 +122,11 @@ std::string about_json(const TableRequest& request) {
          ",\n  \"seconds\": " + (std::isinf(request.seconds) ? "null" : table_number("%g", request.seconds)) +
          ",\n  \"dip_deg\": " + table_number("%g", request.dip_deg) +
          ",\n  \"refinement\": " + table_number("%g", request.refinement) + ",\n  \"oxygen_factors\": [" +
-         factors + "]\n}\n";
+         factors + "]" +
+         (request.draws > 0 ? ",\n  \"mode_draws\": " + std::to_string(request.draws) +
+                                  ",\n  \"mode_seed\": " + std::to_string(request.seed)
+                            : "") +
+         "\n}\n";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // tables").
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -28,6 +29,8 @@ struct TableRequest {
   Reactions reactions = Reactions::standard();
   std::string reactions_name = "data/electrons/reactions.csv";
   double seconds = 120.0;  ///< since the electrons have begun to fall; infinite: a steady state
+  int draws = 0;  ///< of the modes that are written beside the tables, and their seed, for about.json
+  std::uint64_t seed = 0;
   std::vector<double> oxygen_factors = {0.5, 1.0, 2.0};  ///< increasing, 1 among them
   std::vector<double> maxwellian_kev = usual_maxwellian_kev(), mono_kev = usual_mono_kev();  ///< increasing
   /// Of the energies and places. At 0.5 columns are within 0.3 % of those at 1, and peaks within 0.1 km.

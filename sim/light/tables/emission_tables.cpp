@@ -70,6 +70,22 @@ Error oxygen_error(const Scene& scene, int line, const std::string& problem) {
   return Error(ErrorKind::scene, problem).file(scene.file).line(line).key(kOxygenPath);
 }
 
+/// Throws Error(scene) for more coefficients of modes than the tables have, and reads the modes of a folder.
+void check_modes(const Scene& scene) {
+  const bool are_given = !scene.emission.modes.empty();
+  if (!are_given && are_built_in_tables(scene.emission.tables)) return;
+  const int known = emission_tables(scene).modes().count();
+  if (!are_given || static_cast<int>(scene.emission.modes.size()) <= known) return;
+  const std::string key = "emission.modes";
+  throw Error(ErrorKind::scene, "the emission tables have " + std::to_string(known) + " modes, and " +
+                                    std::to_string(scene.emission.modes.size()) + " coefficients are given")
+      .file(scene.file)
+      .line(line_of(scene, key))
+      .key(key)
+      .expected(known > 0 ? std::to_string(known) + " at most" : "none, or tables with modes.csv")
+      .hint("vegard tables --ensemble writes the modes");
+}
+
 }  // namespace
 
 template <class Table>
@@ -136,6 +152,7 @@ EmissionSource emission_source(const Scene& scene) {
 }
 
 void check_emission_tables(const Scene& scene) {
+  check_modes(scene);
   bool is_free = false;
   for (const FreeParameter& free : scene.fit.free) is_free = is_free || free.path == kOxygenPath;
   const double factor = scene.emission.oxygen_factor;

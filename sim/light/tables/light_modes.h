@@ -21,7 +21,7 @@
 namespace vegard::sim {
 
 /// Largest number of modes.
-inline constexpr int kMaxLightModes = 8;
+inline constexpr int kMaxLightModes = 16;
 
 /// A mode at an altitude, and its derivative by the logarithm of E0.
 struct ModeValue {
@@ -41,7 +41,6 @@ class LightModes {
   explicit LightModes(const CsvTable& table);
 
   int count() const { return count_; }
-  bool has(const std::string& column) const { return values_.count(column) > 0; }
 
   /// Returns a mode, from 0, of a column ("ver_5577") at each of the altitudes: linear between the table's
   /// altitudes and, in the logarithm, between its energies; constant beyond. 0 for a column without modes.

@@ -6,8 +6,8 @@
 // below the lowest energy is thermal, and the rest stays in the molecule.
 //
 // Angles: after a loss W of E an electron goes straight on with the probability sqrt(1 - W/E), the cosine of
-// a binary encounter, and anywhere else: its mean cosine is the encounter's. Second electrons go anywhere. With
-// a factor f on the mean turn the probability is 1 - f (1 - sqrt(1 - W/E)), 0 at least.
+// a binary encounter, and anywhere else: its mean cosine is the encounter's. Second electrons go anywhere.
+// With a factor f on the mean turn the probability is 1 - f (1 - sqrt(1 - W/E)), 0 at least.
 #pragma once
 
 #include <array>
@@ -48,7 +48,6 @@ struct Degradation {
 /// What a factor may be on besides curves of cross_sections.csv and emissions.csv: the mean turn by elastic
 /// collisions (the ratio 101 over 100), and the mean turn by inelastic ones.
 inline constexpr int kElasticTurn = 101, kInelasticTurn = 102;
-
 
 /// Computes the cross-sections on a grid; deterministic. Takes some tenths of a second for a grid up to 20
 /// keV. `factor_of_process`: factors on curves of cross_sections.csv and emissions.csv, kElasticTurn,

@@ -58,7 +58,8 @@ TEST(IonBalance, LeavesMoleculesLowAndAtomsHigh) {
 }
 
 // O2+ in pure O2 grows as sqrt(P/alpha) tanh(t sqrt(P alpha) + c) from the night's NO+ floor, which is small
-// against it: eight implicit steps are within 8 % of it at 20 s, where it grows fastest, and 5 % from 60 s on.
+// against it: eight implicit steps are within 8 % of it at 20 s, where it grows fastest, and 5 % from 60 s
+// on.
 TEST(IonBalance, GrowsWithTime) {
   const ReactingAir air{110.0, 240.0, 240.0, 0.0, 1e12, 0.0, 0.0, 0.0};
   IonProduction p;
@@ -66,7 +67,8 @@ TEST(IonBalance, GrowsWithTime) {
   const double alpha = Reactions::standard().at(240.0, 240.0).o2p_e(), last = std::sqrt(p.o2p / alpha);
   for (const double seconds : {20.0, 60.0, 200.0}) {
     const double electrons = ion_balance(air, p, Reactions::standard(), seconds).electrons;
-    EXPECT_NEAR(electrons / (last * std::tanh(seconds * p.o2p / last)), 1.0, seconds < 60.0 ? 0.08 : 0.05) << seconds;
+    EXPECT_NEAR(electrons / (last * std::tanh(seconds * p.o2p / last)), 1.0, seconds < 60.0 ? 0.08 : 0.05)
+        << seconds;
   }
   EXPECT_NEAR(ion_balance(air, p, Reactions::standard(), 1e5).electrons / last, 1.0, 1e-3);
 }

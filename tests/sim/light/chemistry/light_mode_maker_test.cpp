@@ -60,8 +60,8 @@ TEST(LightModeMaker, ModesCarryTheVarianceOfTheDraws) {
   EXPECT_NEAR(of_modes / square, 1.0, 5e-3);  // light below 1e-4 of the peak is damped
 }
 
-// GLOW is not among the draws. Of the columns of 427.8, 557.7 and 630.0 nm at 0.5 to 8 keV none of its is more
-// than 2.6 standard deviations from ours (1 % by chance).
+// GLOW is not among the draws. Of the columns of 427.8, 557.7 and 630.0 nm at 0.5 to 8 keV none of its is
+// more than 2.6 standard deviations from ours (1 % by chance).
 TEST(LightModeMaker, ShippedModesContainAnotherModel) {
   const EmissionTables &own = emission_tables("vegard"), &glow = emission_tables("glow");
   ASSERT_GT(own.modes().count(), 0);

@@ -28,10 +28,9 @@ TEST(OwnTables, AreWhatTheProgramMakes) {
     IncidentSpectrum spectrum;
     spectrum.energy_kev = energy;
     const Degradation all = degradation(energy_grid(1e3 * highest_energy_kev(spectrum), request.refinement));
-    const AuroralRun run =
-        auroral_run(all, field_air(air, request.dip_deg, request.refinement),
-                    incident_flux(spectrum, all.grid, 1.0), PitchAngles::isotropic, Reactions::standard(),
-                    request.seconds);
+    const AuroralRun run = auroral_run(all, field_air(air, request.dip_deg, request.refinement),
+                                       incident_flux(spectrum, all.grid, 1.0), PitchAngles::isotropic,
+                                       Reactions::standard(), request.seconds);
     const std::vector<double>& places = run.column.altitude_km;
     for (const SourcedLine& line : run.light.lines) {
       const std::vector<double> photons = line.photons_cm3_s();
