@@ -159,6 +159,7 @@ fit::InversionFacts facts_of(const InvertRequest& request) {
   fit::InversionFacts facts;
   facts.spectrum = request.spectrum;
   facts.tables = request.tables;
+  facts.uncertainty = request.uncertainty;
   facts.model_error = share_of(request.model_error, "--model-error");
   return facts;
 }

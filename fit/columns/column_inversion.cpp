@@ -99,8 +99,12 @@ std::string farthest_line(const ColumnInversion& inversion) {
   std::size_t farthest = 0;
   double most = 0.0;
   for (std::size_t l = 0; l < inversion.lines_nm.size(); ++l) {
-    const double normalised_residual =
-        (inversion.data.rayleigh[l] - best.rayleigh[l]) / inversion.data.sigma[l];
+    double normalised_residual = (inversion.data.rayleigh[l] - best.rayleigh[l]) / inversion.data.sigma[l];
+    // Where the tables' light may be corrected, what the correction costs is a part of chi2.
+    if (!best.corrections.empty() && best.corrections[l].ln_sigma_of_tables > 0.0) {
+      const double corrected = std::log(best.corrections[l].factor) / best.corrections[l].ln_sigma_of_tables;
+      if (std::abs(corrected) > std::abs(normalised_residual)) normalised_residual = corrected;
+    }
     if (std::abs(normalised_residual) <= std::abs(most)) continue;
     most = normalised_residual;
     farthest = l;

@@ -22,8 +22,14 @@ cp answer.json first.json
 invert 0 "${three[@]}" -o answer.json --plot answer.svg --overwrite
 expect_same answer.json first.json
 
+# The tables' uncertainty makes intervals wider, and bears what exact tables do not.
+invert 0 --line 427.8=2361±3% --line 557.7=9838±3% --line 630.0=348±3% --json
+grep -qF '"sigma_ln_of_tables"' "$stdout" || fail "no corrections in JSON"
+invert 5 --line 427.8=2361±3% --line 557.7=14500±3% --line 630.0=348±3% --uncertainty none
+invert 0 --line 427.8=2361±3% --line 557.7=14500±3% --line 630.0=348±3%
+
 # What the verdicts are.
-invert 0 --line 557.7=2100±1% --line 337.1=496±1%
+invert 0 --line 557.7=2100±1% --line 337.1=496±1% --uncertainty none
 expect_stdout "verdict: two solutions"
 invert 0 --line 427.8=124±3 --line 630.0=1400±80
 expect_stdout "verdict: | one side | E0"

@@ -118,7 +118,7 @@ constexpr std::array<MapPlane, 9> kPlanes = {
       &ColumnMaps::ln_oxygen_error},
      {"other_energy", "energy of a second solution", "keV", &ColumnMaps::other_energy_kev},
      {"chi2", "chi2 of the brightnesses", "1", &ColumnMaps::chi2},
-     {"consistency", "probability of so large a chi2 by chance", "1", &ColumnMaps::consistency}}};
+     {"consistency", "probability of so large a chi2 by chance; exp(-chi2/2) without a degree of freedom", "1", &ColumnMaps::consistency}}};
 
 constexpr std::array<ColumnVerdict, 7> kQualities = {
     ColumnVerdict::well_constrained, ColumnVerdict::loosely_constrained, ColumnVerdict::one_sided,
@@ -328,6 +328,7 @@ std::string inversion_json(const ColumnInversion& inversion, const InversionFact
   json["spectrum"] = facts.spectrum;
   json["tables"] = facts.tables;
   json["model_error"] = facts.model_error;
+  json["uncertainty"] = facts.uncertainty;
   json["lines"] = Json::array();
   for (std::size_t l = 0; l < inversion.lines_nm.size(); ++l)
     json["lines"].push_back({{"wavelength_nm", inversion.lines_nm[l]},
