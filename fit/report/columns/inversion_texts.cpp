@@ -118,7 +118,8 @@ constexpr std::array<MapPlane, 9> kPlanes = {
       &ColumnMaps::ln_oxygen_error},
      {"other_energy", "energy of a second solution", "keV", &ColumnMaps::other_energy_kev},
      {"chi2", "chi2 of the brightnesses", "1", &ColumnMaps::chi2},
-     {"consistency", "probability of so large a chi2 by chance; exp(-chi2/2) without a degree of freedom", "1", &ColumnMaps::consistency}}};
+     {"consistency", "probability of so large a chi2 by chance; exp(-chi2/2) without a degree of freedom",
+      "1", &ColumnMaps::consistency}}};
 
 constexpr std::array<ColumnVerdict, 7> kQualities = {
     ColumnVerdict::well_constrained, ColumnVerdict::loosely_constrained, ColumnVerdict::one_sided,

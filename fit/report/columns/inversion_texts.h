@@ -11,9 +11,9 @@ namespace vegard::fit {
 
 /// The assumptions of an inversion.
 struct InversionFacts {
-  std::string spectrum;      ///< "maxwellian"
-  std::string tables;        ///< "glow"
-  double model_error = 0.0;  ///< relative error of the tables, included in the lines' errors
+  std::string spectrum;              ///< "maxwellian"
+  std::string tables;                ///< "glow"
+  double model_error = 0.0;          ///< relative error of the tables, included in the lines' errors
   std::string uncertainty = "none";  ///< "modes": the tables' modes are solved for; "none": they are exact
 };
 
@@ -25,7 +25,8 @@ std::string inversion_text(const ColumnInversion& inversion, const InversionFact
 std::string inversion_json(const ColumnInversion& inversion, const InversionFacts& facts);
 
 /// Returns a FITS file with one plane each for energy flux, E0, relative error of the flux, error of ln E0,
-/// oxygen factor, error of its logarithm, the second energy, chi2, consistency, quality. NaN where there is no answer.
+/// oxygen factor, error of its logarithm, the second energy, chi2, consistency, quality. NaN where there is
+/// no answer.
 std::string encode_column_maps(const ColumnMaps& maps, const InversionFacts& facts, const std::string& name);
 
 /// Writes netCDF-4 by the CF conventions with the same quantities, completely or not at all.

@@ -114,8 +114,7 @@ TEST(ParameterTable, EveryRowOccursInAScene) {
   for (auto* list : {&scene.sun.photosphere_rayleigh, &scene.volumes[0].density_rayleigh,
                      &scene.volumes[0].lamp_flux, &scene.chromospheres[0].rayleigh, &scene.loops[0].rayleigh,
                      &scene.coronae[0].rayleigh, &scene.bundles[0].rayleigh, &scene.ejections[0].rayleigh,
-                     &scene.fit.guide_x_px, &scene.fit.guide_y_px,
-                     &scene.emission.modes})
+                     &scene.fit.guide_x_px, &scene.fit.guide_y_px, &scene.emission.modes})
     list->assign(scene.emission.lines.size(), 1.0);
   for (const ParameterPath& path : all_paths(scene)) seen.insert(path.row);
   EXPECT_EQ(seen.size(), parameter_table().size());
