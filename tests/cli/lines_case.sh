@@ -21,7 +21,7 @@ expect_exit() {
 
 rm -f quenching.svg quenching.png
 expect_exit 0 "" "$vegard" lines
-grep -q '^636.4 nm  O    (1D)-(3P); lives 110 s; light: 0.3337 × ver_6300$' out.txt || fail "the listing lacks 636.4 nm"
+grep -q '^636.4 nm  O    (1D)-(3P); lives 116.6 s; light: 0.3337 × ver_6300$' out.txt || fail "the listing lacks 636.4 nm"
 grep -q 'blended with N2 first positive (2,0) 775.4' out.txt || fail "777.4 nm is not named as a blend"
 
 expect_exit 0 "" "$vegard" lines --csv
