@@ -155,11 +155,11 @@ class Inversion {
   fit::ColumnModel model_;
 };
 
-fit::InversionFacts facts_of(const InvertRequest& request) {
+fit::InversionFacts facts_of(const InvertRequest& request, const fit::ColumnModel& model) {
   fit::InversionFacts facts;
   facts.spectrum = request.spectrum;
   facts.tables = request.tables;
-  facts.uncertainty = request.uncertainty;
+  facts.uncertainty = model.modes() > 0 ? "modes" : "none";  // tables without modes are exact
   facts.model_error = share_of(request.model_error, "--model-error");
   return facts;
 }
@@ -266,7 +266,7 @@ int invert_line_maps(const InvertRequest& request) {
   const fit::ColumnMaps maps =
       fit::invert_maps(inversion.chi2(kStride), lines, static_cast<std::size_t>(width),
                        static_cast<std::size_t>(height), request.threads);
-  const fit::InversionFacts facts = facts_of(request);
+  const fit::InversionFacts facts = facts_of(request, inversion.model());
   for (const std::string& output : request.outputs) {
     if (map_format(output) == MapFormat::fits)
       files.write(output, fit::encode_column_maps(maps, facts, output));
@@ -323,7 +323,7 @@ int invert_lines(const InvertRequest& request) {
 
   const fit::ColumnChi2 chi2 = inversion.chi2(1);
   const fit::ColumnInversion answer = fit::invert_columns(chi2, data);
-  const fit::InversionFacts facts = facts_of(request);
+  const fit::InversionFacts facts = facts_of(request, inversion.model());
   const std::string json = fit::inversion_json(answer, facts);
   files.write(output, json);
   if (format != PlotFormat::none)

@@ -59,7 +59,8 @@ awk -F, -v OFS=, '
 oxygen=(--line 427.8=2300±1% --line 557.7=9000±1% --line 630.0=330±1%)
 invert 0 "${oxygen[@]}" --tables own --free energy,flux,oxygen
 expect_stdout "oxygen factor"
-invert 0 "${oxygen[@]}" --tables own --oxygen-factor 1.5 --model-error 20
+invert 0 "${oxygen[@]}" --tables own --oxygen-factor 1.5 --model-error 20 --json
+grep -qF '"uncertainty": "none"' "$stdout" || fail "tables without modes have an uncertainty"
 
 # refuses CODE TEXT ARGUMENTS...
 refuses() {
