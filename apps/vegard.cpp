@@ -11,6 +11,7 @@
 #include "fit/version.h"
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
+#include "sim/base/module.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/processor.h"
@@ -55,6 +56,8 @@ int main(int argc, char** argv) {
     return exit_code;
   } catch (const sim::Error& error) {
     return report(error.what(), apps::exit_code_of(error.kind()));
+  } catch (const sim::MissingModule& error) {
+    return report(error.what(), apps::internal_error);
   } catch (const apps::OutOfMemory& error) {
     return report(error.what(), apps::internal_error);
   } catch (const std::bad_alloc&) {

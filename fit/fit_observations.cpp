@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include "fit/answer/energy_flux.h"
 #include "fit/answer/error_bar_validation.h"
 #include "fit/answer/photo_line_ratio.h"
+#include "fit/answer/tables_correction.h"
 #include "fit/answer/verdict.h"
 #include "fit/compare/observation.h"
 #include "fit/compare/profile_cost.h"
@@ -22,10 +24,13 @@
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
+#include "fit/uncertainty/band_scatter.h"
 #include "fit/uncertainty/physics_uncertainty.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 #include "fit/uncertainty/uncertainty.h"
 #include "sim/base/error.h"
+#include "sim/base/file/sha256.h"
+#include "sim/scene/table/emission_folder.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::fit {
@@ -161,7 +166,7 @@ void put_photos(const std::vector<Observation>& observations, const std::vector<
       fitted.best.fit.free.clear();
       fitted.best.fit.tied.clear();
     }
-    put_solution(full, point.by_photo[o], known, r.error_inflation, fitted);
+    put_solution(full, point.by_photo[o], known, r.error_inflation, o, fitted);
     fitted.rms_over_peak = rms_over_peak(fitted);
     fitted.model_error = found_model_error(
         fitted.data, fitted.model, fitted.sigma,
@@ -200,6 +205,16 @@ void put_derived(const std::vector<Observation>& observations, const std::vector
     if (!d.why_no_sigma.empty()) d.why_no_sigma = "the fit was interrupted";
 }
 
+ModeInformation told_of_physics(const ModeEffects& effects, const sim::Scene& scene, double inflation) {
+  ModeInformation told = mode_information(effects, inflation);
+  if (told.modes.empty()) return told;
+  const std::shared_ptr<const sim::TableFolder> tables = sim::are_built_in_tables(scene.emission.tables)
+                                                             ? sim::built_in_tables(scene.emission.tables)
+                                                             : scene.emission.folder;
+  told.tables = sim::sha256(tables->files.at(sim::kModesFile));
+  return told;
+}
+
 /// One fit: its state, and its steps in the order of run().
 class FitRun {
  public:
@@ -224,9 +239,19 @@ class FitRun {
     settle_priors(outcome);
     evaluate_answer();
     const Uncertainty u = find_error_bars();
-    Uncertainty with_physics = u;
-    if (!evidence_.stopped) add_physics(*cost_, values_, with_physics);
-    put_answer(with_physics);
+    Uncertainty whole = u;
+    if (!evidence_.stopped) {
+      const ModeEffects effects = mode_effects(*cost_, values_);
+      add_physics(effects, whole);
+      widen_by_bands(u.covariance, whole);
+      // The noise of drawn beams in a Jacobian would look like knowledge.
+      if (!r_.compared.draws) r_.physics = told_of_physics(effects, scene_, r_.error_inflation);
+    }
+    put_answer(whole);
+    if (!r_.physics.modes.empty()) {
+      r_.physics.lines = lines_by_modes(r_.best, r_.physics.modes);
+      r_.tables = tables_corrections(r_.physics.lines, learnt_modes(r_.physics));
+    }
     judge(outcome);
     if (r_.verdict == Verdict::good || r_.verdict == Verdict::doubtful)
       validate_error_bars({scene_, free_, observations_, values_, settled_.prior, r_.error_inflation, u},
@@ -322,8 +347,10 @@ class FitRun {
   }
 
   Uncertainty error_bars() const {
+    const std::vector<std::vector<double>> jacobians =
+        sampled_jacobians(observations_, free_, values_, anchors_, options_.threads);
     Uncertainty u = sampled_uncertainty(observations_, free_, values_, settled_.prior, anchors_,
-                                        r_.error_inflation, options_.threads);
+                                        r_.error_inflation, jacobians);
     drop_flat_directions(
         [&](const std::vector<double>& step) {
           std::vector<double> moved = cost_->coordinates(values_);
@@ -334,6 +361,9 @@ class FitRun {
         },
         bounded_by_prior(settled_.prior, free_.size()), u);
     without_anchors(anchors_, free_, values_, u);
+    BandRows rows = photo_rows(observations_, *cost_, point_, jacobians, r_.error_inflation);
+    without_anchors(anchors_, free_, values_, rows.jacobian);
+    u.by_bands = factors_by_bands(rows, u.covariance);
     if (curve_ != nullptr) widen(*curve_, u);
     return u;
   }

@@ -1,6 +1,7 @@
 #include "fit/sequence.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/answer/energy_flux.h"
 #include "fit/parameters/free_parameters.h"
@@ -67,10 +68,12 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
   row.decoding = photo.decoding;
   row.verdict = result.verdict;
   row.searched = fit.searched;
+  row.physics = result.physics;
   row.chi2_per_dof = result.dof > 0 ? result.chi2 / result.dof : 0.0;
   for (const FittedParameter& p : result.parameters) {
     row.values.push_back(p.value);
-    if (!p.of_profile) row.numbers.push_back({p.path, p.unit, p.value, p.sigma});
+    if (!p.of_profile)
+      row.numbers.push_back({p.path, p.unit, p.value, p.sigma, p.by_mode, p.relative && p.value > 0.0});
   }
   const FittedPhoto& fitted = result.photos.front();
   const auto put_flux = [&](sim::ParameterRole role, const auto& found, std::size_t index) {
@@ -81,7 +84,7 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
       return;
     std::string why_none;
     if (const auto flux = found(scene, fitted, static_cast<int>(index), why_none))
-      row.numbers.push_back({path, "mW m\u207b\u00b2", flux->mw_m2, flux->sigma});
+      row.numbers.push_back({path, "mW m\u207b\u00b2", flux->mw_m2, flux->sigma, flux->by_mode, true});
   };
   for (std::size_t s = 0; s < fitted.best.sheets.size(); ++s)
     put_flux(sim::ParameterRole::energy_flux, found_flux, s);
@@ -90,7 +93,11 @@ SequenceRow sequence_row(const std::string& frame, double time_s, const sim::Sce
   // Q stands above, under the path that it has where it is free; what a number never has needs no column.
   for (const DerivedNumber& d : result.derived)
     if (d.name.compare(0, 13, "energy flux Q") != 0 && d.why_none.empty())
-      row.numbers.push_back({d.name, d.unit, d.value, d.sigma});
+      row.numbers.push_back(
+          {d.name, d.unit, d.value, d.sigma, d.by_mode, error_scale(d.quantity).relative && d.value > 0.0});
+  for (SequenceNumber& n : row.numbers)
+    if (!std::all_of(n.by_mode.begin(), n.by_mode.end(), [](double x) { return std::isfinite(x); }))
+      n.by_mode.clear();
   return row;
 }
 

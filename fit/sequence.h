@@ -17,6 +17,8 @@ struct SequenceNumber {
   std::string unit;
   double value = 0.0;
   std::optional<double> sigma;
+  std::vector<double> by_mode{};  ///< as FittedParameter::by_mode (fit/answer/fit_result.h)
+  bool relative = false;          ///< its changes are factors, to first order
 };
 
 /// The results of one frame that are kept.
@@ -30,6 +32,7 @@ struct SequenceRow {
   double chi2_per_dof = 0.0;
   std::vector<double> values;  ///< of the free numbers, in their order: where the next frame starts
   std::vector<SequenceNumber> numbers;
+  ModeInformation physics{};  ///< as FitResult::physics
 };
 
 struct FrameFit {

@@ -1,6 +1,8 @@
 // Maps of precipitation from photographs.
 #include <pybind11/stl.h>
 
+#include <optional>
+
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/map_verdicts.h"
@@ -9,6 +11,7 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/long_work.h"
+#include "sim/base/error.h"
 #include "sim/scene/structs/line_of.h"
 
 namespace vegard::python {
@@ -21,13 +24,43 @@ struct Map {
   std::shared_ptr<const fit::MapRunFacts> facts;
 };
 
+/// The spectrum that words and numbers name; a number that the kind does not have is refused, as on the
+/// command line.
+sim::ElectronSpectrum electron_spectrum(const std::string& word, const std::optional<double>& spread,
+                                        const std::optional<double>& kappa) {
+  sim::ElectronSpectrum spectrum;
+  spectrum.kind = sim::spectrum_kind(word);
+  if (sim::spectrum_word(spectrum.kind) != word)
+    throw sim::Error(sim::ErrorKind::usage, "'" + word + "' is no spectrum of electrons")
+        .key("spectrum")
+        .expected("maxwellian, gaussian, mono or kappa");
+  const auto take = [&](const char* name, const std::optional<double>& value,
+                        sim::ElectronSpectrum::Kind kind, double least, double most, double& to) {
+    if (!value) return;
+    if (spectrum.kind != kind)
+      throw sim::Error(sim::ErrorKind::usage, "a spectrum of the kind '" + word + "' has no such number")
+          .key(name)
+          .expected(std::string("spectrum=\"") + sim::spectrum_word(kind) + "\" beside it");
+    require_within(name, *value, least, most);
+    to = *value;
+  };
+  using Kind = sim::ElectronSpectrum::Kind;
+  constexpr double kMinSpread = 0.01, kMaxSpread = 1.0;
+  take("spread", spread, Kind::gaussian, kMinSpread, kMaxSpread, spectrum.spread);
+  take("kappa", kappa, Kind::kappa, sim::kMinKappa, sim::kMaxKappa, spectrum.kappa);
+  return spectrum;
+}
+
 Map map_scene(const SceneHandle& self, const py::object& photo, int threads, int replicates, double sparsity,
-              double farthest_km, double altitude_scale, const py::object& progress, const py::object& stop) {
+              double farthest_km, double altitude_scale, const std::string& spectrum,
+              const std::optional<double>& spread, const std::optional<double>& kappa,
+              const py::object& progress, const py::object& stop) {
   require_threads(threads);
   require_within("replicates", replicates, 0.0, 1000.0);
   require_within("sparsity", sparsity, 0.0, 1000.0);
   require_within("farthest_km", farthest_km, 0.0, 2000.0);
   require_within("altitude_scale", altitude_scale, 0.9, 1.2);
+  const sim::ElectronSpectrum electrons = electron_spectrum(spectrum, spread, kappa);
   const std::shared_ptr<const sim::Scene> scene = self.scene;
   const auto given = photographs_given(*scene, photo, false);
   LongWork long_work(progress, stop);
@@ -43,6 +76,7 @@ Map map_scene(const SceneHandle& self, const py::object& photo, int threads, int
     options.sparsity = sparsity;
     options.farthest_km = farthest_km;
     options.altitude_scale = altitude_scale;
+    options.spectrum = electrons;
     options.stop = long_work.stop();
     options.progress = [&](const std::string& stage, double chi2_per_value, double share) {
       long_work.tell({stage, share, 0, chi2_per_value});
@@ -91,7 +125,10 @@ constexpr CurtainColumn kColumns[] = {
     {"energy_flux_error_mw_m2", [](const fit::CurtainPoint& p) { return p.flux_mw_m2.error; }},
     {"energy_error_kev", [](const fit::CurtainPoint& p) { return p.energy_kev.error; }},
     {"width_error_km", [](const fit::CurtainPoint& p) { return p.width_km.error; }},
-    {"border_in_view", [](const fit::CurtainPoint& p) { return p.border_in_view ? 1.0 : 0.0; }}};
+    {"border_in_view", [](const fit::CurtainPoint& p) { return p.border_in_view ? 1.0 : 0.0; }},
+    {"at_edge", [](const fit::CurtainPoint& p) { return p.at_edge ? 1.0 : 0.0; }},
+    {"energy_limit", [](const fit::CurtainPoint& p) { return static_cast<double>(p.energy_limit); }},
+    {"found_in", [](const fit::CurtainPoint& p) { return p.found_in; }}};
 
 py::list curtains_of(const Map& self) {
   py::list all;
@@ -103,6 +140,11 @@ py::list curtains_of(const Map& self) {
       const auto count = static_cast<py::ssize_t>(values.size());
       columns[column.name] = array_of(std::move(values), {count});
     }
+    const auto count = static_cast<py::ssize_t>(curtain.points.size());
+    columns["probability"] =
+        array_of(std::vector<double>(curtain.points.size(), curtain.probability), {count});
+    columns["diffuse"] =
+        array_of(std::vector<double>(curtain.points.size(), curtain.is_diffuse_patch ? 1.0 : 0.0), {count});
     all.append(columns);
   }
   return all;
@@ -136,9 +178,8 @@ void bind_maps(py::module_& m, py::class_<SceneHandle>& scene) {
       "columns to the east, of feet at 110 km altitude in the site's tangent plane; views of the map's own\n"
       "buffer. NaN where no picture shows it.")
       .def_property_readonly("energy_flux_mw_m2", plane_of(0), "(rows, columns): energy flux in mW m^-2.")
-      .def_property_readonly(
-          "energy_kev", plane_of(1),
-          "(rows, columns): E0 of Maxwellian electrons in keV; NaN where there is no flux.")
+      .def_property_readonly("energy_kev", plane_of(1),
+                             "(rows, columns): E0 of the electrons in keV; NaN where there is no flux.")
       .def_property_readonly("relative_flux_error", plane_of(2),
                              "(rows, columns): standard error of the flux, a share of it.")
       .def_property_readonly("ln_energy_error", plane_of(3), "(rows, columns): standard error of ln(E0).")
@@ -182,6 +223,7 @@ void bind_maps(py::module_& m, py::class_<SceneHandle>& scene) {
       "map", &map_scene, py::arg("photo") = py::none(), py::kw_only(), py::arg("threads") = 0,
       py::arg("replicates") = usual.replicates, py::arg("sparsity") = usual.sparsity,
       py::arg("farthest_km") = usual.farthest_km, py::arg("altitude_scale") = usual.altitude_scale,
+      py::arg("spectrum") = "maxwellian", py::arg("spread") = py::none(), py::arg("kappa") = py::none(),
       py::arg("progress") = py::none(), py::arg("stop") = py::none(),
       "Maps the precipitation that a photograph shows, of any shape (Map): what `vegard map` does.\n\n"
       "photo: a Photo, the name of a file, a list of Photo, or None for those of the scene's [[fit.photo]]\n"
@@ -190,6 +232,9 @@ void bind_maps(py::module_& m, py::class_<SceneHandle>& scene) {
       "sparsity: what a lit cell costs in chi2 / 2; 0: left-out blocks of the picture choose\n"
       "farthest_km: how far the ground reaches; 0: as far as the picture shows a lower border\n"
       "altitude_scale: at so many times the tables' altitudes stands all light\n"
+      "spectrum: of the electrons: 'maxwellian', 'gaussian', 'mono' or 'kappa'\n"
+      "spread: standard deviation of a Gaussian over E0, 0.01 to 1; None: 0.25\n"
+      "kappa: of a kappa distribution; None: 5\n"
       "progress: called with a Progress now and then\n"
       "stop: a threading.Event; once it is set, the best so far is returned. Ctrl-C raises "
       "KeyboardInterrupt.");

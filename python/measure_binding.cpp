@@ -10,6 +10,7 @@
 namespace vegard::python {
 namespace {
 
+using fit::AnswerPart;
 using fit::Measurement;
 using fit::MeasureStage;
 
@@ -90,11 +91,24 @@ void bind_measurements(py::module_& m) {
       .def("__repr__", [](const MeasureStage& s) {
         return "<vegard.MeasureStage " + s.title + ": " + fit::trust_name(s.trust) + ">";
       });
+  py::class_<AnswerPart>(m, "AnswerPart", "A part of a measurement's answer, with a trust of its own.")
+      .def_readonly("name", &AnswerPart::name, "'direction', 'distance', 'energy' … (str).")
+      .def_property_readonly(
+          "trust", [](const AnswerPart& part) { return fit::trust_name(part.trust); },
+          "'good', 'doubtful' or 'unconstrained' (str).")
+      .def_readonly("reasons", &AnswerPart::reasons, "Why it is not good; empty if it is (list of str).")
+      .def("__repr__", [](const AnswerPart& part) {
+        return "<vegard.AnswerPart " + part.name + ": " + fit::trust_name(part.trust) + ">";
+      });
   py::class_<Measurement>(m, "Measurement", "What a photograph tells.")
       .def_property_readonly(
           "trust", [](const Measurement& self) { return fit::trust_name(self.trust); },
           "'good', 'doubtful' or 'unconstrained' (str).")
       .def_readonly("answer", &Measurement::answer, "The answer in a few sentences (list of str).")
+      .def_readonly("parts", &Measurement::parts,
+                    "How far each part of it is to be trusted (list of AnswerPart).")
+      .def_readonly("not_known", &Measurement::not_known,
+                    "What the picture does not tell, and what would (list of str).")
       .def_readonly("out", &Measurement::out, "The folder that was written, with report.html (str).")
       .def_readonly("stages", &Measurement::stages, "In their order (list of MeasureStage).")
       .def_property_readonly(

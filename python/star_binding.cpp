@@ -113,7 +113,9 @@ std::vector<fit::StarSighting> recognised(const StarRequest& request, const fit:
         .expected("time and site");
   fit::StarFinderSettings finder;
   finder.min_signal = request.min_signal;
-  const fit::PictureStars picture = fit::recognise_picture(request.photo->linear, finder, usable);
+  fit::RecognitionSettings known;
+  known.zenith = fit::zenith_of(*request.sky.observer, *request.sky.julian_date);
+  const fit::PictureStars picture = fit::recognise_picture(request.photo->linear, finder, usable, known);
   if (!picture.recognition.found)
     throw sim::unreadable(request.photo->file_name, fit::words_of(picture.recognition))
         .expected("a picture whose stars are recognised");

@@ -1,6 +1,5 @@
 #include "apps/commands/commands.h"
 
-#include <atomic>
 #include <memory>
 #include <string>
 
@@ -28,19 +27,14 @@ int run_brightness(const BrightnessRequest& options) {
   note_inert_keys(scene);
   require_rayleighs(scene, "vegard brightness");
   const int threads = threads_to_render(scene, options.threads, 0.0, false, options.memory_limit);
-  const std::atomic<bool>& stop = watch_for_interrupt();
+  end_at_once_when_interrupted();
   sim::Rendering rendering;
   {
     ProgressBar bar("rendering");
     sim::RenderOptions render_options;
     render_options.threads = threads;
     render_options.progress = [&bar](double share) { bar.update(share); };
-    render_options.stop = &stop;
     rendering = sim::render(scene, render_options);
-  }
-  if (stop.load()) {
-    tell("vegard: interrupted\n");
-    return interrupted;
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
   if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
@@ -52,12 +46,7 @@ int run_brightness(const BrightnessRequest& options) {
     sim::RenderOptions of_sky;
     of_sky.threads = threads;
     of_sky.progress = [&bar](double share) { bar.update(share); };
-    of_sky.stop = &stop;
     report.ground = sim::light_on_ground(scene, of_sky);
-  }
-  if (stop.load()) {
-    tell("vegard: interrupted\n");
-    return interrupted;
   }
   answer_with(brightness_json(report));
   say_result(brightness_text(report));

@@ -1,5 +1,7 @@
 #include "apps/commands/commands.h"
 
+#include <cctype>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,7 +17,10 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/terminal.h"
 #include "fit/measurement/camera_calibration.h"
+#include "fit/measurement/same_lens_calibration.h"
+#include "fit/photo/codec/picture_format.h"
 #include "fit/photo/pointing/calibration_tables.h"
+#include "fit/photo/pointing/direction_error.h"
 #include "fit/photo/pointing/exchange/star_files.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/file/whole_file.h"
@@ -27,8 +32,8 @@ struct CalibrateOptions {
   fit::CalibrationRequest request;
   std::string at, residuals, json, plot, overlay, stars_out, axy_out;
   MapOptions maps;
-  std::vector<std::string> site;
-  bool overwrite = false;
+  std::vector<std::string> site, inputs, times;
+  bool same_lens = false, overwrite = false;
 };
 
 /// No output may take another's place, or that of an input.
@@ -39,10 +44,11 @@ void check_outputs(const CalibrateOptions& options) {
       {"--json", &options.json},       {"--plot", &options.plot},
       {"--overlay", &options.overlay}, {"--stars-out", &options.stars_out},
       {"--axy-out", &options.axy_out}, {"--corr-out", &request.corr_out}};
+  std::vector<std::string> inputs = options.inputs;
+  inputs.insert(inputs.end(), {request.image, request.mask, request.camera, options.maps.azimuth_map,
+                               options.maps.elevation_map, options.maps.skymap, request.wcs, request.acc});
   for (const auto& [key, file] : outputs) {
-    for (const std::string& input :
-         {request.stars, request.image, request.mask, request.camera, options.maps.azimuth_map,
-          options.maps.elevation_map, options.maps.skymap, request.wcs, request.acc})
+    for (const std::string& input : inputs)
       if (same_file(*file, input)) throw same_file_error(key, *file, "an input");
     for (const auto& [other_key, other] : outputs)
       if (std::string(key) > other_key && same_file(*file, *other))
@@ -53,10 +59,17 @@ void check_outputs(const CalibrateOptions& options) {
 /// Completes the request by the options that are words, and checks what concerns its outputs.
 void read_words(CalibrateOptions& options) {
   fit::CalibrationRequest& request = options.request;
+  if (options.inputs.size() > 1)
+    throw usage_error("STARS", "several tables or pictures", "one, or --same-lens with several");
+  if (!options.inputs.empty()) request.stars = options.inputs.front();
+  if (options.times.size() > 1)
+    throw usage_error("--time", "several times", "one, or --same-lens with several");
+  if (!options.times.empty()) request.time = options.times.front();
   request.finds_points = !options.axy_out.empty();
   request.keeps_recognised = !options.stars_out.empty();
   if (!options.site.empty()) request.site = site_place(options.site);
   const MapOptions& maps = options.maps;
+  request.flip_given = !maps.skymap_flip.empty();
   if (!request.wcs.empty() || !request.acc.empty()) {
     if (!maps.first().empty() || !maps.elevation_map.empty() ||
         (!request.wcs.empty() && !request.acc.empty()))
@@ -72,17 +85,107 @@ void read_words(CalibrateOptions& options) {
   }
   fit::check_together(request);
   if (request.blind() && request.output.empty() &&
-      !(options.residuals.empty() && options.json.empty() && options.plot.empty() && options.overlay.empty()))
-    throw usage_error("--output", "residuals, plots and overlays are of a camera",
-                      "-o CAMERA.toml with them");
+      !(options.residuals.empty() && options.json.empty() && options.plot.empty()))
+    throw usage_error("--output", "residuals and plots are of a camera", "-o CAMERA.toml with them");
   if (!request.offset_px.empty() && request.stars.empty())
     throw usage_error("--offset", "no table of a crop", "STARS as well");
   if (!options.overlay.empty() && request.image.empty())
     throw usage_error("--overlay", "no picture to draw on", "--image with it");
 }
 
+/// "station.toml", "station.2.toml", "station.3.toml".
+std::string output_of_picture(const std::string& output, std::size_t picture) {
+  if (picture == 0) return output;
+  const std::filesystem::path path(output);
+  return (path.parent_path() /
+          (path.stem().string() + "." + std::to_string(picture + 1) + path.extension().string()))
+      .string();
+}
+
+/// Whether a file is named as a picture is; others are tables of stars.
+bool is_named_as_picture(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const fit::PictureFormat& format : fit::picture_formats())
+    for (const std::string& ending : format.endings)
+      if (name.size() > ending.size() &&
+          name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
+        return true;
+  return false;
+}
+
+/// The requests of the pictures or tables that have one lens.
+std::vector<fit::CalibrationRequest> requests_of(const CalibrateOptions& options) {
+  const MapOptions& maps = options.maps;
+  const fit::CalibrationRequest& common = options.request;
+  if (options.inputs.size() < 2)
+    throw usage_error("--same-lens", "one picture alone", "two or more pictures or tables of one camera");
+  if (!common.image.empty() || !common.camera.empty() || !common.wcs.empty() || !common.acc.empty() ||
+      maps.any())
+    throw usage_error("--same-lens", "its pictures are given by their names alone",
+                      "calibrate A B C --same-lens, without --image, --camera and maps");
+  if (common.output.empty())
+    throw usage_error("--output", "nothing to write the cameras to", "-o CAMERA.toml");
+  if (!options.json.empty() || !options.plot.empty() || !options.overlay.empty() ||
+      !options.stars_out.empty() || !options.axy_out.empty() || !common.corr_out.empty() ||
+      !common.date.empty() || common.level)
+    throw usage_error("--same-lens", "outputs of one picture", "-o and --residuals alone");
+  if (options.times.size() > 1 && options.times.size() != options.inputs.size())
+    throw usage_error("--time",
+                      std::to_string(options.times.size()) + " times for " +
+                          std::to_string(options.inputs.size()) + " pictures",
+                      "a time for each, in their order, or none where they say it themselves");
+  if (options.times.size() == 1)
+    throw usage_error("--time", "one time for several pictures", "a time for each, in their order");
+  std::vector<fit::CalibrationRequest> requests;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    fit::CalibrationRequest one = common;
+    (is_named_as_picture(options.inputs[i]) ? one.image : one.stars) = options.inputs[i];
+    if (!options.times.empty()) one.time = options.times[i];
+    if (!options.site.empty()) one.site = site_place(options.site);
+    requests.push_back(one);
+  }
+  return requests;
+}
+
+/// Several pictures with one lens.
+int run_same_lens(const CalibrateOptions& options) {
+  const std::vector<fit::CalibrationRequest> requests = requests_of(options);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    names.push_back(output_of_picture(options.request.output, i));
+  for (const std::string& input : options.inputs)
+    for (const std::string& name : names)
+      if (same_file(name, input)) throw same_file_error("--output", name, "an input");
+  std::vector<std::string> claimed = names;
+  claimed.push_back(options.residuals);
+  sim::WholeFiles outputs(claimed, options.overwrite);
+  const std::vector<fit::CameraCalibration> found = fit::calibrate_same_lens(requests, said());
+  std::string residuals;
+  bool is_told = false, all = true;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    all = all && found[i].calibration;
+    if (!found[i].calibration) continue;
+    const fit::Calibration& calibration = *found[i].calibration;
+    outputs.write(names[i], fit::camera_toml(calibration, found[i].origin));
+    const std::string table = fit::residuals_csv(calibration);
+    residuals += is_told ? table.substr(table.find('\n') + 1) : table;
+    if (!is_told) {
+      say("%s\n", "the pictures together:");
+      fit::tell_calibration(found[i], said());
+    } else {
+      say("%s: %s\n", file_name_of(options.inputs[i]).c_str(), fit::rms_line(calibration).c_str());
+    }
+    is_told = true;
+  }
+  if (!options.residuals.empty()) outputs.write(options.residuals, residuals);
+  outputs.commit();
+  for (const std::string& name : outputs.written()) say("%s\n", name.c_str());
+  return all ? good : doubted;
+}
+
 int run_calibrate(CalibrateOptions options) {
   end_at_once_when_interrupted();
+  if (options.same_lens) return run_same_lens(options);
   const PlotFormat format = plot_format(options.plot, "--plot");
   check_outputs(options);
   read_words(options);
@@ -108,10 +211,19 @@ int run_calibrate(CalibrateOptions options) {
     if (!options.overlay.empty())
       outputs.write(options.overlay, fit::star_overlay(calibration, *found.photo));
   }
+  if (!found.calibration && !options.overlay.empty() && found.blind && found.blind->place)
+    outputs.write(options.overlay, fit::star_overlay(found.blind->picture.recognition, *found.photo));
   outputs.commit();
   if (voice().is_json) json_answer() = fit::answer_json(found);
   json_answer()["outputs"] = json_names(outputs.written());
-  if (found.calibration) fit::tell_calibration(found, said());
+  if (found.calibration) {
+    fit::tell_calibration(found, said());
+    const fit::DirectionErrors errors = fit::direction_errors(*found.calibration);
+    say("%s\n", fit::words_of(errors).c_str());
+    if (voice().is_json)
+      json_answer()["direction_error_deg"] = {{"typical", json_number(errors.typical_deg)},
+                                              {"worst", json_number(errors.worst_deg)}};
+  }
   for (const std::string& name : outputs.written()) say("%s\n", name.c_str());
   return found.has_answer ? good : doubted;
 }
@@ -119,10 +231,11 @@ int run_calibrate(CalibrateOptions options) {
 void add_options(const Command& command, CalibrateOptions& options) {
   fit::CalibrationRequest& request = options.request;
   command.option(
-      "STARS", request.stars,
+      "STARS", options.inputs,
       "A table of recognised stars (x_px, y_px, and azimuth_deg with elevation_deg or zenith_deg, ra_deg "
       "with dec_deg, or star), a .corr file of solve-field, or its .axy list of points of light (with "
-      "--camera). Without it stars are found in --image, blindly if there is no --camera");
+      "--camera). Without it stars are found in --image, blindly if there is no --camera. With --same-lens: "
+      "several pictures or tables");
   command.option("-o,--output", request.output, "The camera to write: a scene file with [camera] and [site]")
       .type_name("CAMERA.toml");
   command.option("--image", request.image,
@@ -130,9 +243,23 @@ void add_options(const Command& command, CalibrateOptions& options) {
                  "metadata if no option does");
   add_at_option(command, options.at);
   command
-      .option("--time", request.time,
-              "Time of the picture, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00)")
+      .option(
+          "--time", options.times,
+          "Beginning of the exposure, ISO 8601 in UTC or with a zone (2014-02-21T20:30:40+01:00); the stars "
+          "are those of its middle, by --exposure or else the picture's metadata. With --same-lens one for "
+          "each picture, with commas between them")
+      .delimiter(',')
+      .one_an_occurrence()
       .type_name("TIME");
+  command
+      .option("--exposure", request.exposure_s,
+              "Exposure time in seconds (default: as the picture says; 0: --time is the middle itself)")
+      .finite_range(0.0, 1e5)
+      .type_name("S");
+  command.flag(
+      "--same-lens", options.same_lens,
+      "Fit one lens to several pictures of a camera: calibrate A B C --same-lens -o CAMERA.toml writes "
+      "CAMERA.toml, CAMERA.2.toml, CAMERA.3.toml");
   add_site_option(command, options.site);
   command.option("--camera", request.camera, "A rough camera, or an earlier one, to start from")
       .type_name("CAMERA.toml");
@@ -147,6 +274,7 @@ void add_options(const Command& command, CalibrateOptions& options) {
                  "polynomial (default: the simplest that the stars support)");
   command.option("--terms", request.terms, "With --lens: fit only these of k1, k2, k3, p, aspect; or none");
   command.flag("--hold-centre", request.centre_held, "Hold the lens's centre in the middle of the picture");
+  command.flag("--keep-all", request.keeps_all, "Leave out no star, however far off it is");
   command.option("--size", request.size_px, "The picture's size in pixels, where --image is not given")
       .delimiter(',')
       .expected(2)
@@ -184,9 +312,10 @@ void add_options(const Command& command, CalibrateOptions& options) {
               "(default: 12)")
       .range(2.5, 500.0);
   command
-      .option("--catalogue-magnitude", request.faintest,
-              "Finding stars: magnitude of the faintest (default: 4)")
-      .range(-2.0, 4.5);
+      .option(
+          "--catalogue-magnitude", request.faintest,
+          "Finding stars: magnitude of the faintest (default: 4, and deeper where fainter stars are seen)")
+      .range(-2.0, 6.0);
   command
       .option("--min-elevation", request.min_elevation_deg,
               "Finding stars: elevation of the lowest, in degrees (default: 5)")

@@ -16,6 +16,7 @@ AddCommand add_describe_command, add_calibrate_command, add_horizon_command, add
     add_mask_command, add_linearise_command, add_photometry_command;
 AddCommand add_render_command, add_animate_command, add_preview_command, add_brightness_command,
     add_points_command, add_volume_command, add_grid_command, add_slices_command, add_sdf_command;
+AddCommand add_studio_command;
 AddCommand add_invert_command, add_electrons_command, add_atmosphere_command, add_tables_command,
     add_lines_command, add_bodies_command;
 AddCommand add_to_netcdf_command, add_to_gemini_command, add_to_lompe_command;
@@ -30,7 +31,7 @@ struct CommandGroup {
 inline std::vector<CommandGroup> command_groups() {
   return {
       {"From a photograph to numbers",
-       {add_measure_command, add_fit_command, add_compare_command, add_map_command, add_border_command,
+       {add_studio_command, add_measure_command, add_fit_command, add_compare_command, add_map_command, add_border_command,
         add_profile_command, add_keogram_command, add_sequence_command, add_survey_command}},
       {"Cameras and pictures",
        {add_describe_command, add_calibrate_command, add_horizon_command, add_directions_command,

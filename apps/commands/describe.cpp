@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <Eigen/Dense>
@@ -18,6 +19,7 @@
 #include "apps/output/photo_description.h"
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/frames/frame_name.h"
+#include "fit/photo/light_declarations.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
 #include "fit/photo/pointing/exchange/sip_wcs.h"
@@ -192,8 +194,10 @@ int run_describe(const DescribeRequest& options) {
     file.write(start_scene(name, fit::photo_facts(metadata)));
     file.commit();
   }
-  answer_with(description_json(name, metadata));
-  say_result(description_text(name, metadata));
+  const std::vector<std::string> declared = fit::light_declarations(options.photo);
+  const std::string light = declared.empty() ? fit::assumed_light(options.photo) : "";
+  answer_with(description_json(name, metadata, declared, light));
+  say_result(description_text(name, metadata, declared, light));
   if (!options.output.empty()) json_answer()["outputs"] = json_names({options.output});
   if (!options.output.empty()) say("%s\n", options.output.c_str());
   return good;

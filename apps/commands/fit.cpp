@@ -23,6 +23,7 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/answer/tables_correction.h"
 #include "fit/derivative_check.h"
 #include "fit/map/stored_map.h"
 #include "fit/photo/photo.h"
@@ -282,6 +283,8 @@ void print_answer(const fit::FitResult& result, const std::string& report) {
       say("  %s: %s%s%s (%s%s)\n", d.name.c_str(), sim::number_with_error(d.value, d.error()).c_str(),
           d.unit.empty() ? "" : " ", d.unit.c_str(), fit::trust_name(d.trust), words_of_trust(d).c_str());
   }
+  for (const fit::TablesCorrection& correction : result.tables)
+    say("%s\n", fit::correction_words(correction).c_str());
   for (const fit::FittedPhoto& photo : result.photos)
     say("decoding%s: %s\n", photo.name.empty() ? "" : (" of " + photo.name).c_str(), photo.decoding.c_str());
   if (result.compared.draws && result.best.fit.model == sim::FitModel::expected)

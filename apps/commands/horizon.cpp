@@ -104,6 +104,13 @@ void add_horizon_command(Program& program) {
       .type_name("PX")
       .range(1e-3, 1e3)
       .shows_default();
+  command
+      .option("--relief-deg", options->request.relief_deg,
+              "Standard deviation of the elevation of what forms the line: 0 for the sea's horizon, 2 for "
+              "hills and trees")
+      .type_name("DEG")
+      .range(0.0, 30.0)
+      .shows_default();
   command.option("-o,--output", options->output, "The camera, as a scene").type_name("CAMERA.toml");
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] {

@@ -1,8 +1,10 @@
 #include "apps/commands/keogram.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include "apps/commands/commands.h"
@@ -24,6 +26,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/text.h"
 #include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
@@ -156,10 +159,25 @@ std::string line_words(const fit::KeogramLine& line) {
          "\u00b0";
 }
 
+/// Videos are not read.
+void refuse_videos(const std::vector<std::string>& images) {
+  constexpr const char* kVideos[] = {".mp4",  ".mov", ".m4v",  ".avi", ".mkv",
+                                     ".webm", ".mpg", ".mpeg", ".wmv"};
+  for (const std::string& image : images) {
+    const std::string extension = sim::lowered_extension(image);
+    if (std::find(std::begin(kVideos), std::end(kVideos), extension) == std::end(kVideos)) continue;
+    throw usage_error("IMAGES", "'" + image + "' is a video, and videos are not read",
+                      "its frames as pictures: 'ffmpeg -i " + image +
+                          " frames/%05d.png' makes them; then 'vegard keogram frames/*.png --times "
+                          "TIMES.csv', as frames of a video do not say when they were taken");
+  }
+}
+
 }  // namespace
 
 void run_keogram(const KeogramOptions& options) {
   end_at_once_when_interrupted();
+  refuse_videos(options.images);
   const fit::KeogramLook look = look_of(options);
   const TimedPictures pictures = timed_pictures(options.images, options.times);
   check_outputs(options, pictures.files);

@@ -11,6 +11,7 @@
 #include "apps/options/photographs.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
+#include "apps/options/spectrum_options.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
@@ -29,6 +30,7 @@ struct MapRequest {
   std::string memory_limit;
   SceneOptions scene;
   PhotoWords photo;
+  SpectrumOptions spectrum;
   std::string out;
   int threads = 0;
   int replicates = fit::MapOptions().replicates;
@@ -53,6 +55,7 @@ fit::JournalMode journal_mode(const MapRequest& options) {
 }
 
 int run_map(const MapRequest& options, const std::string& command) {
+  const sim::ElectronSpectrum spectrum = electron_spectrum(options.spectrum);
   sim::Scene scene = scene_of(options.scene);
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
@@ -71,12 +74,20 @@ int run_map(const MapRequest& options, const std::string& command) {
   map_options.sparsity = options.sparsity;
   map_options.farthest_km = options.farthest_km;
   map_options.altitude_scale = options.altitude_scale;
+  map_options.spectrum = spectrum;
   map_options.stop = &watch_for_interrupt();
   fit::FileJournal journal(fit::journal_file(options.out), fit::subject_of_map(map_options, scene, photos),
                            journal_mode(options));
   if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
   map_options.progress = map_progress();
-  const fit::PhotoMap map = fit::mapped_photos(scene, photos, std::move(map_options), journal);
+  std::optional<fit::PhotoMap> made;
+  try {
+    made = fit::mapped_photos(scene, photos, std::move(map_options), journal);
+  } catch (const fit::MapStopped&) {
+    tell("vegard: interrupted before there was a map; the same command with --resume goes on\n");
+    return exit_code_of_interruption();
+  }
+  const fit::PhotoMap& map = *made;
   if (!journal.problem().empty()) tell("vegard: this map cannot be resumed: %s\n", journal.problem().c_str());
   fit::MapRunFacts facts;
   facts.command = command;
@@ -127,6 +138,7 @@ void add_map_command(Program& program) {
               "Multiply all altitudes of the tables' atmosphere by this, to see what changes")
       .range(0.9, 1.2)
       .shows_default();
+  add_spectrum_options(command, options->spectrum);
   command.flag("--netcdf", options->netcdf, "Also write the map as netCDF: RUN/precipitation.nc");
   command.flag("--overwrite", options->overwrite,
                "Replace an existing map; without --resume, discard the steps of an interrupted one");

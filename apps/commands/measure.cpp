@@ -27,6 +27,7 @@ int run_measure(fit::MeasureRequest request, const std::string& at, const std::v
                                                         }});
   answer_with(fit::measure_json(found));
   json_answer()["report"] = found.out + "/report.html";
+  if (found.is_map_interrupted) return exit_code_of_interruption();
   return found.trust == fit::Trust::good ? good : doubted;
 }
 
@@ -46,8 +47,9 @@ void add_measure_command(Program& program) {
   command.option("PHOTO", request.photo, "A photograph of any format that is read").required();
   add_at_option(command, words->at);
   command
-      .option("--time", request.time,
-              "Time of the picture, ISO 8601 in UTC or with a zone (default: from its metadata)")
+      .option(
+          "--time", request.time,
+          "Beginning of the exposure, ISO 8601 in UTC or with a zone (default: from the picture's metadata)")
       .type_name("TIME");
   add_site_option(command, words->site);
   command.option("--out", request.out, "The folder to write (default: PHOTO's name with _measured)")
@@ -68,6 +70,8 @@ void add_measure_command(Program& program) {
   add_threads_option(command, request.threads);
   command.flag("--no-map", request.no_map, "Leave out the map of precipitation");
   command.flag("--overwrite", request.overwrite, "Replace a measurement that exists");
+  command.flag("--resume", request.resume,
+               "Go on with a measurement that was interrupted, from the finished steps of its map");
   command.runs([words] { return run_measure(words->request, words->at, words->site); });
 }
 

@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -199,6 +198,7 @@ std::string exposure_text(const sim::Scene& scene) {
 }
 
 int run_render(const RenderRequest& request) {
+  end_at_once_when_interrupted();
   RenderRequest options = request;
   const sim::Scene as_given = scene_of(options.scene);
   note_inert_keys(as_given);
@@ -214,7 +214,6 @@ int run_render(const RenderRequest& request) {
       threads_to_render(scene, options.threads, bytes_per_px, !options.layers.empty(), options.memory_limit);
   const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
 
-  const std::atomic<bool>& stop = watch_for_interrupt();
   sim::Rendering rendering;
   std::vector<double> grain;
   ProgressBar bar("rendering");
@@ -223,17 +222,11 @@ int run_render(const RenderRequest& request) {
     render_options.threads = options.threads;
     // What is left then is to make pictures of the light, and to write them.
     render_options.progress = [&bar](double share) { bar.update(0.8 * share); };
-    render_options.stop = &stop;
     render_options.pictures = &pictures;
     render_options.sheet_layers = !options.layers.empty();
     rendering = sim::render(scene, render_options);
     render_options.progress = {};
-    if (options.grain && !stop.load()) grain = sim::grain_per_px(scene, rendering, render_options);
-  }
-  if (stop.load()) {
-    bar.finish();
-    tell("vegard: interrupted, nothing is written\n");
-    return interrupted;
+    if (options.grain) grain = sim::grain_per_px(scene, rendering, render_options);
   }
   const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
   bar.finish();

@@ -23,8 +23,11 @@
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
+#include "fit/report/table/shared_physics_files.h"
 #include "fit/sequence.h"
+#include "fit/shared_physics.h"
 #include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
@@ -38,6 +41,8 @@ namespace vegard::apps {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char *kPhysicsTable = "physics.csv", *kPhysics = "physics.json";
 
 struct SequenceRequest {
   std::string memory_limit;
@@ -96,7 +101,7 @@ class Folder {
         throw in_the_way(path_, "is of another sequence, scene or version")
             .hint("use --overwrite to fit it again, or choose another name");
     }
-    for (const char* name : {kManifest, kTable, kPlot, kNetcdf}) {
+    for (const char* name : {kManifest, kTable, kPlot, kNetcdf, kPhysicsTable, kPhysics}) {
       const fs::file_status status = fs::symlink_status(file(name), error);
       if (fs::exists(status) && !fs::is_regular_file(status))  // what a link leads to would be replaced
         throw in_the_way(file(name), "is in the way, and is no file that vegard wrote")
@@ -164,6 +169,48 @@ void write_tables(const Folder& folder, const std::vector<fit::SequenceRow>& row
   sim::write_whole(folder.file("sequence.csv"), fit::sequence_csv(rows), true);
   sim::write_whole(folder.file("sequence.svg"), fit::plot_svg(fit::sequence_plot(rows)), true);
   if (netcdf) sim::write_netcdf(fit::sequence_dataset(rows), folder.file(fit::kSequenceNetcdf), true);
+}
+
+/// What the frames say together of the emission tables; empty if none says anything.
+fit::SharedPhysics physics_of(const std::vector<fit::SequenceRow>& rows) {
+  std::vector<fit::FrameOfNight> frames;
+  bool any = false;
+  for (const fit::SequenceRow& row : rows) {
+    const bool converged = row.verdict == fit::Verdict::good || row.verdict == fit::Verdict::doubtful;
+    frames.push_back({converged, row.physics, row.numbers});
+    any = any || !row.physics.modes.empty();
+  }
+  return any ? fit::share_physics(frames) : fit::SharedPhysics();
+}
+
+/// Writes what the frames say together, or removes it where they say nothing.
+void write_physics(const Folder& folder, const std::vector<fit::SequenceRow>& rows,
+                   const fit::SharedPhysics& shared) {
+  const std::string table = folder.file(kPhysicsTable), facts = folder.file(kPhysics);
+  if (shared.frames.empty()) {
+    std::error_code ignored;
+    for (const std::string& file : {table, facts}) fs::remove(file, ignored);
+    return;
+  }
+  fit::NamesOfFrames names{"frame,time_s", {}};
+  std::vector<std::string> frames;
+  for (const fit::SequenceRow& row : rows) {
+    frames.push_back(row.frame);
+    names.rows.push_back(sim::csv_cell(row.frame) + "," + sim::csv_number(row.time_s));
+  }
+  sim::write_whole(table, fit::shared_physics_csv(shared, names), true);
+  sim::write_whole(facts, fit::shared_physics_json(shared, frames), true);
+}
+
+void tell_physics(const fit::SharedPhysics& shared) {
+  if (shared.frames.empty()) return;
+  say("%s\n", fit::shared_physics_words(shared).c_str());
+  for (const std::string& sentence : fit::asked_of_tables(shared)) say("%s\n", sentence.c_str());
+  for (const fit::SharedMean& mean : shared.means)
+    if (fit::is_main_number(mean.name))
+      say("mean %s %s %s, of it %s in common\n", mean.name.c_str(),
+          sim::number_with_error(mean.value, mean.sigma()).c_str(), mean.unit.c_str(),
+          sim::short_number(mean.sigma_common, 2).c_str());
 }
 
 void tell_row(const fit::SequenceRow& row, bool was_done) {
@@ -245,11 +292,15 @@ void write_frame_run(const SequenceRequest& options, const Folder& folder, const
 }
 
 /// Says where the table is, and answers with all rows.
-void tell_sequence(const Folder& folder, const std::vector<fit::SequenceRow>& rows) {
-  json_answer() = {{"outputs", json_names({folder.file("sequence.csv"), folder.file("sequence.svg")})},
-                   {"frames", Json::array()}};
+void tell_sequence(const Folder& folder, const std::vector<fit::SequenceRow>& rows,
+                   const fit::SharedPhysics& shared) {
+  std::vector<std::string> outputs = {folder.file("sequence.csv"), folder.file("sequence.svg")};
+  if (!shared.frames.empty())
+    outputs.insert(outputs.end(), {folder.file(kPhysicsTable), folder.file(kPhysics)});
+  json_answer() = {{"outputs", json_names(outputs)}, {"frames", Json::array()}};
   for (const fit::SequenceRow& row : rows)
     json_answer()["frames"].push_back(Json::parse(fit::sequence_row_json(row)));
+  tell_physics(shared);
   say("%s\n", folder.file("sequence.csv").c_str());
 }
 
@@ -287,7 +338,7 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
       tell("interrupted; the same command goes on from here\n");
       return interrupted;
     }
-    fitted.result.inputs = fit::inputs_of(options.scene.file, scene_sha256, {photo});
+    fitted.result.inputs = fit::inputs_of(options.scene.file, scene_sha256, photo);
     fitted.result.command = command;
     write_frame_run(options, folder, frame.name, fitted.result, photo);
     rows.push_back(fit::sequence_row(frame.name, frame.time_s, scene, fitted, photo));
@@ -296,7 +347,9 @@ int run_sequence(const SequenceRequest& options, const std::string& command) {
     tell_row(rows.back(), false);
   }
   write_tables(folder, rows, options.netcdf);
-  tell_sequence(folder, rows);
+  const fit::SharedPhysics shared = physics_of(rows);
+  write_physics(folder, rows, shared);
+  tell_sequence(folder, rows, shared);
   return exit_code_of(rows);
 }
 

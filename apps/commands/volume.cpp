@@ -1,7 +1,6 @@
 #include "apps/commands/commands.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -58,7 +57,7 @@ sim::Error darkness(const VolumeRequest& options) {
 }
 
 int run_volume(const VolumeRequest& options) {
-  const std::atomic<bool>& stop = watch_for_interrupt();
+  end_at_once_when_interrupted();
   sim::Scene scene = scene_of(options.scene);
   protect_inputs("--output", options.output, inputs_of_scene(options.scene, scene));
   if (!is_vdb_name(options.output))
@@ -72,13 +71,8 @@ int run_volume(const VolumeRequest& options) {
   }
   ProgressBar bar("filling voxels");
   grid_of.progress = [&bar](double share) { bar.update(share); };
-  grid_of.stop = &stop;
   sim::SceneGrid made = sim::grid_of_scene(scene, grid_of);
   bar.finish();
-  if (stop.load()) {
-    tell("vegard: interrupted, nothing is written\n");
-    return interrupted;
-  }
   const std::size_t bricks = made.grid.bricks.size();
   if (bricks == 0) throw darkness(options);
   sim::VdbOptions out;

@@ -20,7 +20,7 @@ void add_map_options(const Command& command, MapOptions& options) {
       .type_name("FILE");
   command
       .option("--skymap-flip", options.skymap_flip,
-              "Flip the skymap's rows, columns or both, if they run against the picture's")
+              "Flip the maps' rows, columns or both, if they run against the picture's")
       .type_name("WHICH");
 }
 
@@ -46,8 +46,8 @@ fit::SkyMapFlip flip_of(const MapOptions& options) {
 
 KnownDirections maps_of(const MapOptions& options) {
   const std::string& az = options.azimuth_map;
-  if (options.skymap.empty() && !options.skymap_flip.empty())
-    throw usage_error("--skymap-flip", "there is no skymap", "--skymap with it");
+  if (options.first().empty() && options.elevation_map.empty())
+    throw usage_error("--skymap-flip", "there is no skymap", "--skymap or --azimuth-map with it");
   if (!options.skymap.empty()) {
     if (!az.empty() || !options.elevation_map.empty())
       throw usage_error("--skymap", "it has azimuths and elevations",
@@ -59,6 +59,7 @@ KnownDirections maps_of(const MapOptions& options) {
     throw usage_error("--elevation-map", "a map of elevations alone is not enough", "--azimuth-map with it");
   const std::string& el = options.elevation_map.empty() ? az : options.elevation_map;
   KnownDirections known{fit::read_direction_map(az, el), "maps " + file_name_of(az), {}};
+  fit::flip_map(flip_of(options), known.map);
   if (el != az) known.words += ", " + file_name_of(el);
   return known;
 }

@@ -29,13 +29,15 @@ bool same_file(const std::string& name, const std::string& other) {
   const std::string a = fit::file_of_frame(name), b = fit::file_of_frame(other);
   std::error_code ignored;
   if (std::filesystem::equivalent(a, b, ignored)) return true;
-  return whole_name(a) == whole_name(b);
+  return whole_name(a) == whole_name(b) && !whole_name(a).empty();
 }
 
 bool is_inside(const std::string& file, const std::string& folder) {
   if (file.empty() || folder.empty()) return false;
   const std::filesystem::path inner = whole_name(fit::file_of_frame(file));
   std::filesystem::path outer = whole_name(folder);
+  // A name is empty where a folder on its way may not be looked into, which whoever opens it says.
+  if (inner.empty() || outer.empty()) return false;
   if (outer.filename().empty()) outer = outer.parent_path();  // of "run/"
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }

@@ -78,7 +78,7 @@ TimeTable read_times(const std::string& file) {
     ++number;
     line = trimmed(line);
     if (line.empty() || line[0] == '#' || (table.seconds.empty() && line == "file,time")) continue;
-    const auto comma = line.rfind(',');
+    const auto comma = line.find_last_of(",;\t");
     const std::string name = comma == std::string::npos ? "" : file_name_of(trimmed(line.substr(0, comma)));
     const std::string time = comma == std::string::npos ? "" : trimmed(line.substr(comma + 1));
     const std::optional<double> utc = sim::utc_seconds(time), seconds = plain_number(time);
@@ -144,20 +144,32 @@ std::optional<fit::PictureTimes> from_metadata(const std::vector<sim::PictureMet
 }
 
 std::optional<fit::PictureTimes> from_names(const std::vector<std::string>& files) {
+  constexpr const char* kTable = "a table that says when each was taken";
   std::vector<double> told;
-  std::string without;
+  std::string without, zoned, zoneless;
   for (const std::string& file : files) {
-    const std::optional<double> seconds = sim::utc_seconds_in_name(file_name_of(file));
-    if (seconds)
-      told.push_back(*seconds);
-    else if (without.empty())
-      without = file_name_of(file);
+    const std::string name = file_name_of(file);
+    const std::optional<sim::TimeInName> time = sim::time_in_name(name);
+    if (!time) {
+      if (without.empty()) without = name;
+      continue;
+    }
+    if (!time->unclear.empty())
+      throw usage_error("--times",
+                        "the time in the name of " + name + " is not clear: '" + time->unclear + "'",
+                        std::string("names in UTC or with an offset, +0100; or ") + kTable);
+    (time->offset_minutes ? zoned : zoneless) = name;
+    told.push_back(time->utc_s());
   }
   if (told.empty()) return std::nullopt;
   if (told.size() < files.size())
-    throw usage_error("--times", "the name of " + without + " has no time, others have",
-                      "a table that says when each was taken");
-  return fit::PictureTimes{Kind::utc, told, "the files' names, taken for UTC"};
+    throw usage_error("--times", "the name of " + without + " has no time, others have", kTable);
+  if (!zoned.empty() && !zoneless.empty())
+    throw usage_error("--times", "the name of " + zoned + " tells its zone, that of " + zoneless + " none",
+                      kTable);
+  return fit::PictureTimes{
+      Kind::utc, told,
+      zoned.empty() ? "the files' names, taken for UTC" : "the files' names, by their zones"};
 }
 
 /// By the cameras' clocks, of no known zone.

@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
+#include "sim/scene/file/closing_line.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 
@@ -162,13 +163,15 @@ std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& fa
           from += "; the picture says " + fact->value + " (" + fact->source + "): " + error.details().problem;
         }
       }
-      text += std::string(line.key) + " = " + value_of(scene, path) + "  # " + sim::comment_words(from) + "\n";
+      text +=
+          std::string(line.key) + " = " + value_of(scene, path) + "  # " + sim::comment_words(from) + "\n";
     }
   }
-  return text;
+  return sim::with_closing_line(text);
 }
 
-std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata) {
+std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata,
+                             const std::vector<std::string>& declared, const std::string& light) {
   Listing said(sim::shown_text(photo_name) + " says:");
   if (metadata.width_px && metadata.height_px)
     said.add("size", fmt::format("{} x {} pixels", *metadata.width_px, *metadata.height_px));
@@ -192,6 +195,7 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
   said.add("latitude", metadata.latitude_deg, "deg");
   said.add("longitude", metadata.longitude_deg, "deg");
   said.add("altitude", metadata.altitude_m, "m");
+  for (const std::string& word : declared) said.add("declares", word);
 
   const fit::PhotoFacts facts = fit::photo_facts(metadata);
   std::string text = said.text() + "in a scene's keys:\n";
@@ -199,6 +203,7 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
     text += "  " + sim::shortened_quotes(fit::fact_text(fact)) + "\n";
   if (facts.facts.empty()) text += "  nothing\n";
   for (const std::string& note : facts.notes) text += "note: " + sim::shortened_quotes(note) + "\n";
+  if (!light.empty()) text += "note: " + light + "\n";
   return text;
 }
 
@@ -236,8 +241,12 @@ std::string sky_map_description_text(const std::string& file_name, const fit::Sk
   return said.text() + "note: it holds no picture; calibrate, profile and keogram take it as --skymap\n";
 }
 
-std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata) {
-  return text_of(description(photo_name, metadata));
+std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata,
+                             const std::vector<std::string>& declared, const std::string& light) {
+  Json json = description(photo_name, metadata);
+  json["declares"] = declared;
+  if (!light.empty()) json["notes"].push_back(light);
+  return text_of(json);
 }
 
 std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/photo/frames/frame_file.h"
 #include "fit/photo/photo_facts.h"
@@ -14,8 +15,10 @@ namespace vegard::apps {
 /// an assumption. Values of the picture outside a key's limits stand in a comment.
 std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts);
 
-/// Returns the known metadata, line by line, and the resulting values of a scene's keys.
-std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata);
+/// Returns the known metadata, line by line, with what the file declares about its light (`declared`), and
+/// the resulting values of a scene's keys. `light`: a note of fit::assumed_light(), or empty.
+std::string description_text(const std::string& photo_name, const sim::PictureMetadata& metadata,
+                             const std::vector<std::string>& declared = {}, const std::string& light = {});
 
 /// Returns the same for a file with many frames: the metadata of the first frame except its time, and the
 /// frames with their times.
@@ -26,7 +29,8 @@ std::string frames_description_text(const std::string& file_name, const fit::Fra
 std::string sky_map_description_text(const std::string& file_name, const fit::SkyMapFile& map);
 
 /// The same three descriptions as JSON, with units in the keys.
-std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata);
+std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata,
+                             const std::vector<std::string>& declared = {}, const std::string& light = {});
 std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index);
 std::string sky_map_description_json(const std::string& file_name, const fit::SkyMapFile& map);
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ class PreviewLoop {
         controls_(scene),
         pace_(options.reduction, options.frames_per_second),
         painter_(options.threads),
-        window_("vegard preview"),
+        window_(open_preview_window("vegard preview")),
         // Footprints stand still; sheets may move.
         time_runs_(!scene.sheets.empty()) {}
 
@@ -44,7 +45,7 @@ class PreviewLoop {
     const std::atomic<bool>& stop = watch_for_interrupt();
     while (!stop.load()) {
       if (stale_) paint(stop);
-      const WindowEvents events = window_.wait(stale_ ? 1 : 15);
+      const WindowEvents events = window_->wait(stale_ ? 1 : 15);
       if (!obey(events)) return good;
       const Clock::time_point now = Clock::now();
       if (time_runs_) {
@@ -91,7 +92,7 @@ class PreviewLoop {
         fmt::format("{} x {}, {:.0f} ms, {:.0f} fps", picture_.width, picture_.height, ms,
                     1000.0 / std::max(ms, 1.0))};
     if (!message_.empty()) lines.push_back(message_);
-    window_.show(picture_, lines);
+    window_->show(picture_, lines);
   }
 
   /// False at the end.
@@ -188,7 +189,7 @@ class PreviewLoop {
   PreviewControls controls_;
   PreviewPace pace_;
   PreviewPainter painter_;
-  PreviewWindow window_;
+  std::unique_ptr<PreviewWindow> window_;
   ScreenPicture picture_;
   std::deque<double> last_ms_;
   std::string message_;

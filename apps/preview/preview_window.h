@@ -1,5 +1,5 @@
-// The window of a preview: a picture with lines of text, and input by keys and the mouse. It hides the use of
-// OpenCV.
+// The window of a preview: a picture with lines of text, and input by keys and the mouse. OpenCV, which
+// opens it, is in a module (sim/base/module.h).
 #pragma once
 
 #include <memory>
@@ -27,26 +27,29 @@ struct WindowEvents {
   double wheel = 0.0;                             ///< notches, positive away from the user
 };
 
+/// It closes when it is destroyed.
 class PreviewWindow {
  public:
-  explicit PreviewWindow(const std::string& title);
-  ~PreviewWindow();
+  PreviewWindow() = default;
+  virtual ~PreviewWindow() = default;
   PreviewWindow(const PreviewWindow&) = delete;
   PreviewWindow& operator=(const PreviewWindow&) = delete;
 
   /// Shows a picture. The lines, in ASCII, are drawn below each other in its upper left corner.
-  void show(const ScreenPicture& picture, const std::vector<std::string>& lines);
+  virtual void show(const ScreenPicture& picture, const std::vector<std::string>& lines) = 0;
 
   /// Waits at most this long, or until a key is pressed.
-  WindowEvents wait(int ms);
+  virtual WindowEvents wait(int ms) = 0;
+};
 
- private:
-  struct Mouse;
-  void open();
+/// Throws sim::MissingModule.
+std::unique_ptr<PreviewWindow> open_preview_window(const std::string& title);
 
-  std::string title_;
-  std::unique_ptr<Mouse> mouse_;
-  bool shown_ = false;
+/// Of preview_window_module.cpp, which alone uses OpenCV's windows.
+struct PreviewWindowModule {
+  static constexpr const char* module = "vegard_window";
+
+  std::unique_ptr<PreviewWindow> (*open)(const std::string& title);
 };
 
 }  // namespace vegard::apps

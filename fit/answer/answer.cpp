@@ -45,7 +45,7 @@ std::vector<std::string> undetermined_words(const std::vector<DescribedNumber>& 
 ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeNumber>& free,
                                 const std::vector<double>& values, const Uncertainty& u, bool stopped,
                                 FitResult& r) {
-  ValueUncertainty known{u.covariance, u.undetermined};
+  ValueUncertainty known{u.covariance, u.undetermined, u.modes};
   std::vector<double> slopes;
   for (std::size_t j = 0; j < free.size(); ++j) {
     const FreeNumber& n = free[j];
@@ -59,6 +59,7 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     p.min = n.min;
     p.max = n.max;
     p.at_limit = n.at_limit(values[j]);
+    p.relative = n.logarithmic();
     p.of_profile = n.id.role() == sim::ParameterRole::profile_coefficient;
     const double way = wrapped_difference(n, values[j], n.start);
     p.moved = way > kUnmoved * (n.logarithmic() ? std::abs(n.start) : std::max(1.0, std::abs(n.start)));
@@ -67,6 +68,7 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     const double sigma = u.sigma[j] * slopes[j];
     if (std::isfinite(sigma)) {
       p.sigma = sigma;
+      if (!u.by_bands.empty()) p.by_bands = u.by_bands[j];
       p.moved_sigma = way / sigma;
       const double shift = p.value - values[j];
       p.interval68 = {n.value(at - u.sigma[j]) + shift, n.value(at + u.sigma[j]) + shift};
@@ -80,6 +82,11 @@ ValueUncertainty put_parameters(const sim::Scene& scene, const std::vector<FreeN
     for (std::size_t k = 0; k < free.size(); ++k) known.covariance[j][k] *= slopes[j] * slopes[k];
   for (std::vector<double>& direction : known.undetermined)
     for (std::size_t j = 0; j < free.size(); ++j) direction[j] *= slopes[j];
+  for (ModeShift& mode : known.modes)
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      mode.shift[j] *= slopes[j];
+      r.parameters[j].by_mode.push_back(mode.shift[j]);
+    }
   const std::vector<DescribedNumber> described = described_numbers(scene, free, values);
   std::vector<double> sigma;
   for (std::size_t j = 0; j < free.size(); ++j) sigma.push_back(u.sigma[j] * slopes[j]);
@@ -106,13 +113,15 @@ namespace {
 class SolvedNumbers {
  public:
   SolvedNumbers(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
-                double error_inflation, FittedPhoto& r)
+                double error_inflation, std::size_t photo, FittedPhoto& r)
       : linear_(comparison.linear()),
         gains_(comparison.gains()),
         solution_(point.solution),
         variance_(linear_.coefficient_variance(point.aurora, solution_, error_inflation, known.covariance)),
         grey_(is_grey(r.best)),
-        r_(r) {}
+        r_(r) {
+    consider_modes(point.aurora, known.modes, photo);
+  }
 
   void put_gains() {
     for (int b = 0; b < (gains_.per_band ? gains_.bands : 1); ++b)
@@ -160,9 +169,31 @@ class SolvedNumbers {
  private:
   static constexpr const char* kChannel[3] = {"red", "green", "blue"};
 
+  /// The variances contain what the modes of the emission tables do by way of the answer: instead, all that
+  /// they do.
+  void consider_modes(const ModelProfile& aurora, const std::vector<ModeShift>& modes, std::size_t photo) {
+    std::vector<std::vector<double>> shifts;
+    for (const ModeShift& mode : modes) shifts.push_back(mode.shift);
+    by_mode_ = linear_.coefficient_shifts(aurora, solution_, shifts);
+    for (std::size_t j = 0; j < variance_.size(); ++j) {
+      if (variance_[j] <= 0.0) continue;
+      double by_answer = 0.0, by_all = 0.0;
+      for (std::size_t m = 0; m < modes.size(); ++m) {
+        double& change = by_mode_[m][j];
+        by_answer += change * change;
+        change += modes[m].coefficients[photo][j];
+        by_all += change * change;
+      }
+      if (!modes.empty()) variance_[j] = std::max(0.0, variance_[j] - by_answer) + by_all;
+    }
+  }
+
   void put(const std::string& name, int j) {
     SolvedNumber s{name, solution_.coefficients[j], {}};
-    if (variance_[j] > 0.0) s.sigma = std::sqrt(variance_[j]);
+    if (variance_[j] > 0.0) {
+      s.sigma = std::sqrt(variance_[j]);
+      for (const std::vector<double>& mode : by_mode_) s.by_mode.push_back(mode[static_cast<std::size_t>(j)]);
+    }
     r_.solved.push_back(s);
   }
 
@@ -195,7 +226,8 @@ class SolvedNumbers {
   const LinearPart& linear_;
   const GainLayout& gains_;
   const LinearSolution& solution_;
-  std::vector<double> variance_;  ///< of each coefficient
+  std::vector<double> variance_;              ///< of each coefficient
+  std::vector<std::vector<double>> by_mode_;  ///< changes, [mode][coefficient]
   bool grey_;
   FittedPhoto& r_;
 };
@@ -203,8 +235,8 @@ class SolvedNumbers {
 }  // namespace
 
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
-                  double error_inflation, FittedPhoto& r) {
-  SolvedNumbers solved(comparison, point, known, error_inflation, r);
+                  double error_inflation, std::size_t photo, FittedPhoto& r) {
+  SolvedNumbers solved(comparison, point, known, error_inflation, photo, r);
   solved.put_gains();
   solved.put_sky();
   for (const Statistic::Solved& s : comparison.solved_by_statistics(r.best)) {

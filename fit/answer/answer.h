@@ -1,6 +1,7 @@
 // Fills a result from the end of a fit: parameters, gains and sky with their error bars, and the best scene.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "fit/answer/derived.h"
@@ -23,8 +24,9 @@ std::vector<TiedNumber> tied_numbers(const ParameterMap& map, const std::vector<
                                      const sim::Scene& scene, const ValueUncertainty& known);
 
 /// Puts the gains, the sky and the other solved numbers of a photograph into `fitted` and its best scene.
+/// `photo` is its index among those of the fit.
 void put_solution(const Comparison& comparison, const Comparison::Point& point, const ValueUncertainty& known,
-                  double error_inflation, FittedPhoto& fitted);
+                  double error_inflation, std::size_t photo, FittedPhoto& fitted);
 
 /// Returns the entry with the fitted values that belong to its photograph alone (gain, sky and its own free
 /// numbers): those in which its best scene differs from the shared one. `parameters` are all of the fit's.

@@ -320,6 +320,7 @@ std::vector<DerivedNumber> derived_numbers(const sim::Scene& best, const std::ve
       } else {
         if (label.is_longitude) d.value = sim::wrapped_longitude_deg(d.value);
         d.sigma = found[i].sigma;
+        d.by_mode = found[i].by_mode;
         // What the picture leaves open may matter so little that the number is good between all limits.
         if (!d.sigma && found[i].within_limits &&
             trust_of(d.quantity, d.value, *found[i].within_limits) == Trust::good)

@@ -1,6 +1,8 @@
 #include "fit/answer/energy_flux.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "sim/scene/rows/spline_rates.h"
@@ -10,17 +12,34 @@
 namespace vegard::fit {
 namespace {
 
-/// The relative standard deviation of the mean of a photograph's gains; none if one of them has none.
-std::optional<double> relative_sigma_of_gain(const FittedPhoto& photo) {
+/// Of the mean of a photograph's gains, relative to it.
+struct GainError {
+  double sigma = 0.0;
+  std::vector<double> by_mode;  ///< part of sigma
+};
+
+/// None if one of the gains has no error bar.
+std::optional<GainError> error_of_gain(const FittedPhoto& photo) {
   double sum = 0.0, variance = 0.0;
+  std::vector<double> by_mode;  // of the sum
   for (const SolvedNumber& solved : photo.solved) {
     if (solved.name.compare(0, 4, "gain") != 0 || solved.value <= 0.0) continue;
     if (!solved.sigma) return {};
     sum += solved.value;
-    variance += *solved.sigma * *solved.sigma;
+    double by_itself = *solved.sigma * *solved.sigma;
+    by_mode.resize(std::max(by_mode.size(), solved.by_mode.size()), 0.0);
+    for (std::size_t m = 0; m < solved.by_mode.size(); ++m) {
+      by_mode[m] += solved.by_mode[m];
+      by_itself -= solved.by_mode[m] * solved.by_mode[m];
+    }
+    variance += std::max(0.0, by_itself);
   }
   if (sum <= 0.0) return {};
-  return std::sqrt(variance) / sum;
+  for (double& change : by_mode) {
+    variance += change * change;
+    change /= sum;
+  }
+  return GainError{std::sqrt(variance) / sum, by_mode};
 }
 
 /// Of the scale; none if it is not given.
@@ -36,6 +55,7 @@ bool is_own_number(const FitResult& result, const std::string& path, DerivedNumb
     if (p.path == path) {
       d.value = p.value;
       d.sigma = p.sigma;
+      d.by_mode = p.by_mode;
       d.why_no_sigma = p.why_no_sigma;
       return true;
     }
@@ -64,8 +84,10 @@ std::optional<FoundFlux> scaled(double mw_m2, const sim::Scene& known, const Fit
   if (!why_none.empty()) return {};
   const double share = sim::gain_per_kilorayleigh(fitted.best) / sim::gain_per_kilorayleigh(known);
   FoundFlux flux{mw_m2 * share, {}};
-  if (const std::optional<double> of_gain = relative_sigma_of_gain(fitted))
-    flux.sigma = flux.mw_m2 * std::hypot(*of_gain, *of_scale);
+  if (const std::optional<GainError> of_gain = error_of_gain(fitted)) {
+    flux.sigma = flux.mw_m2 * std::hypot(of_gain->sigma, *of_scale);
+    for (const double change : of_gain->by_mode) flux.by_mode.push_back(flux.mw_m2 * change);
+  }
   return flux;
 }
 
@@ -86,6 +108,7 @@ DerivedNumber energy_flux(const std::string& table, const std::string& name, int
     if (!flux || (d.sigma && !(flux->sigma && *flux->sigma < *d.sigma))) continue;
     d.value = flux->mw_m2;
     d.sigma = flux->sigma;
+    d.by_mode = flux->by_mode;
   }
   if (std::isfinite(d.value)) {
     d.why_none.clear();

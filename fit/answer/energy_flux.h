@@ -13,14 +13,18 @@ namespace vegard::fit {
 struct FoundFlux {
   double mw_m2 = 0.0;
   std::optional<double> sigma;
+  std::vector<double> by_mode{};  ///< as FittedParameter::by_mode
 };
 
 /// Returns Q = (the scene's Q) * (fitted gain) / (known gain): brighter light and a higher gain give the same
 /// picture. `known` is the scene before the fit, with the sensor's own scale; the fitted gain is the mean
-/// over the bands. The relative sigma combines in quadrature that of this mean, with bands taken as
-/// independent, and that of the scale: sensor.calibration_error, or for a camera known by its data sheet that
-/// of sim/view/sensor/expected_counts.h (27 to 35 %). Returns none, with the reason in `why_none`, where the
-/// picture is not calibrated or Q does not scale the light.
+/// over the bands. The relative sigma combines in quadrature that of this mean and that of the scale:
+/// sensor.calibration_error, or for a camera known by its data sheet that of
+/// sim/view/sensor/expected_counts.h (27 to 35 %). The mean's contains the data's noise, the other free
+/// numbers (both with bands taken as independent), and the modes of the emission tables' uncertainty: the
+/// change of light per flux that each brings, at the answer and by the answer's shift, of all bands together.
+/// Returns none, with the reason in `why_none`, where the picture is not calibrated or Q does not scale the
+/// light.
 std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& fitted, int sheet,
                                     std::string& why_none);
 

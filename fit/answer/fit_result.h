@@ -13,6 +13,7 @@
 #include "fit/measure/profile.h"
 #include "fit/photo/photo_facts.h"
 #include "fit/search/descent.h"
+#include "fit/uncertainty/mode_information.h"
 #include "fit/uncertainty/validated_errors.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/scene.h"
@@ -56,6 +57,12 @@ struct FittedParameter {
   std::optional<double> moved_sigma;  ///< by how much, in units of sigma; none without an error bar
   bool of_profile = false;            ///< a coefficient of one of FitResult::profiles, which show it better
   std::string why_no_sigma;           ///< the reason, if sigma is missing
+  /// By what factor the scatter of the picture's bands has widened sigma without the physics
+  /// (fit/uncertainty/band_scatter.h), at least 1.
+  double by_bands = 1.0;
+  /// Changes by one standard deviation of each considered mode of the emission tables, in `unit`.
+  std::vector<double> by_mode{};
+  bool relative = false;  ///< its search is in the logarithm
 };
 
 /// A number that is computed from others (fit.tied), or equals another one that has the same name in
@@ -92,6 +99,8 @@ struct SolvedNumber {
   std::string name;  ///< "gain.band_3", "sky.level.red"
   double value = 0.0;
   std::optional<double> sigma;
+  /// Changes by each considered mode of the emission tables, the answer's shift included; part of sigma.
+  std::vector<double> by_mode{};
 };
 
 /// One of the statistics that photograph and model were compared by (fit/compare/statistics.h).
@@ -122,6 +131,16 @@ struct DerivedNumber {
   std::string trust_reason{};
   std::optional<double> at_other_mode{};  ///< its value at a second minimum of chi2, if there is one
   std::optional<double> systematic{};     ///< by choices of the analysis (fit/stability.h), if requested
+  std::vector<double> by_mode{};          ///< as FittedParameter::by_mode
+};
+
+/// What the data ask of the emission tables' light of a line, over that of another line
+/// (fit/answer/tables_correction.h).
+struct TablesCorrection {
+  double wavelength_nm = 0.0, over_nm = 0.0;
+  double factor = 1.0;              ///< on the tables' ratio
+  double ln_sigma = 0.0;            ///< standard deviation of its logarithm
+  double ln_sigma_of_tables = 0.0;  ///< before these data
 };
 
 /// A fit with one of its choices changed (fit/stability.h).
@@ -197,6 +216,8 @@ struct FitResult {
   std::vector<FittedParameter> parameters;
   std::vector<TiedNumber> tied;
   std::vector<DerivedNumber> derived;
+  std::vector<TablesCorrection> tables;  ///< of lines of which the data say something; not applied
+  ModeInformation physics;               ///< what the data say of the modes, for several pictures together
   std::optional<FittedTransferCurve> transfer_curve;  ///< of a photograph whose transfer curve was unknown
   std::vector<sim::FootBand> foot_bands;              ///< one per sheet
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free

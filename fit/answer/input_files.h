@@ -12,5 +12,7 @@ namespace vegard::fit {
 /// The scene's file and the photographs with their masks, for FitResult::inputs.
 std::vector<InputFile> inputs_of(const std::string& scene_file, const std::string& scene_sha256,
                                  const std::vector<Photo>& photos);
+std::vector<InputFile> inputs_of(const std::string& scene_file, const std::string& scene_sha256,
+                                 const Photo& photo);
 
 }  // namespace vegard::fit

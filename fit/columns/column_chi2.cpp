@@ -4,160 +4,56 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <type_traits>
 #include <utility>
+
+#include "fit/columns/column_linearisation.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr double kFluxScanStep = 0.25;  // of ln(Q), between which the light per flux is taken to be linear
 constexpr int kFluxRounds = 3;          // the light per flux changes by a few per cent per factor of flux
+constexpr double kSettledFlux = 1e-4;
 constexpr int kMaxDescentSteps = 100;
-constexpr double kSettledStep = 1e-9, kSettledFall = 1e-11;
+constexpr double kSettledFall = 1e-7;  // 3e-4 of a standard deviation
 constexpr double kFirstDamping = 1e-4, kMaxDamping = 1e10;
-constexpr ColumnPoint kLongestStep = {0.7, 2.0, 0.5};
+constexpr double kSettledDamping = 1.0;  // a short step that hardly lowers chi2 is no end
+constexpr double kLeastShare = 1e-6;     // of a step
+constexpr ColumnPoint kLongestStep = {0.7, 2.0, 0.5, 1.0};
 constexpr double kSameValley = 0.02;     // of ln(energy) and ln(oxygen)
+constexpr double kFarAbove = 12.0;       // of chi2: three times what makes a minimum a solution
+constexpr double kSameSoft = 0.2;        // of ln(ratio), which is known less well
 constexpr double kAtColumnLimit = 1e-9;  // of an unknown, where it counts as being at its limit
 
-struct ColumnGradient {
-  double chi2 = 0.0;
-  Eigen::Vector3d slope = Eigen::Vector3d::Zero();  ///< half of chi2's
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-};
-
-constexpr auto kMostLines = static_cast<int>(kMaxColumnLines);
-using LineMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostLines, kMostLines>;
-using LineVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMostLines, 1>;
-using ModeMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostLines, sim::kMaxLightModes>;
-using ModeVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, sim::kMaxLightModes, 1>;
-using LineSlopes = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::ColMajor, kMostLines, 3>;
-
-/// The brightnesses at a point with the modes at the coefficients that make chi2 least.
-class BestModes {
- public:
-  BestModes(const ColumnModel& model, const ColumnData& data, const ColumnPoint& point)
-      : lines_(static_cast<int>(model.lines())),
-        changes_(lines_, model.modes()),
-        changes_by_energy_(lines_, model.modes()),
-        slopes_(lines_, 3),
-        usual_(lines_),
-        wanted_(lines_),
-        variance_(lines_) {
-    for (int l = 0; l < lines_; ++l) {
-      const auto line = static_cast<std::size_t>(l);
-      const ColumnLight light = model.at(line, point);
-      const ColumnModes modes = model.modes_at(line, point);
-      usual_(l) = std::exp(light.ln_rayleigh);
-      slopes_.row(l) << light.slope[0], light.slope[1], light.slope[2];
-      for (int k = 0; k < model.modes(); ++k) {
-        changes_(l, k) = modes.value[static_cast<std::size_t>(k)];
-        changes_by_energy_(l, k) = modes.slope[static_cast<std::size_t>(k)];
-      }
-      wanted_(l) = data.rayleigh[line];
-      variance_(l) = data.sigma[line] * data.sigma[line];
-    }
-    solve();
+/// Calls `work` with the number of lines as a constant, for loops that the compiler unrolls: a map has
+/// hundreds of them a pixel.
+template <class Work>
+auto with_lines(std::size_t lines, const Work& work) {
+  static_assert(kMaxColumnLines == 8);
+  switch (lines) {
+    case 1:
+      return work(std::integral_constant<std::size_t, 1>());
+    case 2:
+      return work(std::integral_constant<std::size_t, 2>());
+    case 3:
+      return work(std::integral_constant<std::size_t, 3>());
+    case 4:
+      return work(std::integral_constant<std::size_t, 4>());
+    case 5:
+      return work(std::integral_constant<std::size_t, 5>());
+    case 6:
+      return work(std::integral_constant<std::size_t, 6>());
+    case 7:
+      return work(std::integral_constant<std::size_t, 7>());
+    default:
+      return work(std::integral_constant<std::size_t, 8>());
   }
-
-  ColumnGradient gradient() const {
-    ColumnGradient g;
-    const LineVector residual = rayleigh_ - wanted_;
-    const LineSlopes slopes = slopes_of_rayleigh();
-    // Where the coefficients are best, chi2 does not change with them.
-    g.chi2 = residual.cwiseAbs2().cwiseQuotient(variance_).sum() + coefficients_.squaredNorm();
-    g.slope = slopes.transpose() * residual.cwiseQuotient(variance_);
-    g.information = slopes.transpose() * covariance().ldlt().solve(slopes);
-    return g;
-  }
-
-  std::vector<LineCorrection> corrections(const ColumnFreedom& is_free) const {
-    const LineVector logs = changes_ * coefficients_;
-    const ModeMatrix response = rayleigh_.asDiagonal() * changes_;
-    const LineVector weight = variance_.cwiseInverse();
-    Eigen::MatrixXd information = response.transpose() * weight.asDiagonal() * response;
-    information.diagonal().array() += 1.0;
-    LineSlopes slopes = slopes_of_rayleigh();
-    Eigen::Matrix3d of_unknowns = slopes.transpose() * weight.asDiagonal() * slopes;
-    for (int i = 0; i < 3; ++i) {
-      if (is_free[static_cast<std::size_t>(i)]) continue;
-      of_unknowns.row(i).setZero();
-      of_unknowns.col(i).setZero();
-      of_unknowns(i, i) = 1.0;
-      slopes.col(i).setZero();
-    }
-    const Eigen::MatrixXd both = response.transpose() * weight.asDiagonal() * slopes;
-    information -= both * of_unknowns.ldlt().solve(both.transpose());
-    const Eigen::MatrixXd left = changes_ * information.ldlt().solve(Eigen::MatrixXd(changes_.transpose()));
-    std::vector<LineCorrection> result;
-    for (int l = 0; l < lines_; ++l)
-      result.push_back({std::exp(logs(l)), changes_.row(l).norm(), std::sqrt(std::max(0.0, left(l, l)))});
-    return result;
-  }
-
- private:
-  static constexpr int kMostRounds = 12;
-  static constexpr double kSettled = 1e-9, kMostOfLogarithm = 2.0;
-
-  /// Gauss-Newton steps: with the light linear in the coefficients each would be the last.
-  void solve() {
-    coefficients_ = ModeVector::Zero(changes_.cols());
-    for (int round = 0; round < kMostRounds; ++round) {
-      take();
-      const LineVector towards = wanted_ - rayleigh_ + rayleigh_.cwiseProduct(changes_ * coefficients_);
-      const ModeVector next =
-          changes_.transpose() * rayleigh_.cwiseProduct(LineVector(covariance().ldlt().solve(towards)));
-      const double moved = (next - coefficients_).cwiseAbs().maxCoeff();
-      coefficients_ = next;
-      const double most = (changes_ * coefficients_).cwiseAbs().maxCoeff();
-      if (most > kMostOfLogarithm) coefficients_ *= kMostOfLogarithm / most;
-      if (moved < kSettled) break;
-    }
-    take();
-  }
-
-  void take() { rayleigh_ = usual_.cwiseProduct((changes_ * coefficients_).array().exp().matrix()); }
-
-  LineMatrix covariance() const {
-    const ModeMatrix response = rayleigh_.asDiagonal() * changes_;
-    LineMatrix matrix = response * response.transpose();
-    matrix.diagonal() += variance_;
-    return matrix;
-  }
-
-  LineSlopes slopes_of_rayleigh() const {
-    LineSlopes slopes = slopes_;
-    slopes.col(kLnEnergy) += changes_by_energy_ * coefficients_;
-    return rayleigh_.asDiagonal() * slopes;
-  }
-
-  int lines_;
-  ModeMatrix changes_, changes_by_energy_;
-  LineSlopes slopes_;
-  LineVector usual_, wanted_, variance_, rayleigh_;
-  ModeVector coefficients_;
-};
-
-ColumnGradient column_gradient(const ColumnModel& model, const ColumnData& data, const ColumnPoint& point) {
-  if (model.modes() > 0) return BestModes(model, data, point).gradient();
-  ColumnGradient g;
-  for (std::size_t l = 0; l < model.lines(); ++l) {
-    const ColumnLight light = model.at(l, point);
-    const double rayleigh = std::exp(light.ln_rayleigh);
-    const double residual = (rayleigh - data.rayleigh[l]) / data.sigma[l];
-    const Eigen::Vector3d row =
-        rayleigh / data.sigma[l] * Eigen::Vector3d(light.slope[0], light.slope[1], light.slope[2]);
-    g.chi2 += residual * residual;
-    g.slope += residual * row;
-    g.information += row * row.transpose();
-  }
-  return g;
 }
 
 /// Returns which unknowns cannot move: they are not free, or chi2 falls across their limit.
 ColumnFreedom held_unknowns(const ColumnModel& model, const ColumnPoint& point, const ColumnFreedom& free,
-                            const Eigen::Vector3d& slope) {
+                            const ColumnVector& slope) {
   ColumnFreedom is_held{};
   for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -169,10 +65,10 @@ ColumnFreedom held_unknowns(const ColumnModel& model, const ColumnPoint& point, 
 
 /// Returns the damped step, which leaves the held unknowns where they are and is shortened as a whole where
 /// it is too long.
-Eigen::Vector3d damped_step(const ColumnGradient& g, const ColumnFreedom& is_held, double damping) {
-  Eigen::Matrix3d matrix = g.information;
-  Eigen::Vector3d towards = -g.slope;
-  for (Eigen::Index i = 0; i < 3; ++i) {
+ColumnVector damped_step(const ColumnGradient& g, const ColumnFreedom& is_held, double damping) {
+  ColumnMatrix matrix = g.information;
+  ColumnVector towards = -g.slope;
+  for (Eigen::Index i = 0; i < towards.size(); ++i) {
     matrix(i, i) = matrix(i, i) * (1.0 + damping) + 1e-12;
     if (!is_held[static_cast<std::size_t>(i)]) continue;
     matrix.row(i).setZero();
@@ -180,18 +76,82 @@ Eigen::Vector3d damped_step(const ColumnGradient& g, const ColumnFreedom& is_hel
     matrix(i, i) = 1.0;
     towards(i) = 0.0;
   }
-  Eigen::Vector3d step = matrix.ldlt().solve(towards);
+  ColumnVector step = matrix.ldlt().solve(towards);
   double shorter = 1.0;
-  for (Eigen::Index i = 0; i < 3; ++i)
+  for (Eigen::Index i = 0; i < step.size(); ++i)
     shorter = std::max(shorter, std::abs(step(i)) / kLongestStep[static_cast<std::size_t>(i)]);
   return step / shorter;
+}
+
+/// Gauss-Newton steps of the changes alone, to the least chi2 at a point.
+template <std::size_t kLines>
+void settle_changes(const ColumnModel& model, const ColumnData& data, const ColumnPoint& point,
+                    ColumnLinearisation<kLines>& here) {
+  double share = 1.0;
+  for (int i = 0; i < kMaxDescentSteps && share > kLeastShare; ++i) {
+    here.gradient();
+    const ColumnLinearisation<kLines> there(model, data, point,
+                                            here.weight_after(ColumnVector::Zero(), share));
+    if (!(there.chi2() <= here.chi2())) {
+      share *= 0.25;
+      continue;
+    }
+    const double fall = here.chi2() - there.chi2();
+    here = there;
+    share = std::min(1.0, 2.0 * share);
+    if (fall < kSettledFall * (1.0 + here.chi2())) return;
+  }
+}
+
+/// Damped Gauss-Newton steps from a point, which then is that of the least chi2, and of the changes by the
+/// modes, from none. Both move at once; where that does not lower chi2, the changes are settled first, since
+/// only at their best chi2's slope by the unknowns is that of the linearisation.
+template <std::size_t kLines>
+ColumnLinearisation<kLines> descended(const ColumnModel& model, const ColumnData& data, ColumnPoint& point,
+                                      const ColumnFreedom& free) {
+  ColumnLinearisation<kLines> here(model, data, point, LineVector{});
+  ColumnGradient g = here.gradient();
+  double damping = 0.0;
+  bool is_settled = model.modes() == 0;
+  for (int i = 0; i < kMaxDescentSteps && damping < kMaxDamping; ++i) {
+    const ColumnFreedom is_held = held_unknowns(model, point, free, g.slope);
+    const ColumnVector step = damped_step(g, is_held, damping);
+    if (!step.allFinite()) break;
+    ColumnPoint next = point;
+    ColumnVector moved = ColumnVector::Zero();
+    for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
+      if (is_held[k]) continue;
+      const auto row = static_cast<Eigen::Index>(k);
+      next[k] = std::clamp(point[k] + step(row), model.least(k), model.most(k));
+      moved(row) = next[k] - point[k];
+    }
+    ColumnLinearisation<kLines> there(model, data, next, here.weight_after(moved, 1.0 / (1.0 + damping)));
+    if (!(there.chi2() <= here.chi2())) {
+      if (is_settled) {
+        damping = std::max(kFirstDamping, 10.0 * damping);
+      } else {
+        settle_changes(model, data, point, here);
+        g = here.gradient();
+        is_settled = true;
+      }
+      continue;
+    }
+    const double fall = here.chi2() - there.chi2();
+    point = next;
+    here = there;
+    if (fall < kSettledFall * (1.0 + here.chi2()) && damping < kSettledDamping) break;
+    g = here.gradient();
+    is_settled = model.modes() == 0;
+    damping = damping <= kFirstDamping ? 0.0 : 0.1 * damping;
+  }
+  return here;
 }
 
 }  // namespace
 
 ColumnChi2::ColumnChi2(const ColumnModel& model, const ColumnFreedom& free, const ColumnPoint& fixed,
                        std::size_t energy_stride)
-    : model_(model), free_(free), fixed_(fixed) {
+    : model_(&model), free_(free), fixed_(fixed) {
   for (double ln_flux = model.least(kLnFlux); ln_flux < model.most(kLnFlux) + kFluxScanStep;
        ln_flux += kFluxScanStep)
     ln_fluxes_.push_back(std::min(ln_flux, model.most(kLnFlux)));
@@ -202,117 +162,121 @@ ColumnChi2::ColumnChi2(const ColumnModel& model, const ColumnFreedom& free, cons
   } else {
     ln_energies_ = {fixed[kLnEnergy]};
   }
-  const std::vector<double> ln_oxygens =
-      free[kLnOxygen] ? model.ln_oxygens() : std::vector<double>{fixed[kLnOxygen]};
+  const auto nodes = [&](std::size_t unknown, const std::vector<double>& all) {
+    return free[unknown] ? all : std::vector<double>{fixed[unknown]};
+  };
+  LineCovariance covariance;
   for (std::size_t e = 0; e < ln_energies_.size(); ++e)
-    for (const double ln_oxygen : ln_oxygens) {
-      ScanPlace place;
-      place.at = {ln_energies_[e], fixed[kLnFlux], ln_oxygen};
-      place.energy = e;
-      for (std::size_t l = 0; l < model.lines(); ++l)
-        for (const double ln_flux : ln_fluxes_)
-          place.rayleigh_per_flux.push_back(
-              std::exp(model.at(l, {ln_energies_[e], ln_flux, ln_oxygen}).ln_rayleigh - ln_flux));
-      if (model.modes() > 0) {
-        std::vector<ColumnModes> modes;
-        for (std::size_t l = 0; l < model.lines(); ++l) modes.push_back(model.modes_at(l, place.at));
-        for (const ColumnModes& one : modes)
-          for (const ColumnModes& other : modes)
-            place.ln_covariance.push_back(
-                std::inner_product(one.value.begin(), one.value.end(), other.value.begin(), 0.0));
+    for (const double ln_oxygen : nodes(kLnOxygen, model.ln_oxygens()))
+      for (const double ln_soft : nodes(kLnSoft, model.ln_softs())) {
+        ScanPlace place;
+        place.at = {ln_energies_[e], fixed[kLnFlux], ln_oxygen, ln_soft};
+        place.energy = e;
+        ColumnLights lights;
+        for (const double ln_flux : ln_fluxes_) {
+          model.at({ln_energies_[e], ln_flux, ln_oxygen, ln_soft}, lights);
+          for (std::size_t l = 0; l < model.lines(); ++l)
+            place.rayleigh_per_flux.push_back(std::exp(lights[l].ln_rayleigh - ln_flux));
+        }
+        if (model.modes() > 0) {
+          model.at(place.at, lights);
+          model.ln_covariance(place.at, lights, covariance);
+          place.ln_covariance = covariance.value;
+        }
+        places_.push_back(std::move(place));
       }
-      places_.push_back(std::move(place));
-    }
 }
 
 double ColumnChi2::at(const ColumnData& data, const ColumnPoint& point) const {
-  return column_gradient(model_, data, point).chi2;
+  return descend(data, point, {}).chi2;
 }
 
 std::vector<LineCorrection> ColumnChi2::corrections(const ColumnData& data,
                                                     const ColumnValley& valley) const {
-  if (model_.modes() == 0) return {};
+  if (model_->modes() == 0) return {};
   ColumnFreedom is_free = free_;
   for (std::size_t k = 0; k < kColumnUnknowns; ++k) is_free[k] = free_[k] && !valley.at_edge[k];
-  return BestModes(model_, data, valley.at).corrections(is_free);
+  return with_lines(model_->lines(), [&](auto lines) {
+    constexpr std::size_t kLines = decltype(lines)::value;
+    ColumnPoint point = valley.at;
+    ColumnLinearisation<kLines> best = descended<kLines>(*model_, data, point, {});
+    best.gradient();
+    return best.corrections(is_free);
+  });
 }
 
+template <std::size_t kLines>
 double ColumnChi2::best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const {
-  std::array<double, kMaxColumnLines> per_flux{};
+  LineVector of_flux{};
   const auto take = [&](double at) {
     const double along = (at - ln_fluxes_.front()) / kFluxScanStep;
     const auto piece =
         static_cast<std::size_t>(std::clamp(along, 0.0, static_cast<double>(ln_fluxes_.size() - 2)));
     const double t = std::clamp(along - static_cast<double>(piece), 0.0, 1.0);
-    for (std::size_t l = 0; l < model_.lines(); ++l) {
-      const double* row = place.rayleigh_per_flux.data() + l * ln_fluxes_.size() + piece;
-      per_flux[l] = row[0] + t * (row[1] - row[0]);
+    const double* row = place.rayleigh_per_flux.data() + piece * kLines;
+    for (std::size_t l = 0; l < kLines; ++l) of_flux[l] = row[l] + t * (row[kLines + l] - row[l]);
+  };
+  // The covariance of the lines, with the modes linear about the measured light.
+  LineCholesky<kLines> covariance;
+  if (model_->modes() > 0) {
+    LineMatrix matrix;
+    for (std::size_t l = 0; l < kLines; ++l) {
+      const double light = std::max(data.rayleigh[l], data.sigma[l]);
+      for (std::size_t m = 0; m <= l; ++m)
+        matrix[l * kMaxColumnLines + m] =
+            light * std::max(data.rayleigh[m], data.sigma[m]) * place.ln_covariance[l * kMaxColumnLines + m];
+      matrix[l * kMaxColumnLines + l] += data.sigma[l] * data.sigma[l];
     }
+    covariance.factor(matrix);
+  }
+  const auto weighted = [&](LineVector values) {
+    if (model_->modes() > 0) return covariance.solve(values);
+    for (std::size_t l = 0; l < kLines; ++l) values[l] /= data.sigma[l] * data.sigma[l];
+    return values;
   };
   ln_flux = free_[kLnFlux] ? 0.0 : fixed_[kLnFlux];
   take(ln_flux);
-  const auto lines = static_cast<Eigen::Index>(model_.lines());
-  // The inverse of the covariance of the lines, with the modes linear about the tables' light.
-  LineMatrix weight = LineMatrix::Zero(lines, lines);
-  const auto weigh = [&] {
-    for (Eigen::Index l = 0; l < lines; ++l) {
-      const double sigma = data.sigma[static_cast<std::size_t>(l)];
-      weight(l, l) = 1.0 / (sigma * sigma);
-    }
-    if (place.ln_covariance.empty()) return;
-    const Eigen::Map<const LineVector> light(per_flux.data(), lines);
-    const Eigen::Map<const LineMatrix> ln_covariance(place.ln_covariance.data(), lines, lines);
-    LineMatrix covariance =
-        std::exp(2.0 * ln_flux) * (light.asDiagonal() * ln_covariance * light.asDiagonal());
-    for (Eigen::Index l = 0; l < lines; ++l) covariance(l, l) += 1.0 / weight(l, l);
-    weight = covariance.inverse();
-  };
-  const Eigen::Map<const LineVector> wanted(data.rayleigh.data(), lines), of_flux(per_flux.data(), lines);
+  double flux = std::exp(ln_flux);
   for (int round = 0; free_[kLnFlux] && round < kFluxRounds; ++round) {
-    weigh();
-    const LineVector weighted = weight * of_flux;
-    const double above = weighted.dot(wanted), below = weighted.dot(of_flux);
-    const double flux = above > 0.0 ? std::clamp(above / below, ColumnModel::kMinFlux, ColumnModel::kMaxFlux)
-                                    : ColumnModel::kMinFlux;
-    const double before = ln_flux;
+    const LineVector row = weighted(of_flux);
+    double above = 0.0, below = 0.0;
+    for (std::size_t l = 0; l < kLines; ++l) {
+      above += row[l] * data.rayleigh[l];
+      below += row[l] * of_flux[l];
+    }
+    const double before = flux;
+    flux = above > 0.0 ? std::clamp(above / below, ColumnModel::kMinFlux, ColumnModel::kMaxFlux)
+                       : ColumnModel::kMinFlux;
     ln_flux = std::log(flux);
     take(ln_flux);
-    if (std::abs(ln_flux - before) < 1e-4) break;
+    if (std::abs(flux - before) < kSettledFlux * flux) break;
   }
-  weigh();
-  const LineVector residual = std::exp(ln_flux) * of_flux - wanted;
-  return residual.dot(weight * residual);
+  LineVector residual{};
+  for (std::size_t l = 0; l < kLines; ++l) residual[l] = flux * of_flux[l] - data.rayleigh[l];
+  const LineVector of_residual = weighted(residual);
+  double chi2 = 0.0;
+  for (std::size_t l = 0; l < kLines; ++l) chi2 += residual[l] * of_residual[l];
+  return chi2;
 }
 
 ColumnValley ColumnChi2::descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const {
-  ColumnGradient g = column_gradient(model_, data, start);
-  double damping = 0.0;
-  for (int i = 0; i < kMaxDescentSteps && damping < kMaxDamping; ++i) {
-    const ColumnFreedom is_held = held_unknowns(model_, start, free, g.slope);
-    const Eigen::Vector3d step = damped_step(g, is_held, damping);
-    ColumnPoint next = start;
-    double moved = 0.0;
-    for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
-      if (is_held[k]) continue;
-      next[k] = std::clamp(start[k] + step(static_cast<Eigen::Index>(k)), model_.least(k), model_.most(k));
-      moved = std::max(moved, std::abs(next[k] - start[k]));
-    }
-    if (moved < kSettledStep) break;
-    const ColumnGradient there = column_gradient(model_, data, next);
-    if (!(there.chi2 <= g.chi2)) {
-      damping = std::max(kFirstDamping, 10.0 * damping);
-      continue;
-    }
-    const double fall = g.chi2 - there.chi2;
-    start = next;
-    g = there;
-    damping = damping <= kFirstDamping ? 0.0 : 0.1 * damping;
-    if (fall < kSettledFall * (1.0 + g.chi2)) break;
-  }
-  ColumnValley valley{start, g.chi2, g.information, held_unknowns(model_, start, free, g.slope), 0.0};
-  for (std::size_t k = 0; k < kColumnUnknowns; ++k)
-    valley.at_edge[k] = valley.at_edge[k] && free[k] && model_.knows(k);
-  return valley;
+  return with_lines(model_->lines(), [&](auto lines) {
+    ColumnLinearisation<decltype(lines)::value> best =
+        descended<decltype(lines)::value>(*model_, data, start, free);
+    const ColumnGradient g = best.gradient();
+    ColumnValley valley{start, best.chi2(), g.information, held_unknowns(*model_, start, free, g.slope), 0.0};
+    for (std::size_t k = 0; k < kColumnUnknowns; ++k)
+      valley.at_edge[k] = valley.at_edge[k] && free[k] && model_->knows(k);
+    return valley;
+  });
+}
+
+double ColumnChi2::lowest_near(const std::vector<double>& least, std::size_t minimum) const {
+  if (free_[kLnOxygen] || free_[kLnSoft]) return 0.0;
+  double higher = least[minimum];
+  if (minimum > 0) higher = std::max(higher, least[minimum - 1]);
+  if (minimum + 1 < least.size()) higher = std::max(higher, least[minimum + 1]);
+  return least[minimum] - 0.5 * (higher - least[minimum]);
 }
 
 std::vector<ColumnValley> ColumnChi2::valleys(const ColumnData& data) const {
@@ -320,22 +284,32 @@ std::vector<ColumnValley> ColumnChi2::valleys(const ColumnData& data) const {
   std::vector<double> least(ln_energies_.size(), kFar);
   std::vector<ColumnPoint> where(ln_energies_.size());
   for (const ScanPlace& place : places_) where[place.energy] = place.at;  // where chi2 is no number
-  for (const ScanPlace& place : places_) {
-    double ln_flux = 0.0;
-    const double chi2 = best_flux(data, place, ln_flux);
-    if (!(chi2 < least[place.energy])) continue;
-    least[place.energy] = chi2;
-    where[place.energy] = {place.at[kLnEnergy], ln_flux, place.at[kLnOxygen]};
-  }
-  std::vector<ColumnValley> found;
+  with_lines(model_->lines(), [&](auto lines) {
+    for (const ScanPlace& place : places_) {
+      double ln_flux = 0.0;
+      const double chi2 = best_flux<decltype(lines)::value>(data, place, ln_flux);
+      if (!(chi2 < least[place.energy])) continue;
+      least[place.energy] = chi2;
+      where[place.energy] = place.at;
+      where[place.energy][kLnFlux] = ln_flux;
+    }
+  });
+  std::vector<std::size_t> minima;
   for (std::size_t e = 0; e < least.size(); ++e) {
     const bool falls = e == 0 || least[e] < least[e - 1];
     const bool rises = e + 1 == least.size() || least[e] <= least[e + 1];
-    if (!falls || !rises) continue;
+    if (falls && rises) minima.push_back(e);
+  }
+  std::stable_sort(minima.begin(), minima.end(),
+                   [&](std::size_t a, std::size_t b) { return least[a] < least[b]; });
+  std::vector<ColumnValley> found;
+  for (const std::size_t e : minima) {
+    if (!found.empty() && lowest_near(least, e) > found.front().chi2 + kFarAbove) continue;
     const ColumnValley valley = descend(data, where[e], free_);
     const auto same = std::find_if(found.begin(), found.end(), [&](const ColumnValley& other) {
       return std::abs(other.at[kLnEnergy] - valley.at[kLnEnergy]) < kSameValley &&
-             std::abs(other.at[kLnOxygen] - valley.at[kLnOxygen]) < kSameValley;
+             std::abs(other.at[kLnOxygen] - valley.at[kLnOxygen]) < kSameValley &&
+             std::abs(other.at[kLnSoft] - valley.at[kLnSoft]) < kSameSoft;
     });
     if (same == found.end())
       found.push_back(valley);
@@ -356,8 +330,8 @@ std::vector<ColumnValley> ColumnChi2::valleys(const ColumnData& data) const {
   return found;
 }
 
-Eigen::Matrix3d column_covariance(const ColumnValley& valley, const ColumnFreedom& free) {
-  Eigen::Matrix3d matrix = valley.information;
+ColumnMatrix column_covariance(const ColumnValley& valley, const ColumnFreedom& free) {
+  ColumnMatrix matrix = valley.information;
   std::array<bool, kColumnUnknowns> counts{};
   for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
     counts[k] = free[k] && !valley.at_edge[k];
@@ -367,7 +341,7 @@ Eigen::Matrix3d column_covariance(const ColumnValley& valley, const ColumnFreedo
     matrix.col(i).setZero();
     matrix(i, i) = 1.0;
   }
-  Eigen::Matrix3d covariance = matrix.inverse();
+  ColumnMatrix covariance = matrix.inverse();
   for (std::size_t k = 0; k < kColumnUnknowns; ++k)
     if (!counts[k]) covariance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(k)) = 0.0;
   return covariance;

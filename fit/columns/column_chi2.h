@@ -23,30 +23,17 @@
 
 namespace vegard::fit {
 
-inline constexpr std::size_t kMaxColumnLines = 8;
-
-/// Brightnesses of the model's lines, in rayleighs. Standard deviations are above 0.
-struct ColumnData {
-  std::array<double, kMaxColumnLines> rayleigh{}, sigma{};
-};
-
 /// A local minimum of chi2.
 struct ColumnValley {
   ColumnPoint at{};
   double chi2 = 0.0;
   /// Half of chi2's second derivatives by the unknowns, in the Gauss-Newton approximation; the inverse is
   /// their covariance.
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  std::array<bool, kColumnUnknowns> at_edge{};  ///< chi2 would decrease further beyond the tables
+  ColumnMatrix information = ColumnMatrix::Zero();
+  ColumnFreedom at_edge{};  ///< chi2 would decrease further beyond the tables
   /// Largest chi2 of the scan between this minimum and the best one, above the higher of the two; 0 for the
   /// best.
   double barrier = 0.0;
-};
-
-/// The factor on the tables' brightness of a line that the data ask for, and the error of its logarithm: that
-/// of the tables before the data, and that which the data leave.
-struct LineCorrection {
-  double factor = 1.0, ln_sigma_of_tables = 0.0, ln_sigma = 0.0;
 };
 
 class ColumnChi2 {
@@ -56,7 +43,7 @@ class ColumnChi2 {
   ColumnChi2(const ColumnModel& model, const ColumnFreedom& free, const ColumnPoint& fixed,
              std::size_t energy_stride = 1);
 
-  const ColumnModel& model() const { return model_; }
+  const ColumnModel& model() const { return *model_; }
   const ColumnFreedom& free() const { return free_; }
   const ColumnPoint& fixed() const { return fixed_; }
 
@@ -68,20 +55,27 @@ class ColumnChi2 {
   /// Descends from `start` by changing the unknowns of `free`.
   ColumnValley descend(const ColumnData& data, ColumnPoint start, const ColumnFreedom& free) const;
 
-  /// Returns all minima, the lowest first; at least one. May be called by several threads at once.
+  /// Returns all minima, the lowest first; at least one. Those that must lie far above the lowest may be
+  /// missing. May be called by several threads at once.
   std::vector<ColumnValley> valleys(const ColumnData& data) const;
 
  private:
   struct ScanPlace {
     ColumnPoint at{};
     std::size_t energy = 0;                 ///< index among the scanned energies
-    std::vector<double> rayleigh_per_flux;  ///< [line * fluxes + flux]
-    /// Covariance of the logarithms of the lines by the modes, [line * lines + line]; empty without modes.
-    std::vector<double> ln_covariance;
+    std::vector<double> rayleigh_per_flux;  ///< [flux * lines + line]
+    LineMatrix ln_covariance{};             ///< of the lines by the modes; none without modes
   };
+  /// chi2 at a place with the best energy flux; kLines is the number of lines.
+  template <std::size_t kLines>
   double best_flux(const ColumnData& data, const ScanPlace& place, double& ln_flux) const;
 
-  const ColumnModel& model_;
+  /// A bound from below for chi2 about a minimum of the scan. Of a parabola, the lowest point is below the
+  /// lowest of even samples by at most a quarter of the rise to the higher of its neighbours; half is taken.
+  /// 0 where other unknowns than the flux have few places in the scan.
+  double lowest_near(const std::vector<double>& least, std::size_t minimum) const;
+
+  const ColumnModel* model_;
   ColumnFreedom free_;
   ColumnPoint fixed_;
   std::vector<double> ln_fluxes_;
@@ -91,6 +85,6 @@ class ColumnChi2 {
 
 /// Returns the covariance of the unknowns that are free and not at an edge; the rows and columns of the
 /// others are zero.
-Eigen::Matrix3d column_covariance(const ColumnValley& valley, const ColumnFreedom& free);
+ColumnMatrix column_covariance(const ColumnValley& valley, const ColumnFreedom& free);
 
 }  // namespace vegard::fit

@@ -13,8 +13,8 @@ namespace {
 constexpr double kWidestFirstStep = 0.3;  // of a logarithm, where the covariance says nothing
 constexpr double kTradeOff = 0.9;         // of a correlation: two unknowns are reported as trading off
 constexpr int kMaxMinimisations = 400, kMaxRestarts = 3;
-constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor"};
-constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", ""};
+constexpr const char* kNouns[kColumnUnknowns] = {"E0", "energy flux", "oxygen factor", "soft component"};
+constexpr const char* kUnits[kColumnUnknowns] = {" keV", " mW m-2", "", " of the rest's flux"};
 
 OpenInterval interval_of_exponential(const OpenInterval& ln_interval) {
   OpenInterval interval;
@@ -61,7 +61,7 @@ ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, Colum
   ColumnSolution solution;
   for (int restart = 0; restart <= kMaxRestarts; ++restart) {
     solution = {};
-    const Eigen::Matrix3d covariance = column_covariance(valley, chi2.free());
+    const ColumnMatrix covariance = column_covariance(valley, chi2.free());
     bool found_better = false;
     for (std::size_t k = 0; k < kColumnUnknowns && !found_better; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
@@ -75,8 +75,8 @@ ColumnSolution solution_of(const ColumnChi2& chi2, const ColumnData& data, Colum
           take_intervals(chi2, data, valley, k, estimate.sigma_ln, estimate) && restart < kMaxRestarts;
     }
     if (found_better) continue;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      for (Eigen::Index j = 0; j < 3; ++j)
+    for (Eigen::Index i = 0; i < covariance.rows(); ++i)
+      for (Eigen::Index j = 0; j < covariance.cols(); ++j)
         if (i != j && covariance(i, i) > 0.0 && covariance(j, j) > 0.0)
           solution.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
     break;
@@ -180,9 +180,9 @@ std::vector<std::string> degeneracies_of(const ColumnSolution& best) {
 
 const char* column_verdict_name(ColumnVerdict verdict) {
   static constexpr std::array names = {
-      "well constrained", "loosely constrained",         "constrained on one side",
-      "two solutions",    "lines contradict each other", "no light",
-      "not measured"};
+      "well constrained", "loosely constrained",           "constrained on one side",
+      "two solutions",    "lines contradict each other",   "no light",
+      "not measured",     "lines ask for another spectrum"};
   return names[static_cast<std::size_t>(verdict)];
 }
 

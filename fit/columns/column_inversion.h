@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ enum class ColumnVerdict {
   contradiction,  ///< no electrons in the tables give these brightnesses
   no_light,       ///< for maps: no line exceeds its error
   not_measured,   ///< for maps: a brightness, or its error, is missing
+  other_spectrum  ///< electrons of another spectrum give these brightnesses better
 };
 /// "well constrained".
 const char* column_verdict_name(ColumnVerdict verdict);
@@ -40,10 +42,19 @@ struct ColumnEstimate {
 struct ColumnSolution {
   std::array<ColumnEstimate, kColumnUnknowns> of;
   double chi2 = 0.0;
-  Eigen::Matrix3d correlation = Eigen::Matrix3d::Identity();  ///< of the logarithms
-  std::vector<double> rayleigh;                               ///< of the model, by line, with the corrections
+  ColumnMatrix correlation = ColumnMatrix::Identity();  ///< of the logarithms
+  std::vector<double> rayleigh;                         ///< of the model, by line, with the corrections
   /// What the data ask of the tables' light, by line; empty for exact tables.
   std::vector<LineCorrection> corrections;
+};
+
+/// What another spectrum of the electrons makes of the lines.
+struct SpectrumTrial {
+  std::string words;  ///< "a Gaussian, spread 0.25"
+  double chi2 = 0.0;
+  double energy_kev = 0.0, energy_flux_mw_m2 = 0.0;
+  std::optional<double> soft_ratio;  ///< where a soft component is free
+  bool contradicts = false;
 };
 
 struct ColumnInversion {
@@ -55,6 +66,7 @@ struct ColumnInversion {
   ColumnVerdict verdict = ColumnVerdict::well_constrained;
   std::string reason;                     ///< in one sentence
   std::vector<std::string> degeneracies;  ///< a sentence each
+  std::vector<SpectrumTrial> spectra;  ///< other spectra that were tried, the best first (spectrum_trials.h)
 };
 
 /// Inverts line brightnesses, of which there must be at least as many as free unknowns. An unknown's interval

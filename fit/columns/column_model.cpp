@@ -1,13 +1,7 @@
 #include "fit/columns/column_model.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-
-#include "sim/base/parallel.h"
-#include "sim/light/height_profile.h"
-#include "sim/light/spectrum_profile.h"
-#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::fit {
 namespace {
@@ -15,222 +9,185 @@ namespace {
 constexpr double kEnergyStep = 0.05;  // of ln(E0): the tables' own energies are 0.12 apart
 constexpr double kOxygenStep = 0.35;  // of ln(factor): the tables' own factors are farther apart
 constexpr double kFluxStep = 0.2;     // of ln(Q): the flux law is a cubic between factors of ten
+constexpr double kSoftStep = 3.0;     // of ln(ratio): light is nearly linear in the soft component's share
 constexpr double kSameColumn = 1e-4;  // of ln(ratio); what two columns of the tables differ by is above 0.1
 
-std::vector<double> even_nodes(double least, double most, double widest_step) {
-  const int steps = std::max(3, static_cast<int>(std::ceil((most - least) / widest_step)));
-  std::vector<double> nodes;
-  for (int i = 0; i <= steps; ++i) nodes.push_back(least + (most - least) * i / steps);
-  nodes.back() = most;
-  return nodes;
+EvenNodes energy_nodes(const sim::EmissionTables& tables) {
+  return {std::log(tables.energies_kev().front()), std::log(tables.energies_kev().back()), kEnergyStep};
 }
 
-/// Weights of the nodes from `first` on in an interpolated value, and in its slope.
-struct CubicWeights {
-  std::size_t first = 0;
-  int count = 4;
-  std::array<double, 4> value{1.0, 0.0, 0.0, 0.0}, slope{};
-};
-
-/// Returns the weights of the cubic between two nodes whose slopes at both are those of the parabolas through
-/// their neighbours (Catmull and Rom 1974); at the ends the parabola goes on.
-CubicWeights cubic_weights(const std::vector<double>& nodes, double at) {
-  CubicWeights w;
-  if (nodes.size() == 1) {
-    w.count = 1;
-    return w;
-  }
-  const auto last = static_cast<int>(nodes.size()) - 1;
-  const double step = (nodes.back() - nodes.front()) / last;
-  const double place = std::clamp((at - nodes.front()) / step, 0.0, static_cast<double>(last));
-  const int piece = std::min(static_cast<int>(place), last - 1);
-  const double t = place - piece;
-  // Of the nodes piece-1 ... piece+2.
-  std::array<double, 4> v = {0.5 * t * (-1.0 + t * (2.0 - t)), 1.0 + t * t * (-2.5 + 1.5 * t),
-                             0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
-  std::array<double, 4> s = {0.5 * (-1.0 + t * (4.0 - 3.0 * t)), t * (-5.0 + 4.5 * t),
-                             0.5 * (1.0 + t * (8.0 - 9.0 * t)), 0.5 * t * (3.0 * t - 2.0)};
-  const auto fold_first = [](std::array<double, 4>& a) {
-    a = {a[1] + 3.0 * a[0], a[2] - 3.0 * a[0], a[3] + a[0], 0.0};
-  };
-  const auto fold_last = [](std::array<double, 4>& a) {
-    a = {0.0, a[0] + a[3], a[1] - 3.0 * a[3], a[2] + 3.0 * a[3]};
-  };
-  int first = piece - 1;
-  if (piece == 0) {
-    fold_first(v);
-    fold_first(s);
-    first = 0;
-  } else if (piece == last - 1) {
-    fold_last(v);
-    fold_last(s);
-    first = piece - 2;
-  }
-  w.first = static_cast<std::size_t>(first);
-  w.value = v;
-  for (int i = 0; i < 4; ++i) w.slope[i] = s[i] / step;
-  return w;
+EvenNodes flux_nodes() {
+  return {std::log(ColumnModel::kMinFlux), std::log(ColumnModel::kMaxFlux), kFluxStep};
 }
 
-sim::HeightProfile profile_of(const sim::EmissionSource& source, const std::vector<double>& lines_nm,
-                              const ColumnModelOptions& options, double energy_kev) {
-  switch (options.spectrum) {
-    case ColumnSpectrum::gaussian:
-      return sim::gaussian_profile(source, lines_nm, energy_kev, options.spread);
-    case ColumnSpectrum::mono:
-      return sim::mono_profile(source, lines_nm, energy_kev);
-    case ColumnSpectrum::maxwellian:
-      break;
-  }
-  return sim::maxwellian_profile(source, lines_nm, energy_kev);
+EvenNodes oxygen_nodes(const sim::EmissionTables& tables) {
+  const std::vector<double>& factors = tables.maxwellian().oxygen_factors();
+  if (factors.size() == 1) return EvenNodes(std::log(factors.front()));
+  return {std::log(factors.front()), std::log(factors.back()), kOxygenStep};
+}
+
+std::optional<ColumnTable> soft_table(const sim::EmissionTables& tables, const std::vector<double>& lines_nm,
+                                      const ColumnModelOptions& options, int threads) {
+  if (!options.soft_kev) return std::nullopt;
+  return ColumnTable(tables, lines_nm, sim::ElectronSpectrum{}, EvenNodes(std::log(*options.soft_kev)),
+                     flux_nodes(), oxygen_nodes(tables), options.has_modes, threads);
 }
 
 }  // namespace
 
 ColumnModel::ColumnModel(const sim::EmissionTables& tables, const std::vector<double>& lines_nm,
                          const ColumnModelOptions& options, int threads)
-    : lines_nm_(lines_nm) {
-  const std::vector<double>& energies_kev = tables.energies_kev();
-  const std::vector<double>& factors = tables.maxwellian().oxygen_factors();
-  least_ = {std::log(energies_kev.front()), std::log(kMinFlux), std::log(factors.front())};
-  most_ = {std::log(energies_kev.back()), std::log(kMaxFlux), std::log(factors.back())};
-  energy_nodes_ = even_nodes(least_[kLnEnergy], most_[kLnEnergy], kEnergyStep);
-  oxygen_nodes_ = factors.size() > 1 ? even_nodes(least_[kLnOxygen], most_[kLnOxygen], kOxygenStep)
-                                     : std::vector<double>{least_[kLnOxygen]};
-  tabulate_columns(tables, options, threads);
-  if (options.has_modes) tabulate_modes(tables, options, threads);
-  if (options.spectrum == ColumnSpectrum::maxwellian) tabulate_flux_law(tables);
+    : lines_nm_(lines_nm),
+      main_(tables, lines_nm, options.spectrum, energy_nodes(tables), flux_nodes(), oxygen_nodes(tables),
+            options.has_modes, threads),
+      soft_(soft_table(tables, lines_nm, options, threads)),
+      softs_(soft_ ? EvenNodes(std::log(kMinSoftRatio), std::log(kMaxSoftRatio), kSoftStep) : EvenNodes(0.0)),
+      least_{main_.energies().at().front(), std::log(kMinFlux), main_.oxygens().at().front(),
+             softs_.at().front()},
+      most_{main_.energies().at().back(), std::log(kMaxFlux), main_.oxygens().at().back(),
+            softs_.at().back()},
+      modes_(main_.modes()) {
+  if (modes_ > 0) tabulate_covariance(nullptr);
 }
 
-void ColumnModel::tabulate_columns(const sim::EmissionTables& tables, const ColumnModelOptions& options,
-                                   int threads) {
-  const std::size_t energies = energy_nodes_.size(), oxygens = oxygen_nodes_.size();
-  // The last digit of exp(log(x)) may lie outside of the tables.
-  const std::vector<double>&known_kev = tables.energies_kev(),
-        &factors = tables.maxwellian().oxygen_factors();
-  ln_column_.resize(lines() * oxygens * energies);
-  sim::parallel_for(energies * oxygens, threads, [&](std::size_t i, int) {
-    const std::size_t e = i % energies, o = i / energies;
-    const double energy_kev = std::clamp(std::exp(energy_nodes_[e]), known_kev.front(), known_kev.back());
-    const sim::EmissionSource source = {
-        tables, std::clamp(std::exp(oxygen_nodes_[o]), factors.front(), factors.back())};
-    const sim::HeightProfile profile = profile_of(source, lines_nm_, options, energy_kev);
-    for (std::size_t l = 0; l < lines(); ++l) {
-      const sim::Column column = sim::column_below(profile, static_cast<int>(l), sim::HeightProfile::kTopKm);
-      assert(column.rayleigh > 0.0);
-      ln_column_[(l * oxygens + o) * energies + e] = std::log(column.rayleigh);
-    }
-  });
+ColumnModel::ColumnModel(const ColumnModel& base, const CommonLight& common) : ColumnModel(base) {
+  const auto change = [&](ColumnTable& table) {
+    table.multiply(common.mean.head(modes_),
+                   common.factor_error.cwiseProduct(common.mean.tail(common.factor_error.size())));
+  };
+  change(main_);
+  if (soft_) change(*soft_);
+  tabulate_covariance(&common);
 }
 
-void ColumnModel::tabulate_modes(const sim::EmissionTables& tables, const ColumnModelOptions& options,
-                                 int threads) {
-  const sim::LightModes& modes = tables.modes();
-  modes_ = modes.count();
-  if (modes_ == 0) return;
-  // Of the electrons of a single energy the modes are those of the Maxwellian with the same mean energy.
-  const double maxwellian_kev = options.spectrum == ColumnSpectrum::maxwellian ? 1.0 : 0.5;
-  const std::vector<double>& known_kev = tables.energies_kev();
-  std::vector<double> altitudes_km;
-  constexpr int kRows = 4;  // of the profile, from one altitude to the next: 1 km
-  for (int a = 0; a < sim::HeightProfile::kAltitudes; a += kRows)
-    altitudes_km.push_back(sim::HeightProfile::altitude_km(a));
-  const std::size_t energies = energy_nodes_.size(), count = static_cast<std::size_t>(modes_);
-  mode_.assign(lines() * energies * count, 0.0);
-  sim::parallel_for(energies, threads, [&](std::size_t e, int) {
-    const double energy_kev = std::clamp(std::exp(energy_nodes_[e]), known_kev.front(), known_kev.back());
-    const sim::HeightProfile profile = profile_of({tables}, lines_nm_, options, energy_kev);
-    for (std::size_t l = 0; l < lines(); ++l) {
-      const std::string column =
-          sim::column_of(*sim::find_emission_line(lines_nm_[l]), tables.maxwellian()).name;
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::vector<sim::ModeValue> mode =
-            modes.at(static_cast<int>(k), column, maxwellian_kev * energy_kev, altitudes_km);
-        double light = 0.0, changed = 0.0;
-        for (std::size_t a = 0; a < mode.size(); ++a) {
-          const double rate = profile.rate[a * kRows * static_cast<std::size_t>(profile.stride) + l];
-          light += rate;
-          changed += rate * mode[a].value;
-        }
-        mode_[(l * energies + e) * count + k] = changed / light;
-      }
-    }
-  });
-}
-
-ColumnModes ColumnModel::modes_at(std::size_t line, const ColumnPoint& point) const {
-  const CubicWeights energy = cubic_weights(energy_nodes_, point[kLnEnergy]);
-  ColumnModes result;
-  for (int e = 0; e < energy.count; ++e) {
-    const double* row =
-        mode_.data() + (line * energy_nodes_.size() + energy.first + static_cast<std::size_t>(e)) *
-                           static_cast<std::size_t>(modes_);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(modes_); ++k) {
-      result.value[k] += energy.value[e] * row[k];
-      result.slope[k] += energy.slope[e] * row[k];
-    }
+void ColumnModel::tabulate_covariance(const CommonLight* common) {
+  const auto count = static_cast<Eigen::Index>(lines());
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(gram_size()),
+                                                  common == nullptr ? modes_ : common->mean.size());
+  if (common != nullptr)
+    for (Eigen::Index row = 0; row < changes.rows(); ++row)
+      changes(row, modes_ + row % count) = common->factor_error(row % count);
+  gram_.clear();
+  for (std::size_t e = 0; e < main_.energies().size(); ++e) {
+    changes.topLeftCorner(count, modes_) = main_.modes_at_node(e);
+    if (soft_) changes.bottomLeftCorner(count, modes_) = soft_->modes_at_node(0);
+    const Eigen::MatrixXd covariance =
+        common == nullptr ? Eigen::MatrixXd(changes * changes.transpose())
+                          : Eigen::MatrixXd(changes * common->covariance * changes.transpose());
+    gram_.insert(gram_.end(), covariance.data(), covariance.data() + covariance.size());
   }
-  return result;
 }
 
-void ColumnModel::tabulate_flux_law(const sim::EmissionTables& tables) {
-  flux_nodes_ = even_nodes(least_[kLnFlux], most_[kLnFlux], kFluxStep);
-  const std::vector<double>& known_kev = tables.energies_kev();
-  for (const double line_nm : lines_nm_) {
-    const sim::EmissionLine* line = sim::find_emission_line(line_nm);
-    assert(line != nullptr && sim::is_auroral(*line));
-    const std::string column = sim::column_of(*line, tables.maxwellian()).name;
-    for (const double ln_energy : energy_nodes_) {
-      const double energy_kev = std::clamp(std::exp(ln_energy), known_kev.front(), known_kev.back());
-      for (const double ln_flux : flux_nodes_)
-        ln_factor_.push_back(tables.flux_factors().at(column, energy_kev, std::exp(ln_flux)).log_factor);
-    }
+void ColumnModel::at(const ColumnPoint& point, ColumnLights& lights) const {
+  std::array<ComponentLight, kMaxColumnLines> main, soft;
+  main_.at(point[kLnEnergy], point[kLnFlux], point[kLnOxygen], main.data());
+  if (!soft_) {
+    for (std::size_t l = 0; l < lines(); ++l)
+      lights[l] = {point[kLnFlux] + main[l].ln_rayleigh,
+                   {main[l].by_energy, 1.0 + main[l].by_flux, main[l].by_oxygen, 0.0},
+                   0.0,
+                   {}};
+    return;
+  }
+  soft_->at(soft_->energies().at().front(), point[kLnFlux], point[kLnOxygen], soft.data());
+  const double ratio = std::exp(point[kLnSoft]);
+  for (std::size_t l = 0; l < lines(); ++l) {
+    const double brighter = ratio * std::exp(soft[l].ln_rayleigh - main[l].ln_rayleigh);
+    const double share = brighter / (1.0 + brighter);
+    const auto mean = [&](double of_main, double of_soft) { return of_main + share * (of_soft - of_main); };
+    lights[l] = {point[kLnFlux] + main[l].ln_rayleigh + std::log((1.0 + brighter) / (1.0 + ratio)),
+                 {(1.0 - share) * main[l].by_energy, 1.0 + mean(main[l].by_flux, soft[l].by_flux),
+                  mean(main[l].by_oxygen, soft[l].by_oxygen), share - ratio / (1.0 + ratio)},
+                 share,
+                 {}};
+    const double by_ln_brighter = share * (1.0 - share);
+    lights[l].soft_share_slope = {-by_ln_brighter * main[l].by_energy,
+                                  by_ln_brighter * (soft[l].by_flux - main[l].by_flux),
+                                  by_ln_brighter * (soft[l].by_oxygen - main[l].by_oxygen), by_ln_brighter};
   }
 }
 
 ColumnLight ColumnModel::at(std::size_t line, const ColumnPoint& point) const {
-  const CubicWeights energy = cubic_weights(energy_nodes_, point[kLnEnergy]);
-  const CubicWeights oxygen = cubic_weights(oxygen_nodes_, point[kLnOxygen]);
-  ColumnLight light{point[kLnFlux], {0.0, 1.0, 0.0}};
-  for (int o = 0; o < oxygen.count; ++o) {
-    double value = 0.0, slope = 0.0;
-    for (int e = 0; e < energy.count; ++e) {
-      const double here = node(line, energy.first + e, oxygen.first + o);
-      value += energy.value[e] * here;
-      slope += energy.slope[e] * here;
-    }
-    light.ln_rayleigh += oxygen.value[o] * value;
-    light.slope[kLnEnergy] += oxygen.value[o] * slope;
-    light.slope[kLnOxygen] += oxygen.slope[o] * value;
+  ColumnLights lights;
+  at(point, lights);
+  return lights[line];
+}
+
+void ColumnModel::ln_covariance(const ColumnPoint& point, const ColumnLights& lights,
+                                LineCovariance& covariance) const {
+  if (modes_ == 0) {
+    covariance.value.fill(0.0);
+    covariance.depends_on = {};
+    return;
   }
-  if (ln_factor_.empty()) return light;
-  const CubicWeights flux = cubic_weights(flux_nodes_, point[kLnFlux]);
-  for (int e = 0; e < energy.count; ++e) {
-    const double* row = ln_factor_.data() +
-                        (line * energy_nodes_.size() + energy.first + e) * flux_nodes_.size() + flux.first;
-    double value = 0.0, slope = 0.0;
-    for (int q = 0; q < flux.count; ++q) {
-      value += flux.value[q] * row[q];
-      slope += flux.slope[q] * row[q];
+  const std::size_t rows = gram_size();
+  const EvenNodes::Weights weights = main_.energies().spline(point[kLnEnergy]);
+  const auto between = [&](std::size_t row, std::size_t column, const std::array<double, 4>& of_nodes) {
+    double sum = 0.0;
+    for (std::size_t e = 0; e < weights.count; ++e)
+      sum += of_nodes[e] * gram_[((weights.first + e) * rows + row) * rows + column];
+    return sum;
+  };
+  covariance.depends_on = {true, soft_ && knows(kLnFlux), soft_ && knows(kLnOxygen), soft_ && knows(kLnSoft)};
+  for (std::size_t a = 0; a < lines(); ++a)
+    for (std::size_t b = a; b < lines(); ++b) {
+      const std::size_t place = a * kMaxColumnLines + b, mirrored = b * kMaxColumnLines + a;
+      double value = between(a, b, weights.value), by_energy = between(a, b, weights.slope);
+      if (soft_) {
+        // ln R changes by (1 - share) of what ln r does, and by share of what ln r_soft does.
+        const std::size_t soft_a = lines() + a, soft_b = lines() + b;
+        const double hard_soft = between(a, soft_b, weights.value),
+                     soft_hard = between(soft_a, b, weights.value),
+                     both_soft = between(soft_a, soft_b, weights.value);
+        const double share_a = lights[a].soft_share, share_b = lights[b].soft_share;
+        const auto mixed = [](double s, double t, double hh, double hs, double sh, double ss) {
+          return (1.0 - s) * ((1.0 - t) * hh + t * hs) + s * ((1.0 - t) * sh + t * ss);
+        };
+        const double by_share_a = (1.0 - share_b) * (soft_hard - value) + share_b * (both_soft - hard_soft);
+        const double by_share_b = (1.0 - share_a) * (hard_soft - value) + share_a * (both_soft - soft_hard);
+        by_energy = mixed(share_a, share_b, by_energy, between(a, soft_b, weights.slope),
+                          between(soft_a, b, weights.slope), between(soft_a, soft_b, weights.slope));
+        value = mixed(share_a, share_b, value, hard_soft, soft_hard, both_soft);
+        for (std::size_t k = 0; k < kColumnUnknowns; ++k)
+          covariance.slope[k][place] = covariance.slope[k][mirrored] =
+              by_share_a * lights[a].soft_share_slope[k] + by_share_b * lights[b].soft_share_slope[k];
+        by_energy += covariance.slope[kLnEnergy][place];
+      }
+      covariance.value[place] = covariance.value[mirrored] = value;
+      covariance.slope[kLnEnergy][place] = covariance.slope[kLnEnergy][mirrored] = by_energy;
     }
-    light.ln_rayleigh += energy.value[e] * value;
-    light.slope[kLnEnergy] += energy.slope[e] * value;
-    light.slope[kLnFlux] += energy.value[e] * slope;
+}
+
+Eigen::MatrixXd ColumnModel::modes_at(const ColumnPoint& point) const {
+  ColumnLights lights;
+  at(point, lights);
+  const EvenNodes::Weights weights = main_.energies().spline(point[kLnEnergy]);
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(lines()), modes_);
+  for (std::size_t e = 0; e < weights.count; ++e)
+    changes += weights.value[e] * main_.modes_at_node(weights.first + e);
+  if (!soft_) return changes;
+  const Eigen::MatrixXd of_soft = soft_->modes_at_node(0);
+  for (std::size_t l = 0; l < lines(); ++l) {
+    const auto row = static_cast<Eigen::Index>(l);
+    changes.row(row) += lights[l].soft_share * (of_soft.row(row) - changes.row(row));
   }
-  return light;
+  return changes;
 }
 
 bool ColumnModel::is_multiple(std::size_t line, std::size_t other) const {
   double least = 0.0, most = 0.0;
   const auto compare = [&](const ColumnPoint& point) {
-    const double ratio = at(line, point).ln_rayleigh - at(other, point).ln_rayleigh;
+    ColumnLights lights;
+    at(point, lights);
+    const double ratio = lights[line].ln_rayleigh - lights[other].ln_rayleigh;
     if (least == 0.0 && most == 0.0) least = most = ratio;
     least = std::min(least, ratio);
     most = std::max(most, ratio);
   };
-  for (const double ln_energy : energy_nodes_)
-    for (const double ln_oxygen : oxygen_nodes_)
-      for (const double ln_flux : {std::log(0.1), std::log(10.0)}) compare({ln_energy, ln_flux, ln_oxygen});
+  for (const double ln_energy : ln_energies())
+    for (const double ln_oxygen : ln_oxygens())
+      for (const double ln_flux : {std::log(0.1), std::log(10.0)})
+        compare({ln_energy, ln_flux, ln_oxygen, least_[kLnSoft]});
   return most - least < kSameColumn;
 }
 

@@ -252,6 +252,20 @@ std::vector<double> LinearPart::coefficient_variance(
   return variance;
 }
 
+std::vector<std::vector<double>> LinearPart::coefficient_shifts(
+    const ModelProfile& aurora, const LinearSolution& solution,
+    const std::vector<std::vector<double>>& shifts) const {
+  if (shifts.empty()) return {};
+  const Eigen::MatrixXd slopes = coefficient_slopes(aurora, solution, normal_matrix(aurora, solution.held));
+  std::vector<std::vector<double>> changes;
+  for (const std::vector<double>& shift : shifts) {
+    const Eigen::VectorXd change =
+        slopes * Eigen::Map<const Eigen::VectorXd>(shift.data(), static_cast<Eigen::Index>(shift.size()));
+    changes.emplace_back(change.data(), change.data() + change.size());
+  }
+  return changes;
+}
+
 void LinearBins::append(const Profile& data, const std::vector<double>& sigma_of_data, int picture_height) {
   mean.insert(mean.end(), data.mean.begin(), data.mean.end());
   sigma.insert(sigma.end(), sigma_of_data.begin(), sigma_of_data.end());

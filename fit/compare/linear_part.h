@@ -94,6 +94,12 @@ class LinearPart {
                                            double inflation,
                                            const std::vector<std::vector<double>>& covariance) const;
 
+  /// Returns what shifts of the free parameters, [shift][parameter], do to the coefficients, to first order:
+  /// [shift][coefficient]. `aurora` must have derivatives.
+  std::vector<std::vector<double>> coefficient_shifts(const ModelProfile& aurora,
+                                                      const LinearSolution& solution,
+                                                      const std::vector<std::vector<double>>& shifts) const;
+
  private:
   struct Normal;
   Eigen::MatrixXd coefficient_slopes(const ModelProfile& aurora, const LinearSolution& solution,

@@ -117,6 +117,12 @@ std::vector<double> ProfileCost::data_residual(const Point& point) const {
   return all;
 }
 
+std::vector<double> ProfileCost::prior_jacobian(const std::vector<double>& values) const {
+  std::vector<double> ignored, by_value;
+  priors_.evaluate(values, ignored, &by_value);
+  return by_value;
+}
+
 void ProfileCost::by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const {
   const std::size_t p = moved_.size();
   const std::vector<double> at = coordinates(values);

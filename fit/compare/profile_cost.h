@@ -108,6 +108,8 @@ class ProfileCost : public ceres::CostFunction {
   void by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const;
   /// Residuals of each photograph in turn, with the robust loss fit.loss applied.
   std::vector<double> data_residual(const Point& point) const;
+  /// d residual / d value of the priors, row-major [row][moved].
+  std::vector<double> prior_jacobian(const std::vector<double>& values) const;
 
  private:
   std::vector<double> all_values(const std::vector<double>& values) const;

@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+#include "sim/base/number/constants.h"
+
 namespace vegard::fit {
 
 Conductances conductances(double energy_flux_mw_m2, double energy_kev, double relative_flux_error,
                           double ln_energy_error) {
-  if (energy_flux_mw_m2 == 0.0) return {};
+  // To first order an error of no flux is infinite: it is not known.
+  if (energy_flux_mw_m2 == 0.0) return {0.0, 0.0, sim::kNaN, sim::kNaN};
   const double mean_kev = 2.0 * energy_kev, square = mean_kev * mean_kev;
   constexpr double kHallPower = 0.85;
   Conductances conductances;

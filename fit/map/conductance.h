@@ -18,7 +18,8 @@ struct Conductances {
 };
 
 /// Returns the conductances for Maxwellian electrons, whose mean energy is twice their characteristic energy
-/// E0 = `energy_kev`. NaN where flux or energy is; 0 where there is no flux, whatever the energy.
+/// E0 = `energy_kev`. NaN where flux or energy is; 0 where there is no flux, whatever the energy, with
+/// unknown errors (NaN).
 Conductances conductances(double energy_flux_mw_m2, double energy_kev, double relative_flux_error,
                           double ln_energy_error);
 

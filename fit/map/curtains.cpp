@@ -1,244 +1,39 @@
 #include "fit/map/curtains.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <optional>
+#include <utility>
 
+#include "fit/map/lower_border.h"
+#include "fit/map/ridge_evidence.h"
+#include "fit/map/ridge_section.h"
+#include "fit/map/ridge_trace.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/quantile.h"
-#include "sim/light/height_profile.h"
 #include "sim/light/tables/emission_tables.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr double kSmooth_px = 2.0;
-constexpr int kReach_px = 4;                 // to the next point of a ridge, over a gap
 constexpr double kHigh = 0.15, kLow = 0.06;  // of the brightest ridge (its upper hundredth): begin and go on
 constexpr double kMinMean = 0.12;            // of a curtain's own, likewise
 constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kMinFaintMean = 0.04;  // of those below
 constexpr double kMinLength_km = 30.0;
 constexpr double kStep_km = 5.0;
-constexpr double kAcross_km = 14.0, kAcrossStep_km = 0.5;
-constexpr double kLookAside_km = 12.0;
-constexpr double kSides_km = 6.0;  // of a ridge that must be in view, or as much as its cell is deep
-
-struct RidgeField {
-  RasterGrid raster;
-  std::vector<double> smooth;
-  std::vector<std::uint8_t> is_ridge;
-  std::vector<double> along_x, along_y, at_x, at_y;  ///< direction along the ridge; its place in pixels
-
-  explicit RidgeField(const RasterGrid& r, std::vector<double> s)
-      : raster(r),
-        smooth(std::move(s)),
-        is_ridge(r.size(), 0),
-        along_x(r.size(), 0.0),
-        along_y(r.size(), 0.0),
-        at_x(r.size(), 0.0),
-        at_y(r.size(), 0.0) {
-    for (int y = 1; y + 1 < raster.rows; ++y)
-      for (int x = 1; x + 1 < raster.columns; ++x) test(x, y);
-  }
-
-  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * raster.columns + x; }
-
-  void test(int x, int y) {
-    const auto v = [&](int dx, int dy) { return smooth[index(x + dx, y + dy)]; };
-    if (!(v(0, 0) > 0.0)) return;
-    const double gx = 0.5 * (v(1, 0) - v(-1, 0)), gy = 0.5 * (v(0, 1) - v(0, -1));
-    const double xx = v(1, 0) - 2.0 * v(0, 0) + v(-1, 0), yy = v(0, 1) - 2.0 * v(0, 0) + v(0, -1);
-    const double xy = 0.25 * (v(1, 1) - v(1, -1) - v(-1, 1) + v(-1, -1));
-    // The eigenvector of the most negative second derivative.
-    const double half = 0.5 * (xx - yy), root = std::hypot(half, xy), least = 0.5 * (xx + yy) - root;
-    if (!(least < 0.0)) return;
-    double nx = xy, ny = least - xx;
-    if (std::hypot(nx, ny) < 1e-12 * std::abs(least)) {
-      nx = least - yy;
-      ny = xy;
-    }
-    const double length = std::hypot(nx, ny);
-    if (!(length > 0.0)) {
-      nx = xx <= yy ? 1.0 : 0.0;
-      ny = 1.0 - nx;
-    } else {
-      nx /= length;
-      ny /= length;
-    }
-    const double t = -(gx * nx + gy * ny) / least;
-    if (std::abs(t * nx) > 0.6 || std::abs(t * ny) > 0.6) return;
-    const std::size_t i = index(x, y);
-    is_ridge[i] = 1;
-    along_x[i] = -ny;
-    along_y[i] = nx;
-    at_x[i] = x + t * nx;
-    at_y[i] = y + t * ny;
-  }
-};
-
-/// Where a raster's values are between its pixels.
-double value_at(const RasterGrid& raster, const std::vector<double>& values, sim::EastNorth km) {
-  const double x = (km.east - raster.west_km) / raster.step_km,
-               y = (km.north - raster.south_km) / raster.step_km;
-  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
-  if (i < 0 || j < 0 || i + 1 >= raster.columns || j + 1 >= raster.rows) return 0.0;
-  const double u = x - i, w = y - j;
-  const auto v = [&](int dx, int dy) {
-    return values[static_cast<std::size_t>(j + dy) * raster.columns + i + dx];
-  };
-  return (1.0 - w) * ((1.0 - u) * v(0, 0) + u * v(1, 0)) + w * ((1.0 - u) * v(0, 1) + u * v(1, 1));
-}
-
-/// A ridge point and the direction in which the ridge is followed from it.
-struct RidgeStep {
-  int x = -1, y = -1;
-  double dx = 0.0, dy = 0.0;
-};
-
-/// The ridge point within reach that goes on from `from` most nearly straight; none: x is -1.
-RidgeStep next_on_ridge(const RidgeField& field, const std::vector<std::uint8_t>& used, const RidgeStep& from,
-                        double low) {
-  const auto [x, y, dx, dy] = from;
-  RidgeStep best;
-  double least = 1e9;
-  for (int j = -kReach_px; j <= kReach_px; ++j)
-    for (int i = -kReach_px; i <= kReach_px; ++i) {
-      const int nx = x + i, ny = y + j;
-      if ((i == 0 && j == 0) || nx < 1 || ny < 1 || nx + 1 >= field.raster.columns ||
-          ny + 1 >= field.raster.rows)
-        continue;
-      const std::size_t n = field.index(nx, ny);
-      if (!field.is_ridge[n] || used[n] || field.smooth[n] < low) continue;
-      const double mx = field.at_x[n] - field.at_x[field.index(x, y)];
-      const double my = field.at_y[n] - field.at_y[field.index(x, y)];
-      const double step = std::hypot(mx, my);
-      if (!(step > 0.0) || mx * dx + my * dy < 0.3 * step) continue;
-      double ax = field.along_x[n], ay = field.along_y[n];
-      if (ax * dx + ay * dy < 0.0) {
-        ax = -ax;
-        ay = -ay;
-      }
-      const double cost = step + 2.0 * std::acos(std::clamp(ax * dx + ay * dy, -1.0, 1.0)) +
-                          1.0 * std::acos(std::clamp((mx * dx + my * dy) / step, -1.0, 1.0));
-      if (cost < least) {
-        least = cost;
-        best = {nx, ny, ax, ay};
-      }
-    }
-  return best;
-}
-
-/// Joins ridge points to both sides of a first one.
-std::vector<sim::EastNorth> follow(const RidgeField& field, std::vector<std::uint8_t>& used, int x0, int y0,
-                                   double low) {
-  const std::size_t first = field.index(x0, y0);
-  used[first] = 1;
-  const auto half = [&](double sign) {
-    std::vector<sim::EastNorth> points;
-    RidgeStep at{x0, y0, sign * field.along_x[first], sign * field.along_y[first]};
-    for (;;) {
-      const RidgeStep next = next_on_ridge(field, used, at, low);
-      if (next.x < 0) return points;
-      // What lies beside the step belongs to this ridge too.
-      for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i) used[field.index(at.x + i, at.y + j)] = 1;
-      at = next;
-      const std::size_t n = field.index(at.x, at.y);
-      used[n] = 1;
-      points.push_back(field.raster.place(field.at_x[n], field.at_y[n]));
-    }
-  };
-  const std::vector<sim::EastNorth> ahead = half(1.0), behind = half(-1.0);
-  std::vector<sim::EastNorth> line(behind.rbegin(), behind.rend());
-  line.push_back(field.raster.place(field.at_x[first], field.at_y[first]));
-  line.insert(line.end(), ahead.begin(), ahead.end());
-  return line;
-}
-
-/// Points of a line, smoothed a little, at equal distances along it.
-std::vector<sim::EastNorth> evenly(const std::vector<sim::EastNorth>& line, double& length_km) {
-  std::vector<sim::EastNorth> smooth = line;
-  for (std::size_t i = 1; i + 1 < line.size(); ++i)
-    smooth[i] = {0.25 * line[i - 1].east + 0.5 * line[i].east + 0.25 * line[i + 1].east,
-                 0.25 * line[i - 1].north + 0.5 * line[i].north + 0.25 * line[i + 1].north};
-  std::vector<double> at = {0.0};
-  for (std::size_t i = 1; i < smooth.size(); ++i)
-    at.push_back(at.back() +
-                 std::hypot(smooth[i].east - smooth[i - 1].east, smooth[i].north - smooth[i - 1].north));
-  length_km = at.back();
-  const int steps = std::max(1, static_cast<int>(std::lround(length_km / kStep_km)));
-  std::vector<sim::EastNorth> points;
-  std::size_t i = 0;
-  for (int k = 0; k <= steps; ++k) {
-    const double wanted = length_km * k / steps;
-    while (i + 2 < at.size() && at[i + 1] < wanted) ++i;
-    const double t = at[i + 1] > at[i] ? std::clamp((wanted - at[i]) / (at[i + 1] - at[i]), 0.0, 1.0) : 0.0;
-    points.push_back({smooth[i].east + t * (smooth[i + 1].east - smooth[i].east),
-                      smooth[i].north + t * (smooth[i + 1].north - smooth[i].north)});
-  }
-  return points;
-}
-
-/// What a map says across a curtain at one of its points.
-struct Section {
-  double aside_km = 0.0;  ///< of the ridge
-  double flux = 0.0, ln_energy = 0.0, width_km = 0.0;
-};
-
-/// Mean of three sections, over the way from one of the curtain's points to the next.
-Section section(const RasterGrid& raster, const std::vector<double>& smooth, const RasterFlux& flux,
-                sim::EastNorth at, sim::EastNorth across) {
-  const auto moved = [&](double t, double along = 0.0) {
-    return sim::EastNorth{at.east + t * across.east + along * across.north,
-                          at.north + t * across.north - along * across.east};
-  };
-  const auto mean = [&](const std::vector<double>& values, double t) {
-    constexpr double kThird = kStep_km / 3.0;
-    return (value_at(raster, values, moved(t, -kThird)) + value_at(raster, values, moved(t)) +
-            value_at(raster, values, moved(t, kThird))) /
-           3.0;
-  };
-  Section s;
-  double most = -1.0;
-  for (double t = -kLookAside_km; t <= kLookAside_km; t += kAcrossStep_km) {
-    // The nearer of two like ridges.
-    const double v = value_at(raster, smooth, moved(t)) * std::exp(-0.5 * t * t / (8.0 * 8.0));
-    if (v > most) {
-      most = v;
-      s.aside_km = t;
-    }
-  }
-  // Out to where the flux has its valley to the next curtain, on either side.
-  double bounds[2];
-  for (int side = 0; side < 2; ++side) {
-    const double sign = side == 0 ? -1.0 : 1.0;
-    double reach = kAcrossStep_km, before = value_at(raster, smooth, moved(s.aside_km));
-    const double top = before;
-    for (; reach < kAcross_km; reach += kAcrossStep_km) {
-      const double v = value_at(raster, smooth, moved(s.aside_km + sign * reach));
-      if (v > before || v < 0.02 * top) break;
-      before = v;
-    }
-    bounds[side] = s.aside_km + sign * reach;
-  }
-  double sum = 0.0, first = 0.0, second = 0.0, ln = 0.0;
-  for (double t = bounds[0]; t <= bounds[1]; t += kAcrossStep_km) {
-    const double q = mean(flux.flux, t);
-    sum += q;
-    first += q * t;
-    second += q * t * t;
-    ln += mean(flux.flux_ln_energy, t);
-  }
-  if (sum > 0.0) {
-    s.ln_energy = ln / sum;
-    s.width_km = std::sqrt(std::max(0.0, second / sum - std::pow(first / sum, 2)));
-    // Of a Gaussian of this width that carries the section's flux.
-    constexpr double kRootTwoPi = 2.5066282746310002;
-    s.flux = sum * kAcrossStep_km / (kRootTwoPi * std::max(s.width_km, 0.5 * raster.step_km));
-  }
-  return s;
-}
+constexpr double kSides_km = 6.0;      // of a ridge that must be in view, or as much as its cell is deep
+constexpr double kMinPiece_km = 10.0;  // of a ridge that is joined to others
+constexpr double kFoundHeight = 0.5;   // of the best map's ridge, that a perturbed solution must have
+constexpr double kFoundIn = 0.8;       // of the perturbed solutions, for a point and for a whole curtain
+constexpr double kBranchLight = 0.5;   // of the light of the curtain at which it begins
+constexpr double kBranchGap = 1.5;     // of the resolution, from a branch to its curtain
+constexpr double kHalfWidthReach_km = 100.0;
+// What the green light of even the narrowest spectra fills, at half of its peak, and where it begins.
+constexpr double kThinLayer_km = 15.0, kBorder_km = 105.0;
+constexpr double kFwhm = 2.3548200450309493;  // of a Gaussian, in standard deviations
 
 /// Whether the perturbed solutions have the curtain as well: its flux, summed over its length and width, is
 /// above its standard error. True without any.
@@ -248,33 +43,23 @@ bool is_in_all(double best, const std::vector<double>& others) {
   return others.empty() || std::sqrt(squares / static_cast<double>(others.size())) <= best;
 }
 
-}  // namespace
-
-LowerBorder lower_border(const sim::Scene& scene, double energy_kev) {
-  std::size_t line = 0;
-  for (std::size_t l = 0; l < scene.emission.lines.size(); ++l)
-    if (std::abs(scene.emission.lines[l] - 557.7) < 0.5) line = l;
-  const auto border = [&](double energy) {
-    const sim::HeightProfile profile =
-        sim::maxwellian_profile(sim::emission_source(scene), {scene.emission.lines[line]}, energy);
-    int peak = 0;
-    const auto rate = [&](int row) { return profile.rate[static_cast<std::size_t>(row) * profile.stride]; };
-    for (int row = 1; row < sim::HeightProfile::kAltitudes; ++row)
-      if (rate(row) > rate(peak)) peak = row;
-    int row = peak;
-    while (row > 0 && rate(row) > 0.5f * rate(peak)) --row;
-    const double t = row < peak ? (0.5 * rate(peak) - rate(row)) / (rate(row + 1) - rate(row)) : 0.0;
-    return sim::HeightProfile::altitude_km(row + t);
-  };
-  constexpr double kStep = 0.05;
-  const double low = std::max(energy_kev * std::exp(-kStep), 0.11),
-               high = std::min(energy_kev * std::exp(kStep), 19.0);
-  return {border(std::clamp(energy_kev, 0.11, 19.0)), (border(high) - border(low)) / std::log(high / low)};
+/// The highest value within the smoothing's full width at half maximum: ridges nearer than that are one.
+std::vector<double> highest_around(const RasterGrid& raster, const std::vector<double>& values) {
+  constexpr double kReach = kFwhm * kSmooth_px;
+  constexpr int kReachPx = static_cast<int>(kReach);
+  std::vector<double> highest = values;
+  for (int j = -kReachPx; j <= kReachPx; ++j)
+    for (int i = -kReachPx; i <= kReachPx; ++i) {
+      if (std::hypot(i, j) > kReach || (i == 0 && j == 0)) continue;
+      for (int row = std::max(0, -j); row < std::min(raster.rows, raster.rows - j); ++row) {
+        const std::size_t to = static_cast<std::size_t>(row) * raster.columns,
+                          from = static_cast<std::size_t>(row + j) * raster.columns;
+        for (int column = std::max(0, -i); column < std::min(raster.columns, raster.columns - i); ++column)
+          highest[to + column] = std::max(highest[to + column], values[from + column + i]);
+      }
+    }
+  return highest;
 }
-
-namespace {
-
-enum class Brightness { curtain, faint };
 
 /// A map's flux on a raster, smoothed to look for ridges.
 struct SmoothedFlux {
@@ -282,15 +67,37 @@ struct SmoothedFlux {
   std::vector<double> smooth;
 };
 
-/// Squares of the replicates' differences from the best map at one point of a curtain.
-struct SectionSquares {
-  double aside = 0.0, flux = 0.0, ln_energy = 0.0, width = 0.0;
+/// Mean square of differences from the best map: of the replicates with the map's spectrum, and of those with
+/// another.
+class MeanSquare {
+ public:
+  void add(double difference, bool other_spectrum) {
+    sum_[other_spectrum ? 1 : 0] += difference * difference;
+    ++count_[other_spectrum ? 1 : 0];
+  }
+  /// What other spectra add comes on top.
+  double root() const {
+    if (count_[0] + count_[1] == 0) return sim::kNaN;
+    const double same = count_[0] > 0 ? sum_[0] / count_[0] : sum_[1] / count_[1];
+    const double other = count_[1] > 0 ? sum_[1] / count_[1] : 0.0;
+    return std::sqrt(std::max(same, other));
+  }
 
-  void add(const Section& replicate, const Section& best) {
-    aside += std::pow(replicate.aside_km - best.aside_km, 2);
-    flux += std::pow(replicate.flux - best.flux, 2);
-    ln_energy += std::pow(replicate.ln_energy - best.ln_energy, 2);
-    width += std::pow(replicate.width_km - best.width_km, 2);
+ private:
+  double sum_[2] = {0.0, 0.0};
+  int count_[2] = {0, 0};
+};
+
+/// The replicates' differences from the best map at one point of a curtain.
+struct SectionSpread {
+  MeanSquare aside, flux, ln_energy, width, border;
+  double found_in = 0.0;  ///< share with a ridge there
+
+  void add(const RidgeSection& replicate, const RidgeSection& best, bool other_spectrum) {
+    aside.add(replicate.aside_km - best.aside_km, other_spectrum);
+    flux.add(replicate.flux - best.flux, other_spectrum);
+    ln_energy.add(replicate.ln_energy - best.ln_energy, other_spectrum);
+    width.add(replicate.width_km - best.width_km, other_spectrum);
   }
 };
 
@@ -300,12 +107,30 @@ double energy_of_curtain(const Curtain& curtain) {
   return sum;
 }
 
+void sort_by_energy(std::vector<Curtain>& curtains) {
+  std::stable_sort(curtains.begin(), curtains.end(), [](const Curtain& a, const Curtain& b) {
+    return energy_of_curtain(a) > energy_of_curtain(b);
+  });
+}
+
 /// Takes the ends that are out of view away: they are guesses.
 void trim_to_view(std::vector<CurtainPoint>& points) {
   while (!points.empty() && !points.back().border_in_view) points.pop_back();
   points.erase(points.begin(), std::find_if(points.begin(), points.end(),
                                             [](const CurtainPoint& p) { return p.border_in_view; }));
 }
+
+/// A ridge of the raster, and what is known of all of its points.
+struct TracedRidge {
+  RidgeLine feet;
+  double length_km = 0.0;
+  std::vector<CurtainPoint> points;
+  std::vector<double> height, place_error_km;
+};
+
+struct RidgesOfMap {
+  std::vector<Curtain> curtains, faint;
+};
 
 class CurtainFinder {
  public:
@@ -317,28 +142,41 @@ class CurtainFinder {
         field_(raster_, best_.smooth) {
     for (const std::vector<CellFlux>& replicate : result.replicates)
       replicates_.push_back(smoothed_flux(replicate));
+    for (std::size_t r = 0; r < replicates_.size(); ++r) {
+      borders_.emplace_back(
+          scene_with(result.scene, result.numbers,
+                     drawn_numbers(result.scene.seed, result.numbers, static_cast<std::uint32_t>(r))),
+          spectrum_of(r));
+    }
+    make_nulls();
+    for (int c = 0; c < result.grid.cells(); ++c)
+      if (result.border_in_view[static_cast<std::size_t>(c)] != 0) area_km2_ += result.grid.area_km2(c);
   }
 
-  /// Faint ridges are looked for where the bright ones have left something.
-  std::vector<Curtain> find(Brightness wanted) {
-    std::vector<Curtain> curtains;
+  RidgesOfMap find() {
+    std::vector<RidgeLine> bright, faint;
     std::vector<std::uint8_t> used(raster_.size(), 0);
     for (const std::size_t seed : seeds()) {
-      const bool is_bright_seed = field_.smooth[seed] >= kHigh * brightest_;
-      if (used[seed] ||
-          (!is_bright_seed && (wanted != Brightness::faint || field_.smooth[seed] < kFaintHigh * brightest_)))
-        continue;
-      const std::vector<sim::EastNorth> ridge =
-          follow(field_, used, static_cast<int>(seed % raster_.columns),
-                 static_cast<int>(seed / raster_.columns), (is_bright_seed ? kLow : kFaintLow) * brightest_);
-      if (ridge.size() < 3) continue;
-      if (std::optional<Curtain> curtain = curtain_along(ridge, is_bright_seed, wanted))
-        curtains.push_back(std::move(*curtain));
+      const bool is_bright = field_.smooth[seed] >= kHigh * brightest_;
+      if (used[seed] || (!is_bright && field_.smooth[seed] < kFaintHigh * brightest_)) continue;
+      RidgeLine ridge = followed_ridge(field_, used, static_cast<int>(seed % raster_.columns),
+                                       static_cast<int>(seed / raster_.columns),
+                                       (is_bright ? kLow : kFaintLow) * brightest_);
+      double length = 0.0;
+      if (is_of_one_station(result_))
+        ridge = without_ends_along_sight(
+            ridge, [&](sim::EastNorth foot) { return resolution_along_sight_km(foot); });
+      if (ridge.size() < 3 || (evenly_spaced(ridge, kStep_km, length), length) < kMinPiece_km) continue;
+      (is_bright ? bright : faint).push_back(std::move(ridge));
     }
-    std::stable_sort(curtains.begin(), curtains.end(), [](const Curtain& a, const Curtain& b) {
-      return energy_of_curtain(a) > energy_of_curtain(b);
-    });
-    return curtains;
+    const auto resolution = [&](sim::EastNorth foot) { return resolution_km(foot); };
+    RidgesOfMap ridges;
+    for (const RidgeLine& line : joined_lines(std::move(bright), resolution)) sort_in(line, true, ridges);
+    for (const RidgeLine& line : joined_lines(std::move(faint), resolution)) sort_in(line, false, ridges);
+    sort_by_energy(ridges.curtains);
+    set_branches_apart(ridges);
+    sort_by_energy(ridges.faint);
+    return ridges;
   }
 
  private:
@@ -346,6 +184,70 @@ class CurtainFinder {
     RasterFlux flux = raster_flux(result_, raster_, cells);
     std::vector<double> smooth = smoothed_raster(raster_, flux.flux, kSmooth_px);
     return {std::move(flux), std::move(smooth)};
+  }
+
+  const sim::ElectronSpectrum& spectrum_of(std::size_t replicate) const {
+    return replicate < result_.replicate_spectra.size() ? result_.replicate_spectra[replicate]
+                                                        : result_.spectrum;
+  }
+  bool is_other_spectrum(std::size_t replicate) const {
+    return spectrum_of(replicate).kind != result_.spectrum.kind;
+  }
+
+  /// Maps of what chance alone makes: what one replicate has above the highest place nearby of another of the
+  /// same spectrum.
+  void make_nulls() {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::map<sim::ElectronSpectrum::Kind, std::size_t> waiting;
+    for (std::size_t r = 0; r < replicates_.size(); ++r) {
+      const auto kind = spectrum_of(r).kind;
+      const auto other = waiting.find(kind);
+      if (other == waiting.end()) {
+        waiting[kind] = r;
+        continue;
+      }
+      pairs.emplace_back(other->second, r);
+      waiting.erase(other);
+    }
+    if (pairs.empty() && replicates_.size() > 1) pairs.emplace_back(0, 1);
+    // Where the picture is not explained, the map's errors are larger than the noise that was drawn.
+    const double unexplained = std::sqrt(std::max(1.0, result_.chi2_per_value()));
+    // A ridge whose place differs a little is in both of them.
+    // The light as a whole differs by what is not known of energies and tables, which makes no ridges.
+    const auto sum = [](const std::vector<double>& values) {
+      return std::max(1e-30, std::accumulate(values.begin(), values.end(), 0.0));
+    };
+    const double all = sum(best_.smooth);
+    const auto add = [&](const std::vector<double>& a, const std::vector<double>& b) {
+      std::vector<double> chance = highest_around(raster_, b);
+      const double of_a = all / sum(a), of_b = all / sum(b);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        chance[i] = unexplained * std::max(0.0, of_a * a[i] - of_b * chance[i]);
+      nulls_.push_back(std::move(chance));
+    };
+    for (const auto& [a, b] : pairs) {
+      add(replicates_[a].smooth, replicates_[b].smooth);
+      add(replicates_[b].smooth, replicates_[a].smooth);
+    }
+    if (pairs.empty() && !replicates_.empty()) add(replicates_[0].smooth, best_.smooth);
+  }
+
+  double cell_km(sim::EastNorth foot) const {
+    const int cell = result_.grid.cell_at(foot.east, foot.north);
+    return cell < 0 ? raster_.step_km : result_.grid.depth_km(cell);
+  }
+
+  /// Full width at half of its height of a curtain without width.
+  double resolution_km(sim::EastNorth foot) const {
+    return std::hypot(kFwhm * kSmooth_px * raster_.step_km, cell_km(foot));
+  }
+
+  /// Light at one elevation may be at the top of a layer that is near or at the foot of one that is farther.
+  double resolution_along_sight_km(sim::EastNorth foot) const {
+    const double distance = std::hypot(foot.east, foot.north);
+    const double tangent =
+        std::max(0.02, kBorder_km / std::max(1.0, distance) - 0.5 * distance / sim::kEarthRadiusKm);
+    return std::hypot(resolution_km(foot), kThinLayer_km / tangent);
   }
 
   /// A ridge has two sides. Light that ends where the view ends, or at the end of the ground, has been put
@@ -382,65 +284,194 @@ class CurtainFinder {
     return order;
   }
 
-  std::optional<Curtain> curtain_along(const std::vector<sim::EastNorth>& ridge, bool is_bright_seed,
-                                       Brightness wanted) const {
-    Curtain curtain;
-    const std::vector<sim::EastNorth> feet = evenly(ridge, curtain.length_km);
-    if (curtain.length_km < kMinLength_km) return {};
-    double mean = 0.0;
-    for (const sim::EastNorth& foot : feet) mean += value_at(raster_, field_.smooth, foot) / feet.size();
-    const bool is_curtain = is_bright_seed && mean >= kMinMean * brightest_;
-    if (is_curtain != (wanted == Brightness::curtain) || mean < kMinFaintMean * brightest_) return {};
+  /// Makes curtains of a ridge, or of its parts that count, and puts them where they belong.
+  void sort_in(const RidgeLine& line, bool is_bright, RidgesOfMap& ridges) const {
+    TracedRidge ridge;
+    ridge.feet = evenly_spaced(line, kStep_km, ridge.length_km);
+    if (ridge.length_km < kMinLength_km || !measure(ridge)) return;
+    for (const auto& [first, last] : parts_that_count(ridge)) {
+      double mean = 0.0;
+      for (std::size_t i = first; i < last; ++i)
+        mean += raster_value(raster_, field_.smooth, ridge.feet[i]) / static_cast<double>(last - first);
+      std::optional<Curtain> curtain = curtain_of(ridge, first, last);
+      if (!curtain || mean < kMinFaintMean * brightest_) continue;
+      const bool is_tested = !replicates_.empty();
+      const bool is_sure = !is_tested || (is_found(*curtain) && curtain->probability >= kCurtainProbability);
+      const bool is_curtain =
+          is_bright && mean >= kMinMean * brightest_ && is_sure && !curtain->is_diffuse_patch;
+      (is_curtain ? ridges.curtains : ridges.faint).push_back(std::move(*curtain));
+    }
+  }
+
+  /// Light that is put nearer or farther than its curtain makes a branch of it, which a picture from one side
+  /// hardly tells from a fold.
+  void set_branches_apart(RidgesOfMap& ridges) const {
+    std::vector<Curtain> kept;
+    for (Curtain& curtain : ridges.curtains) {
+      curtain.is_branch = std::any_of(kept.begin(), kept.end(), [&](const Curtain& brighter) {
+        return energy_of_curtain(curtain) < kBranchLight * energy_of_curtain(brighter) &&
+               (touches(curtain.points.front().foot_km, brighter) ||
+                touches(curtain.points.back().foot_km, brighter));
+      });
+      (curtain.is_branch ? ridges.faint : kept).push_back(std::move(curtain));
+    }
+    ridges.curtains = std::move(kept);
+  }
+
+  bool touches(sim::EastNorth end, const Curtain& curtain) const {
+    const double reach = kBranchGap * resolution_km(end);
+    return std::any_of(curtain.points.begin(), curtain.points.end(), [&](const CurtainPoint& p) {
+      return std::hypot(p.foot_km.east - end.east, p.foot_km.north - end.north) < reach;
+    });
+  }
+
+  static bool is_found(const Curtain& curtain) {
+    double sum = 0.0;
+    for (const CurtainPoint& p : curtain.points) sum += p.found_in;
+    return sum >= kFoundIn * static_cast<double>(curtain.points.size());
+  }
+
+  /// Fills a ridge's points; false if its flux is below its error.
+  bool measure(TracedRidge& ridge) const {
     double whole = 0.0;  // flux, over length and width
     std::vector<double> whole_of_replicates(replicates_.size(), 0.0);
-    for (std::size_t i = 0; i < feet.size(); ++i) {
-      const sim::EastNorth before = feet[i > 0 ? i - 1 : 0], after = feet[std::min(i + 1, feet.size() - 1)];
-      const double length = std::hypot(after.east - before.east, after.north - before.north);
-      const sim::EastNorth across{-(after.north - before.north) / length,
-                                  (after.east - before.east) / length};
-      const Section best = section(raster_, best_.smooth, best_.flux, feet[i], across);
+    for (std::size_t i = 0; i < ridge.feet.size(); ++i) {
+      const sim::EastNorth foot = ridge.feet[i], across = across_line(ridge.feet, i);
+      const RidgeSection best = ridge_section(raster_, best_.smooth, best_.flux, foot, across, kStep_km);
       whole += best.flux * best.width_km;
-      SectionSquares squares;
+      SectionSpread spread;
+      const double border =
+          result_.altitude_scale *
+          lower_border(result_.scene, std::exp(best.ln_energy), result_.spectrum).altitude_km;
       for (std::size_t r = 0; r < replicates_.size(); ++r) {
-        const Section other = section(raster_, replicates_[r].smooth, replicates_[r].flux, feet[i], across);
+        const RidgeSection other =
+            ridge_section(raster_, replicates_[r].smooth, replicates_[r].flux, foot, across, kStep_km);
         whole_of_replicates[r] += other.flux * other.width_km;
-        squares.add(other, best);
+        spread.add(other, best, is_other_spectrum(r));
+        spread.border.add(border_km(other.ln_energy, r) - border, is_other_spectrum(r));
       }
-      curtain.points.push_back(point_at(feet[i], across, best, squares));
+      const double place = replicates_.empty() ? 0.0 : spread.aside.root();
+      ridge.place_error_km.push_back(place);
+      ridge.height.push_back(height_at(best_.smooth, foot, across, place).height);
+      int found = 0;
+      for (const SmoothedFlux& replicate : replicates_)
+        found +=
+            height_at(replicate.smooth, foot, across, place).height >= kFoundHeight * ridge.height.back();
+      spread.found_in = replicates_.empty()
+                            ? sim::kNaN
+                            : static_cast<double>(found) / static_cast<double>(replicates_.size());
+      ridge.points.push_back(point_at(foot, across, best, spread));
     }
-    if (!is_in_all(whole, whole_of_replicates)) return {};
+    return is_in_all(whole, whole_of_replicates);
+  }
+
+  /// Within the error of its place, or what is not resolved.
+  RidgeHeight height_at(const std::vector<double>& values, sim::EastNorth foot, sim::EastNorth across,
+                        double place_error_km) const {
+    const double resolution = resolution_km(foot);
+    return ridge_height(raster_, values, foot, across, std::hypot(0.5 * resolution, place_error_km),
+                        1.5 * resolution);
+  }
+
+  /// From which point to before which. Stretches that do not count split a ridge if they are longer than the
+  /// gaps over which pieces are joined.
+  std::vector<std::pair<std::size_t, std::size_t>> parts_that_count(const TracedRidge& ridge) const {
+    std::vector<std::pair<std::size_t, std::size_t>> parts;
+    const std::size_t count = ridge.points.size();
+    if (replicates_.empty()) return {{0, count}};
+    const double step = ridge.length_km / std::max<double>(1.0, static_cast<double>(count) - 1.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (ridge.points[i].found_in < kFoundIn) continue;
+      const double gap = parts.empty() ? 0.0 : static_cast<double>(i + 1 - parts.back().second) * step;
+      if (parts.empty() || gap > kJoinedGap * resolution_km(ridge.feet[i]))
+        parts.emplace_back(i, i + 1);
+      else
+        parts.back().second = i + 1;
+    }
+    // None counts: what is left is for the table of faint ones.
+    if (parts.empty()) parts.emplace_back(0, count);
+    return parts;
+  }
+
+  std::optional<Curtain> curtain_of(const TracedRidge& ridge, std::size_t first, std::size_t last) const {
+    Curtain curtain;
+    curtain.points.assign(ridge.points.begin() + static_cast<std::ptrdiff_t>(first),
+                          ridge.points.begin() + static_cast<std::ptrdiff_t>(last));
     trim_to_view(curtain.points);
     if (curtain.points.size() < 3) return {};
-    curtain.length_km *= (curtain.points.size() - 1.0) / (feet.size() - 1.0);
+    curtain.length_km = ridge.length_km * (static_cast<double>(curtain.points.size()) - 1.0) /
+                        (static_cast<double>(ridge.feet.size()) - 1.0);
+    if (curtain.length_km < kMinLength_km) return {};
+    double height = 0.0, resolution = 0.0;
+    std::vector<std::vector<double>> nulls(nulls_.size());
+    std::vector<double> widths;
+    for (std::size_t i = first; i < last; ++i) {
+      const sim::EastNorth across = across_line(ridge.feet, i);
+      const auto share = 1.0 / static_cast<double>(last - first);
+      height += ridge.height[i] * share;
+      resolution += resolution_km(ridge.feet[i]) * share;
+      widths.push_back(width_at_half_km(ridge.feet[i], across));
+      for (std::size_t n = 0; n < nulls_.size(); ++n)
+        nulls[n].push_back(height_at(nulls_[n], ridge.feet[i], across, ridge.place_error_km[i]).height);
+    }
+    curtain.width_at_half_km = sim::median(widths);
+    curtain.is_diffuse_patch = is_diffuse_patch(curtain.width_at_half_km, curtain.length_km, resolution);
+    curtain.probability = ridge_probability(height, nulls, curtain.length_km / resolution,
+                                            area_km2_ / (curtain.length_km * resolution));
     return curtain;
   }
 
-  CurtainPoint point_at(sim::EastNorth foot, sim::EastNorth across, const Section& best,
-                        const SectionSquares& squares) const {
-    const auto count = static_cast<double>(replicates_.size());
-    const auto spread = [&](double sum) { return count > 0.0 ? std::sqrt(sum / count) : sim::kNaN; };
+  double width_at_half_km(sim::EastNorth foot, sim::EastNorth across) const {
+    const double half = 0.5 * raster_value(raster_, best_.smooth, foot);
+    double width = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+      double t = 0.0;
+      while (t < kHalfWidthReach_km &&
+             raster_value(raster_, best_.smooth,
+                          {foot.east + side * t * across.east, foot.north + side * t * across.north}) > half)
+        t += 1.0;
+      width += t;
+    }
+    return width;
+  }
+
+  /// By a replicate's own tables and spectrum, of electrons with the mean energy that those of the map's have
+  /// at this E0.
+  double border_km(double ln_energy, std::size_t replicate) const {
+    const double e0 = std::exp(ln_energy) * sim::mean_energy_over_e0(result_.spectrum) /
+                      sim::mean_energy_over_e0(spectrum_of(replicate));
+    return result_.altitude_scale * borders_[replicate].altitude_km(e0);
+  }
+
+  CurtainPoint point_at(sim::EastNorth foot, sim::EastNorth across, const RidgeSection& best,
+                        const SectionSpread& spread) const {
     CurtainPoint p;
     p.foot_km = foot;
     p.distance_km = std::hypot(foot.east, foot.north);
     p.azimuth_deg = std::atan2(foot.east, foot.north) / sim::kRadiansPerDegree;
     if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
-    p.border_in_view = value_at(raster_, in_view_, foot) > 0.5;
+    p.border_in_view = raster_value(raster_, in_view_, foot) > 0.5;
+    p.at_edge = is_at_edge(result_, foot);
+    p.found_in = spread.found_in;
     // A ridge's place is not known better than a part of the cells it is made of.
-    const int cell = result_.grid.cell_at(foot.east, foot.north);
-    const double cell_km = cell < 0 ? raster_.step_km : result_.grid.depth_km(cell);
-    p.lateral_error_km = std::hypot(spread(squares.aside), cell_km / std::sqrt(12.0));
+    p.lateral_error_km = std::hypot(spread.aside.root(), cell_km(foot) / std::sqrt(12.0));
     const double towards =
         p.distance_km > 0.0 ? (across.east * foot.east + across.north * foot.north) / p.distance_km : 1.0;
     p.distance_error_km = p.lateral_error_km * std::max(0.3, std::abs(towards));
-    p.flux_mw_m2 = {best.flux, spread(squares.flux)};
-    const double ln_error = kEnergyInflation * spread(squares.ln_energy);
+    p.flux_mw_m2 = {best.flux, spread.flux.root()};
+    const double ln_error = kEnergyInflation * spread.ln_energy.root();
     p.energy_kev = {std::exp(best.ln_energy), std::exp(best.ln_energy) * ln_error};
+    const std::vector<double>& nodes = result_.energies_kev;
+    if (nodes.size() > 1) {
+      if (best.ln_energy < std::log(nodes[1])) p.energy_limit = -1;
+      if (best.ln_energy > std::log(nodes[nodes.size() - 2])) p.energy_limit = 1;
+    }
     // What is narrower than a part of a pixel has no width of its own.
-    p.width_km = {std::max(best.width_km, 0.25 * raster_.step_km), spread(squares.width)};
-    LowerBorder border = lower_border(result_.scene, p.energy_kev.value);
+    p.width_km = {std::max(best.width_km, 0.25 * raster_.step_km), spread.width.root()};
+    LowerBorder border = lower_border(result_.scene, p.energy_kev.value, result_.spectrum);
     border.altitude_km *= result_.altitude_scale;
-    border.by_ln_energy *= result_.altitude_scale;
-    p.lower_border_km = {border.altitude_km, std::abs(border.by_ln_energy) * ln_error};
+    p.lower_border_km = {border.altitude_km,
+                         replicates_.empty() ? sim::kNaN : kEnergyInflation * spread.border.root()};
     // A border that is higher is farther away at the same elevation.
     p.distance_error_km =
         std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
@@ -452,23 +483,35 @@ class CurtainFinder {
   const SmoothedFlux best_;
   const std::vector<double> in_view_;
   std::vector<SmoothedFlux> replicates_;
+  std::vector<std::vector<double>> nulls_;  // smoothed
+  std::vector<LowerBorderTable> borders_;   // by replicate
   RidgeField field_;
   double brightest_ = 0.0;  // ridge, its upper hundredth
+  double area_km2_ = 0.0;   // in view
 };
 
-std::vector<Curtain> ridges_of_map(const MapResult& result, Brightness wanted) {
+RidgesOfMap ridges_of_map(const MapResult& result) {
   if (result.grid.cells() == 0) return {};
-  return CurtainFinder(result).find(wanted);
+  return CurtainFinder(result).find();
 }
 
 }  // namespace
 
-std::vector<Curtain> find_curtains(const MapResult& result) {
-  return ridges_of_map(result, Brightness::curtain);
+bool is_at_edge(const MapResult& result, sim::EastNorth foot_km) {
+  const int cell = result.grid.cell_at(foot_km.east, foot_km.north);
+  // The farthest two cells, or what the smoothing of ridges mixes with them.
+  const double reach = std::max(kFwhm * kSmooth_px * 2.0, cell < 0 ? 0.0 : 2.0 * result.grid.depth_km(cell));
+  const double distance = std::hypot(foot_km.east, foot_km.north);
+  if (is_of_one_station(result))
+    return distance > 0.0 && !result.grid.reaches(foot_km.east * (1.0 + reach / distance),
+                                                  foot_km.north * (1.0 + reach / distance));
+  for (const auto& [east, north] : {std::pair{reach, 0.0}, {-reach, 0.0}, {0.0, reach}, {0.0, -reach}})
+    if (!result.grid.reaches(foot_km.east + east, foot_km.north + north)) return true;
+  return false;
 }
 
-std::vector<Curtain> find_faint_curtains(const MapResult& result) {
-  return ridges_of_map(result, Brightness::faint);
-}
+std::vector<Curtain> find_curtains(const MapResult& result) { return ridges_of_map(result).curtains; }
+
+std::vector<Curtain> find_faint_curtains(const MapResult& result) { return ridges_of_map(result).faint; }
 
 }  // namespace vegard::fit

@@ -2,8 +2,13 @@
 //
 // A ridge point is where the smoothed flux has its maximum along the direction of its strongest curvature
 // (Steger 1998, doi:10.1109/34.659930). Points are joined at right angles to that direction, starting from
-// the brightest, as long as the next one is bright enough (hysteresis). The curve is then resampled every few
-// kilometres.
+// the brightest, as long as the next one is bright enough (hysteresis); pieces that go on in each other's
+// course become one (fit/map/ridge_evidence.h). The curve is then resampled every few kilometres.
+//
+// Not every ridge is a curtain. A point counts only if nearly all perturbed solutions have a ridge there,
+// within the error of its place; the ridge's height must be more than chance makes, by the ridges along the
+// same course in differences of two perturbed solutions; and a wide maximum that is not long is a diffuse
+// patch.
 #pragma once
 
 #include <vector>
@@ -29,25 +34,32 @@ struct CurtainPoint {
   WithError lower_border_km;   ///< where, below its peak, the light of 557.7 nm (or of the scene's brightest
                                ///< line) is half of the peak
   bool border_in_view = true;  ///< its lower border is in a used part of a picture
+  bool at_edge = false;        ///< at the end of the map's ground: its light may come from anywhere beyond
+  int energy_limit = 0;   ///< 1: the energy is the largest of the map's, thus a lower limit; -1: the least
+  double found_in = 0.0;  ///< share of the perturbed solutions with a ridge there; NaN without any
 };
 
 struct Curtain {
   std::vector<CurtainPoint> points;  ///< from one end to the other
   double length_km = 0.0;
+  double probability = 0.0;       ///< of being no work of chance; NaN if it was not tested
+  double width_at_half_km = 0.0;  ///< full width of the smoothed ridge, in the median
+  bool is_diffuse_patch = false;
+  bool is_branch = false;  ///< begins at a curtain that is more than twice as bright
 };
 
-/// Returns the curtains, by decreasing energy.
+/// From this probability on a ridge is a curtain.
+inline constexpr double kCurtainProbability = 0.95;
+
+/// Returns the curtains, by decreasing energy. Without perturbed solutions they are not tested against
+/// chance.
 std::vector<Curtain> find_curtains(const MapResult& result);
 
-/// Returns the ridges that are too faint for curtains, in the same order; some are artefacts of the bright
-/// ones.
+/// Returns the ridges that are no curtains, in the same order: too faint, or perhaps a work of chance, or
+/// diffuse patches, or branches of a curtain. Some are artefacts of the bright ones.
 std::vector<Curtain> find_faint_curtains(const MapResult& result);
 
-/// Lower border of the light of Maxwellian electrons of an energy, and its derivative by ln(energy), both in
-/// km.
-struct LowerBorder {
-  double altitude_km = 0.0, by_ln_energy = 0.0;
-};
-LowerBorder lower_border(const sim::Scene& scene, double energy_kev);
+/// Whether a foot is so near to the end of the map's ground that light from beyond would be put there.
+bool is_at_edge(const MapResult& result, sim::EastNorth foot_km);
 
 }  // namespace vegard::fit

@@ -74,6 +74,22 @@ std::vector<double> steps_between(double least, double most, double step) {
   return values;
 }
 
+/// The mean of errors by their weights. An error that was not computed is unknown, and so is the mean where
+/// that is so of more than half of the weight.
+class KnownMean {
+ public:
+  void add(double weight, double error) {
+    all_ += weight;
+    if (!std::isfinite(error)) return;
+    known_ += weight;
+    sum_ += weight * error;
+  }
+  double mean() const { return known_ > 0.0 && 2.0 * known_ >= all_ ? sum_ / known_ : sim::kNaN; }
+
+ private:
+  double all_ = 0.0, known_ = 0.0, sum_ = 0.0;
+};
+
 /// A cell's own mean over points in it.
 class CellMean {
  public:
@@ -86,21 +102,22 @@ class CellMean {
     if (!(q > 0.0) || !std::isfinite(energy)) return;
     weight_ += q;
     ln_energy_ += q * std::log(energy);
-    if (std::isfinite(map.relative_flux_error[at])) flux_error_ += q * map.relative_flux_error[at];
-    if (std::isfinite(map.ln_energy_error[at])) energy_error_ += q * map.ln_energy_error[at];
+    flux_error_.add(q, map.relative_flux_error[at]);
+    energy_error_.add(q, map.ln_energy_error[at]);
   }
 
   void put(int points, GeographicMap& map) const {
     const bool is_constrained = 2 * constrained_ >= points, has_energy = is_constrained && weight_ > 0.0;
     map.energy_flux_mw_m2.push_back(is_constrained ? flux_ / constrained_ : sim::kNaN);
     map.energy_kev.push_back(has_energy ? std::exp(ln_energy_ / weight_) : sim::kNaN);
-    map.relative_flux_error.push_back(has_energy ? flux_error_ / weight_ : sim::kNaN);
-    map.ln_energy_error.push_back(has_energy ? energy_error_ / weight_ : sim::kNaN);
+    map.relative_flux_error.push_back(has_energy ? flux_error_.mean() : sim::kNaN);
+    map.ln_energy_error.push_back(has_energy ? energy_error_.mean() : sim::kNaN);
   }
 
  private:
   int constrained_ = 0;
-  double flux_ = 0.0, weight_ = 0.0, ln_energy_ = 0.0, flux_error_ = 0.0, energy_error_ = 0.0;
+  double flux_ = 0.0, weight_ = 0.0, ln_energy_ = 0.0;
+  KnownMean flux_error_, energy_error_;
 };
 
 }  // namespace

@@ -18,8 +18,8 @@ namespace {
 
 using sim::kGroundEnergies;
 
-constexpr double kMinEnergy_kev = 0.4, kMaxEnergy_kev = 14.0;
-constexpr double kFluxOfRates = 1.0;  // mW m^-2, the tables' own
+constexpr double kMinEnergy_kev = 0.4, kMaxEnergy_kev = 14.0;  // E0 of Maxwellian electrons
+constexpr double kFluxOfRates = 1.0;                           // mW m^-2, the tables' own
 constexpr double kFilmCells = 40000.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
@@ -39,11 +39,12 @@ constexpr double kErrorReach_cells = 4.0;  // over which a model's error is alik
 // strength, the flux, and the spectrum's slope (d ln x / d ln E).
 constexpr double kCellPriorSpread = 1.0, kFluxSpread = 0.7, kTiltSpread = 1.4;
 
-std::vector<double> energy_nodes() {
+/// E0 of a spectrum at the mean energies that Maxwellian electrons have.
+std::vector<double> energy_nodes(const sim::ElectronSpectrum& spectrum) {
   std::vector<double> energies;
+  const double least = kMinEnergy_kev * (sim::mean_energy_over_e0({}) / sim::mean_energy_over_e0(spectrum));
   for (int k = 0; k < kGroundEnergies; ++k)
-    energies.push_back(kMinEnergy_kev *
-                       std::pow(kMaxEnergy_kev / kMinEnergy_kev, k / (kGroundEnergies - 1.0)));
+    energies.push_back(least * std::pow(kMaxEnergy_kev / kMinEnergy_kev, k / (kGroundEnergies - 1.0)));
   return energies;
 }
 
@@ -138,7 +139,11 @@ class Mapping {
   std::vector<MapObservation> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
   std::vector<MapObservation> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
                                        const std::vector<MapObservation>* like = nullptr) const;
-  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
+  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const {
+    look(pictures, grid, options_.spectrum);
+  }
+  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
+            const sim::ElectronSpectrum& spectrum) const;
   std::vector<float> flat_start(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
   void keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const;
   MapSolution solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
@@ -153,17 +158,21 @@ class Mapping {
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapObservation>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
   std::vector<CellFlux> replicate(std::vector<MapObservation>& fine, const MapResult& best,
-                                  const std::vector<MapLight>& truth, std::uint32_t number, double from,
-                                  double to);
+                                  const std::vector<MapLight>& truth, std::uint32_t number,
+                                  const sim::ElectronSpectrum& spectrum, double from, double to);
   /// The pictures for numbers beside the map that are drawn from what is known of them.
   std::vector<MapObservation> pictures_drawn(const std::vector<MapObservation>& fine,
-                                             const sim::GroundGrid& grid, std::uint32_t number) const;
+                                             const sim::GroundGrid& grid, std::uint32_t number,
+                                             const sim::ElectronSpectrum& spectrum) const;
   void set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
                       MapObservation& picture) const;
   MapSolution solve_drawn(std::vector<MapObservation>& pictures, const MapResult& best, std::uint32_t number,
                           double from, double to) const;
   void tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const;
   bool stopped() const { return options_.stop != nullptr && *options_.stop; }
+  void require_going() const {
+    if (stopped()) throw MapStopped();
+  }
 
   const sim::Scene& scene_;
   const std::vector<Photo>& photos_;
@@ -171,7 +180,7 @@ class Mapping {
   std::vector<sim::Scene> scenes_;
   std::vector<MapNumber> numbers_;
   WorkShares share_;
-  std::vector<double> energies_ = energy_nodes();
+  std::vector<double> energies_ = energy_nodes(options_.spectrum);
 };
 
 /// The films get the sizes that those of `like` have.
@@ -184,6 +193,8 @@ std::vector<MapObservation> Mapping::pictures(int coarseness, const std::vector<
                                                                    : fine_pixels(scenes[i].camera));
     o.model_error = scenes[i].fit.model_error;
     o.threads = options_.threads;
+    o.stop = options_.stop;
+    require_going();
     if (like != nullptr) {
       const sim::FilmGeometry& film = (*like)[i].film();
       o.margin_cells = static_cast<int>(std::lround(-film.x0_px / film.cell_width_px));
@@ -198,9 +209,12 @@ std::vector<MapObservation> Mapping::pictures(int coarseness, const std::vector<
   return all;
 }
 
-void Mapping::look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const {
+void Mapping::look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
+                   const sim::ElectronSpectrum& spectrum) const {
   for (MapObservation& picture : pictures)
-    picture.look_at(scene_.site, grid, energies_, kFluxOfRates, options_.altitude_scale);
+    picture.look_at(scene_.site, grid, energy_nodes(spectrum), kFluxOfRates, options_.altitude_scale,
+                    spectrum);
+  require_going();  // light that was not finished is none to go on with
 }
 
 void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const {
@@ -367,15 +381,12 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
 }
 
 std::vector<MapObservation> Mapping::pictures_drawn(const std::vector<MapObservation>& fine,
-                                                    const sim::GroundGrid& grid, std::uint32_t number) const {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const double drawn = normal(scene_.seed, number, 0xffe0u, static_cast<std::uint32_t>(i));
-    values.push_back(numbers_[i].value + numbers_[i].error * drawn);
-  }
-  std::vector<MapObservation> all =
-      pictures(1, scenes_of(scene_with(scene_, numbers_, values), photos_), &fine);
-  look(all, grid);
+                                                    const sim::GroundGrid& grid, std::uint32_t number,
+                                                    const sim::ElectronSpectrum& spectrum) const {
+  std::vector<MapObservation> all = pictures(
+      1, scenes_of(scene_with(scene_, numbers_, drawn_numbers(scene_.seed, numbers_, number)), photos_),
+      &fine);
+  look(all, grid, spectrum);
   return all;
 }
 
@@ -422,10 +433,11 @@ MapSolution Mapping::solve_drawn(std::vector<MapObservation>& pictures, const Ma
 
 std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, const MapResult& best,
                                          const std::vector<MapLight>& truth, std::uint32_t number,
-                                         double from, double to) {
+                                         const sim::ElectronSpectrum& spectrum, double from, double to) {
   const auto work = [&] {
     std::vector<MapObservation> drawn;
-    if (!numbers_.empty()) drawn = pictures_drawn(fine, best.grid, number);
+    if (!numbers_.empty() || spectrum.kind != options_.spectrum.kind)
+      drawn = pictures_drawn(fine, best.grid, number, spectrum);
     std::vector<MapObservation>& pictures = drawn.empty() ? fine : drawn;
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
     for (std::size_t p = 0; p < pictures.size(); ++p) {
@@ -441,9 +453,9 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, cons
     out.whole = !stopped();
     return out;
   };
-  const StepOutput out = options_.journal != nullptr
-                             ? options_.journal->step("replicate " + std::to_string(number), work)
-                             : work();
+  std::string name = "replicate " + std::to_string(number);
+  if (spectrum.kind != options_.spectrum.kind) name += std::string(" ") + sim::spectrum_word(spectrum.kind);
+  const StepOutput out = options_.journal != nullptr ? options_.journal->step(name, work) : work();
   std::vector<CellFlux> cells(static_cast<std::size_t>(best.grid.cells()));
   const std::vector<double>& flux = out.numbers_at("flux", cells.size());
   const std::vector<double>& ln_energy = out.numbers_at("ln_energy", cells.size());
@@ -538,10 +550,19 @@ void Mapping::add_replicates(std::vector<MapObservation>& fine, MapResult& resul
     for (std::size_t i = 0; i < truth.back().size(); ++i) truth.back()[i] += photo.sky[i];
   }
   for (int r = 0; r < options_.replicates && !stopped(); ++r) {
-    std::vector<CellFlux> cells = replicate(fine, result, truth, static_cast<std::uint32_t>(r),
-                                            share_.map + (1.0 - share_.map) * r / options_.replicates,
-                                            share_.map + (1.0 - share_.map) * (r + 1) / options_.replicates);
-    if (!stopped()) result.replicates.push_back(std::move(cells));
+    const sim::ElectronSpectrum spectrum =
+        is_of_one_station(result) ? replicate_spectrum(options_.spectrum, r) : options_.spectrum;
+    std::vector<CellFlux> cells;
+    try {
+      cells = replicate(fine, result, truth, static_cast<std::uint32_t>(r), spectrum,
+                        share_.map + (1.0 - share_.map) * r / options_.replicates,
+                        share_.map + (1.0 - share_.map) * (r + 1) / options_.replicates);
+    } catch (const MapStopped&) {
+      return;  // the map itself is there
+    }
+    if (stopped()) return;
+    result.replicates.push_back(std::move(cells));
+    result.replicate_spectra.push_back(spectrum);
   }
 }
 
@@ -555,6 +576,7 @@ MapResult Mapping::run() {
   MapResult result(scene_, coarse_grid);
   result.numbers = numbers_;
   result.altitude_scale = options_.altitude_scale;
+  result.spectrum = options_.spectrum;
   result.energies_kev = energies_;
   result.sparsity =
       options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
@@ -586,6 +608,35 @@ MapResult Mapping::run() {
 }
 
 }  // namespace
+
+bool is_of_one_station(const MapResult& result) {
+  return std::all_of(result.photos.begin(), result.photos.end(), [&](const MappedPhoto& photo) {
+    const sim::Site &site = photo.scene.site, &first = result.photos.front().scene.site;
+    return site.latitude_deg == first.latitude_deg && site.longitude_deg == first.longitude_deg;
+  });
+}
+
+sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate) {
+  using Kind = sim::ElectronSpectrum::Kind;
+  if (replicate % 2 == 0) return of_map;
+  std::vector<sim::ElectronSpectrum> others;
+  for (const sim::ElectronSpectrum& other :
+       {sim::ElectronSpectrum{Kind::gaussian, 0.25, 5.0}, sim::ElectronSpectrum{Kind::kappa, 0.25, 4.0},
+        sim::ElectronSpectrum{Kind::maxwellian, 0.25, 5.0}})
+    if (other.kind != of_map.kind && others.size() < 2) others.push_back(other);
+  return others[static_cast<std::size_t>(replicate / 2) % others.size()];
+}
+
+std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
+                                  std::uint32_t replicate) {
+  constexpr std::uint32_t kNumbers = 0xffe0u;  // in place of a picture
+  std::vector<double> values;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double drawn = normal(seed, replicate, kNumbers, static_cast<std::uint32_t>(i));
+    values.push_back(numbers[i].value + numbers[i].error * drawn);
+  }
+  return values;
+}
 
 bool is_prior_at_its_end(const MapResult& result) {
   return result.sparsity == kTrials[std::size(kTrials) - 1];

@@ -8,7 +8,9 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@
 #include "fit/map/prior_choice.h"
 #include "fit/photo/photo.h"
 #include "fit/search/journal.h"
+#include "sim/light/spectrum_profile.h"
 #include "sim/render/ground/ground_grid.h"
 #include "sim/scene/structs/scene.h"
 
@@ -60,6 +63,7 @@ struct MapOptions {
   int pixels_per_cell = 0;   ///< of the fine film, along each side of a cell; 0: by the size of the picture
   double farthest_km = 0.0;  ///< farthest ground that is mapped; 0: by the lowest elevation in the picture
   double altitude_scale = 1.0;  ///< factor on the altitudes of light in the tables
+  sim::ElectronSpectrum spectrum;
   Journal* journal = nullptr;
   const std::atomic<bool>* stop = nullptr;
   /// Called with the present stage and the finished share of all work.
@@ -84,12 +88,15 @@ struct MapResult {
   sim::Scene scene;
   std::vector<MapNumber> numbers;  ///< numbers for which each replicate has its own values
   double altitude_scale = 1.0;     ///< factor on the altitudes of light in the tables
+  sim::ElectronSpectrum spectrum;
   sim::GroundGrid grid;
-  std::vector<double> energies_kev;
-  std::vector<float> map;  ///< in the layout of GroundLight
+  std::vector<double> energies_kev;  ///< E0 of the spectrum
+  std::vector<float> map;            ///< in the layout of GroundLight
   std::vector<CellFlux> cells;
   std::vector<float> ln_energy_around;  ///< CellFlux::ln_energy over a wider neighbourhood of the cell
-  std::vector<std::vector<CellFlux>> replicates;  ///< perturbed solutions
+  std::vector<std::vector<CellFlux>> replicates;         ///< perturbed solutions
+  std::vector<sim::ElectronSpectrum> replicate_spectra;  ///< of each; its E0 is that of `spectrum` at the
+                                                         ///< same mean energy
   std::vector<std::uint8_t>
       border_in_view;  ///< whether light at the cell's lower border is in a used part of a picture
   std::vector<float> sensitivity;  ///< signal-to-noise ratio of 1 mW m^-2 in this cell alone
@@ -104,6 +111,18 @@ struct MapResult {
   /// how many the prior leaves free.
   double chi2_per_value() const { return values > 0 ? chi2 / static_cast<double>(values) : 0.0; }
 };
+
+/// Whether all pictures are from one place. Such a map cannot tell the height of a border from its distance.
+bool is_of_one_station(const MapResult& result);
+
+/// Returns the spectrum with which a replicate of a one-station map is made. Every second one has that of the
+/// map, the others take turns with those of the other kinds (Maxwellian, Gaussian with a spread of 0.25,
+/// kappa 4): a sharper lower border looks like a lower one.
+sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate);
+
+/// Returns the values that a replicate has of the numbers beside the map, drawn from what is known of them.
+std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
+                                  std::uint32_t replicate);
 
 /// Whether cross-validation chose the weakest prior that was tried.
 bool is_prior_at_its_end(const MapResult& result);
@@ -126,10 +145,15 @@ struct CellError {
 /// energy across a curtain.
 std::vector<CellError> cell_errors(const MapResult& result);
 
+/// Thrown if options.stop is set before there is a map; the finished steps are in the journal.
+struct MapStopped : std::runtime_error {
+  MapStopped() : std::runtime_error("the map was stopped before there was one") {}
+};
+
 /// Maps the scene's photographs: `photos` are those of scene.fit.photos in their order, or the only one.
 /// Sheets and other emitters of the scene are left out. Throws sim::Error(scene) for sizes that differ, a
-/// picture without usable sky (a camera that looks down), stations without a common volume, and
-/// sim::Error(unreadable_input) for a picture without light above its noise.
+/// picture without usable sky (a camera that looks down), stations without a common volume,
+/// sim::Error(unreadable_input) for a picture without light above its noise, and MapStopped.
 MapResult map_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options);
 
 }  // namespace vegard::fit

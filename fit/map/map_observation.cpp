@@ -135,7 +135,7 @@ NoiseByLight noise_by_light(const std::vector<LightAndVariance>& windows) {
 
 MapObservation::MapObservation(const sim::Scene& scene, const Photo& photo,
                                const MapObservationOptions& options)
-    : scene_(scene), threads_(options.threads) {
+    : scene_(scene), threads_(options.threads), stop_(options.stop) {
   const int b = options.pixels_per_cell;
   double widest_px = 0.0;
   for (int line = 0; line < static_cast<int>(scene.emission.lines.size()); ++line)
@@ -328,9 +328,9 @@ void MapObservation::factor_sky() {
 
 void MapObservation::look_at(const sim::Site& home, const sim::GroundGrid& grid,
                              const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
-                             double altitude_scale) {
+                             double altitude_scale, const sim::ElectronSpectrum& spectrum) {
   light_ = std::make_unique<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
-                                              rates_at_flux_mw_m2, threads_, altitude_scale);
+                                              rates_at_flux_mw_m2, threads_, altitude_scale, spectrum, stop_);
 }
 
 void MapObservation::forward(const std::vector<float>& map, MapLight& out) const {

@@ -35,6 +35,7 @@ struct MapObservationOptions {
   double lowest_elevation_deg = 3.0;
   int margin_cells = 0;  ///< margin of the film around the picture; 0: as far as the blur reaches
   int threads = 0;
+  const std::atomic<bool>* stop = nullptr;  ///< as GroundLight's
 };
 
 /// The data: a film with its cells' mean light.
@@ -61,7 +62,8 @@ class MapObservation {
 
   /// Makes the forward operator for a grid.
   void look_at(const sim::Site& home, const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
-               double rates_at_flux_mw_m2, double altitude_scale = 1.0);
+               double rates_at_flux_mw_m2, double altitude_scale = 1.0,
+               const sim::ElectronSpectrum& spectrum = {});
   const sim::GroundLight& light() const { return *light_; }
 
   /// The light of a map, without the sky.
@@ -101,6 +103,7 @@ class MapObservation {
   sim::Scene scene_;
   sim::FilmGeometry film_;
   int threads_, reference_ = 1;
+  const std::atomic<bool>* stop_ = nullptr;
   bool clips_ = false;  ///< whether negative light was stored as 0
   std::size_t values_ = 0;
   MapLight data_, sigma_, noise_, weight_, sky_;

@@ -17,9 +17,10 @@ struct QuantityVerdict {
   std::string reason;  ///< the reason for `trust`
 };
 
-/// Returns verdicts on the picture, on the distance, the energy and the energy flux of the curtains, and on
-/// how much of the light has its lower border in view. If a map explains the picture but constrains no
-/// distance, this is said.
+/// Returns verdicts on the picture, on how much of the light has its lower border in view, and on the
+/// distance, the energy, the energy flux and the height of the brightest curtain. Light in the farthest
+/// cells, and energies at either end of the map's, constrain nothing. If a map explains the picture but
+/// constrains no distance, this is said.
 std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains);
 
 /// Returns the worst of the verdicts that are not good, in one line.

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "sim/base/declared_unit.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/number/constants.h"
@@ -46,12 +47,15 @@ class PlanesReader {
       throw sim::unreadable(file_, "its site is no place on the Earth")
           .expected("SITELAT and SITELONG in degrees");
     planes.flux_is_absolute = text("FLUXCAL") != "relative";
+    if (!text("SPECTRUM").empty()) planes.spectrum = text("SPECTRUM");
     planes.time_s = sim::utc_seconds(text("DATE-OBS"));
     int plane = 0;
     for (std::vector<double>* values :
          {&planes.energy_flux_mw_m2, &planes.energy_kev, &planes.relative_flux_error, &planes.ln_energy_error,
           &planes.sensitivity})
       take_plane(plane++, *values);
+    scale(0, sim::Quantity::energy_flux_mw_m2, planes.energy_flux_mw_m2);
+    scale(1, sim::Quantity::energy_kev, planes.energy_kev);
     return planes;
   }
 
@@ -68,6 +72,14 @@ class PlanesReader {
     if (error != std::errc() || end != words.data() + words.size() || !std::isfinite(value))
       throw sim::unreadable(file_, "its header has no number " + keyword).expected("a map of vegard's");
     return value;
+  }
+
+  /// To the quantity's unit, by the header.
+  void scale(int plane, sim::Quantity quantity, std::vector<double>& values) const {
+    std::string key;
+    const std::string unit = sim::unit_of_plane(fits_.keywords, plane, false, key);
+    const double factor = sim::declared_factor(unit, quantity, file_, key);
+    for (double& value : values) value *= factor;
   }
 
   void take_plane(int plane, std::vector<double>& values) const {

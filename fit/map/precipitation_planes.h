@@ -22,7 +22,8 @@ struct PrecipitationPlanes {
   std::optional<double> time_s;  ///< seconds since 1970 in UTC, of the (first) photograph
   bool flux_is_absolute = true;  ///< else known only up to a factor
   std::vector<double> energy_flux_mw_m2;
-  std::vector<double> energy_kev;           ///< E0 of Maxwellian electrons; NaN where there is no flux
+  std::string spectrum = "maxwellian";      ///< of the electrons, as in --spectrum
+  std::vector<double> energy_kev;           ///< E0 of the electrons; NaN where there is no flux
   std::vector<double> relative_flux_error;  ///< standard error as a fraction of the flux
   std::vector<double> ln_energy_error;      ///< standard error of ln(E0)
   std::vector<double> sensitivity;          ///< signal-to-noise ratio of 1 mW m-2 in this cell alone

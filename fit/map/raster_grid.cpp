@@ -96,4 +96,16 @@ std::vector<double> smoothed_raster(const RasterGrid& raster, const std::vector<
   return out;
 }
 
+double raster_value(const RasterGrid& raster, const std::vector<double>& values, sim::EastNorth km) {
+  const double x = (km.east - raster.west_km) / raster.step_km,
+               y = (km.north - raster.south_km) / raster.step_km;
+  const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+  if (i < 0 || j < 0 || i + 1 >= raster.columns || j + 1 >= raster.rows) return 0.0;
+  const double u = x - i, w = y - j;
+  const auto v = [&](int dx, int dy) {
+    return values[static_cast<std::size_t>(j + dy) * raster.columns + i + dx];
+  };
+  return (1.0 - w) * ((1.0 - u) * v(0, 0) + u * v(1, 0)) + w * ((1.0 - u) * v(0, 1) + u * v(1, 1));
+}
+
 }  // namespace vegard::fit

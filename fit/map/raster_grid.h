@@ -42,4 +42,7 @@ std::vector<std::uint8_t> places_in_view(const MapResult& result, const RasterGr
 std::vector<double> smoothed_raster(const RasterGrid& raster, const std::vector<double>& values,
                                     double sigma_px);
 
+/// A raster's value at a place, between its pixels; 0 beyond its edge.
+double raster_value(const RasterGrid& raster, const std::vector<double>& values, sim::EastNorth km);
+
 }  // namespace vegard::fit

@@ -76,6 +76,7 @@ void take_facts(const RecordJson& json, StoredMap& record) {
     record.pictures.push_back(std::move(picture));
   }
   record.altitude_scale = json.at("altitude_scale").get<double>();
+  record.spectrum = json.value("spectrum", record.spectrum);
   for (const RecordJson& decoding : list(json, "decodings"))
     record.decodings.push_back(decoding.at("decoding").get<std::string>());
   for (const RecordJson& input : list(json, "inputs"))
@@ -194,6 +195,10 @@ void check_same_subject(const StoredMap& record, const sim::Scene& scene,
   if (record.altitude_scale != 1.0)
     throw other_subject(record, scene, "was made with an --altitude-scale, which a fit does not have")
         .expected("a map with the altitudes of the tables");
+  if (record.spectrum != "maxwellian")
+    throw other_subject(record, scene,
+                        "is of --spectrum " + record.spectrum + ", which a fit of its curtains does not have")
+        .expected("a map of Maxwellian electrons");
   const std::vector<sim::PhotoEntry>& entries = scene.fit.photos;
   if (record.pictures.size() != std::max<std::size_t>(1, entries.size()))
     throw other_subject(record, scene, "is of another number of stations")

@@ -33,6 +33,7 @@ struct StoredMap {
   std::vector<Ridge> faint;            ///< "faint_1": ridges below the brightness limit, in the same order
   std::vector<std::string> decodings;  ///< of the photographs, in the words of a report
   double altitude_scale = 1.0;
+  std::string spectrum = "maxwellian";
   std::string sha256;  ///< of all files that were read
 };
 

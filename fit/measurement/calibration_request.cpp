@@ -1,10 +1,13 @@
 #include "fit/measurement/calibration_request.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "fit/measurement/words.h"
 #include "fit/photo/photo_defaults.h"
+#include "fit/photo/taken_time.h"
+#include "sim/base/utc_time.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
@@ -61,15 +64,22 @@ void add_free(const std::string& word, const LensForm& form, std::vector<LensNum
   }
 }
 
-/// The time and the site of the request, or the site of its camera.
+/// The beginning of the exposure by the request.
+std::optional<StarInstant> asked_instant(const CalibrationRequest& request) {
+  if (request.time.empty()) return std::nullopt;
+  if (!sim::utc_seconds(request.time))
+    throw usage_error("--time", "'" + request.time + "' is no time",
+                      "ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone, 2014-02-21T20:30:40+01:00");
+  StarInstant instant;
+  instant.begin_utc = sim::in_utc(request.time);
+  instant.source = "--time";
+  instant.error_s = sim::resolution_s(request.time) / std::sqrt(12.0);
+  return instant;
+}
+
+/// The site of the request, or of its camera.
 SkyOfPicture sky_of(const CalibrationRequest& request, const std::optional<sim::Scene>& camera_scene) {
   SkyOfPicture sky;
-  if (!request.time.empty()) {
-    sky.julian_date = sim::julian_date(request.time);
-    if (!sky.julian_date)
-      throw usage_error("--time", "'" + request.time + "' is no time",
-                        "ISO 8601 such as 2014-02-21T19:30:40Z, or with a zone, 2014-02-21T20:30:40+01:00");
-  }
   if (request.site) {
     sky.observer = request.site;
     sky.observer->refracting_air = !request.vacuum;
@@ -79,6 +89,39 @@ SkyOfPicture sky_of(const CalibrationRequest& request, const std::optional<sim::
                                  camera_scene->site.altitude_m, !request.vacuum};
   }
   return sky;
+}
+
+/// Takes from the metadata what the request does not give.
+void add_metadata(const CalibrationRequest& request, const std::optional<sim::Scene>& camera_scene,
+                  const sim::PictureMetadata& metadata, PictureSays& says) {
+  sim::Scene scene;
+  if (camera_scene) scene = *camera_scene;
+  scene.lines.erase("site.time_utc");
+  // What is no matter of a calibration is as good as given: exposure, and a magnetic field to warn of.
+  std::set<std::string> given = {"sensor.f_number", "sensor.iso", "time.exposure_s", "field.inclination_deg"};
+  if (says.instant) given.insert("site.time_utc");
+  if (says.sky.observer || !metadata.latitude_deg)
+    for (const char* key : {"site.latitude_deg", "site.longitude_deg", "site.altitude_m"}) given.insert(key);
+  // An angle across the picture's width means nothing across another.
+  if (!camera_scene || scene.lines.count("camera.width") + scene.lines.count("camera.height") > 0 ||
+      scene.lines.count("camera.hfov_deg") + scene.lines.count("camera.focal_px") > 0 ||
+      scene.camera.model != sim::LensModel::pinhole)
+    for (const char* key : {"camera.hfov_deg", "camera.width", "camera.height"}) given.insert(key);
+
+  PhotoDefaults defaults = with_photo_defaults(scene, metadata, given);
+  says.taken = defaults.taken;
+  says.notes = defaults.notes;
+  const sim::Site& site = defaults.scene.site;
+  bool place = false;
+  for (const PhotoFact& fact : says.taken) {
+    if (fact.path == "site.time_utc")
+      says.instant = StarInstant{site.time_utc, fact.source, {}, taken_time(metadata).error_s};
+    place = place || fact.path == "site.latitude_deg";
+  }
+  if (place)
+    says.sky.observer =
+        sim::Observer{site.latitude_deg, site.longitude_deg, site.altitude_m, !request.vacuum};
+  if (camera_scene) says.camera = defaults.scene;
 }
 
 }  // namespace
@@ -110,6 +153,7 @@ void check_together(const CalibrationRequest& request) {
 LensSettings lens_settings(const CalibrationRequest& request, const std::optional<SkyCamera>& start) {
   LensSettings settings;
   settings.centre_free = !request.centre_held;
+  settings.keeps_all = request.keeps_all;
   settings.start = start;
   if (!request.free.empty()) {
     if (!start) throw usage_error("--free", "nothing to hold", "--camera with it");
@@ -142,36 +186,15 @@ PictureSays with_metadata(const CalibrationRequest& request, const std::optional
                           const sim::PictureMetadata& metadata) {
   PictureSays says;
   says.sky = sky_of(request, camera_scene);
+  says.instant = asked_instant(request);
   says.camera = camera_scene;
-  if (request.no_metadata) return says;
-
-  sim::Scene scene;
-  if (camera_scene) scene = *camera_scene;
-  scene.lines.erase("site.time_utc");
-  // What is no matter of a calibration is as good as given: exposure, and a magnetic field to warn of.
-  std::set<std::string> given = {"sensor.f_number", "sensor.iso", "time.exposure_s", "field.inclination_deg"};
-  if (says.sky.julian_date) given.insert("site.time_utc");
-  if (says.sky.observer || !metadata.latitude_deg)
-    for (const char* key : {"site.latitude_deg", "site.longitude_deg", "site.altitude_m"}) given.insert(key);
-  // An angle across the picture's width means nothing across another.
-  if (!camera_scene || scene.lines.count("camera.width") + scene.lines.count("camera.height") > 0 ||
-      scene.lines.count("camera.hfov_deg") + scene.lines.count("camera.focal_px") > 0 ||
-      scene.camera.model != sim::LensModel::pinhole)
-    for (const char* key : {"camera.hfov_deg", "camera.width", "camera.height"}) given.insert(key);
-
-  PhotoDefaults defaults = with_photo_defaults(scene, metadata, given);
-  says.taken = defaults.taken;
-  says.notes = defaults.notes;
-  const sim::Site& site = defaults.scene.site;
-  bool place = false;
-  for (const PhotoFact& fact : says.taken) {
-    if (fact.path == "site.time_utc") says.sky.julian_date = sim::julian_date(site.time_utc);
-    place = place || fact.path == "site.latitude_deg";
-  }
-  if (place)
-    says.sky.observer =
-        sim::Observer{site.latitude_deg, site.longitude_deg, site.altitude_m, !request.vacuum};
-  if (camera_scene) says.camera = defaults.scene;
+  if (!request.no_metadata) add_metadata(request, camera_scene, metadata, says);
+  if (!says.instant) return says;
+  if (request.exposure_s)
+    says.instant->middle_after_s = 0.5 * *request.exposure_s;
+  else if (!request.no_metadata)
+    says.instant->middle_after_s = middle_after_s(metadata);
+  says.sky.julian_date = sim::julian_date(says.instant->utc());
   return says;
 }
 

@@ -9,24 +9,28 @@
 
 #include <fmt/format.h>
 
-#include "fit/photo/photo.h"
 #include "fit/photo/mask/circle.h"
+#include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
+#include "fit/photo/pointing/blind/deeper_stars.h"
+#include "fit/photo/pointing/blind/map_flip.h"
 #include "fit/photo/pointing/blind/star_doubts.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
 #include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/exchange/star_files.h"
+#include "fit/photo/pointing/held_out.h"
 #include "fit/photo/pointing/map_calibration.h"
 #include "fit/photo/pointing/star_check.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/number/constants.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
-#include "sim/view/sky/star_place.h"
 #include "sim/view/sky/planets.h"
+#include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
 namespace {
@@ -84,14 +88,23 @@ std::optional<StarPoints> listed_points(const CalibrationRequest& request) {
   return read_star_list(bytes, request.stars);
 }
 
+void check_scene(const Calibration& calibration) {
+  sim::Scene scene;
+  scene.camera = scene_camera_of(calibration);
+  sim::validate(scene);
+}
+
+/// From the pixels of a crop to those of the picture.
+void move_by_offset(const CalibrationRequest& request, StarSighting& star) {
+  if (request.offset_px.empty()) return;
+  star.x_px += request.offset_px[0];
+  star.y_px += request.offset_px[1];
+}
+
 /// The stars of the table, in the pixels of the picture.
 std::vector<StarSighting> table_of(const CalibrationRequest& request, const SkyOfPicture& sky) {
   std::vector<StarSighting> stars = read_star_table(request.stars, sky, request.first_pixel);
-  if (request.offset_px.empty()) return stars;
-  for (StarSighting& star : stars) {
-    star.x_px += request.offset_px[0];
-    star.y_px += request.offset_px[1];
-  }
+  for (StarSighting& star : stars) move_by_offset(request, star);
   return stars;
 }
 
@@ -146,6 +159,37 @@ KnownMaps told_directions(const CalibrationRequest& request, const std::optional
   return known;
 }
 
+/// Why no stars were recognised from an earlier camera, and what would help.
+std::string chance_line(const Identification& found, const std::string& camera) {
+  const ChanceAgreement& agreement = found.agreement;
+  return "the stars were not recognised from " + camera + ": " +
+         (agreement.matches.empty()
+              ? "too few have a point of light, or the bright ones have none"
+              : words_of(agreement) + "; " +
+                    (agreement.log10_false > 0.0
+                         ? "that many are to be expected of so long a search"
+                         : "chance does as well once in 10^" +
+                               sim::short_number(std::floor(-agreement.log10_false), 3) +
+                               " searches, and 10^8 are asked for")) +
+         ". No camera was written. What would help: a picture with stars; a narrower search (--twist, "
+         "--shift), "
+         "if the camera hardly moved; a --mask that leaves only sky; no --camera, if it is another one's or "
+         "was "
+         "moved";
+}
+
+constexpr double kFirstRange = 1.5;  // magnitudes: stars are matched first to so much less than the faintest
+constexpr std::size_t kFewInView = 10;  // six are the least that chance does not explain after a short search
+
+/// What a field without enough stars of the table needs.
+std::string narrow_line(std::size_t in_view) {
+  return fmt::format(
+      ". The field is too narrow for the star table: it should show {} of its stars to magnitude {:.0f}, and "
+      "ten or so are needed. What would help: a shorter focal length, or Astrometry.net's solution, whose "
+      "tables are deeper (--wcs FIELD.wcs)",
+      in_view, kFaintestKnown);
+}
+
 /// The decisions of one calibration, in their order.
 class CameraCalibrator {
  public:
@@ -155,6 +199,7 @@ class CameraCalibrator {
     check_together(request_);
     read_inputs();
     read_stars();
+    if (request_.maps && found_.photo && !request_.flip_given) settle_flip();
     if (start_ && !request_.centre_px.empty()) {
       start_->numbers[centre_x_number] = request_.centre_px[0];
       start_->numbers[centre_y_number] = request_.centre_px[1];
@@ -163,8 +208,8 @@ class CameraCalibrator {
     if (request_.blind()) {
       recognise_blindly();
       if (!is_placed()) return std::move(found_);
-    } else if (!maps_ && !by_table_) {
-      recognise_by_camera();
+    } else if (!maps_ && !by_table_ && !recognise_by_camera()) {
+      return std::move(found_);
     }
     fit_camera();
     return std::move(found_);
@@ -173,13 +218,18 @@ class CameraCalibrator {
  private:
   void read_inputs();
   void read_stars();
-  void recognise_by_camera();
+  void settle_flip();
+  bool recognise_by_camera();
   void recognise_blindly();
   bool is_placed();
+  bool depends_on_time() const;
   bool is_shown(const SeenPlanet& planet, const std::optional<Circle>& circle);
   void tell_times() const;
   void tell_planets(const std::optional<Circle>& circle);
+  Calibration fitted(const std::vector<StarSighting>& stars) const;
+  void refuse_hours() const;
   void fit_camera();
+  void deepen(const std::string& from);
   StarEvidence evidence();
 
   StarFinderSettings finder() const {
@@ -242,19 +292,57 @@ void CameraCalibrator::read_stars() {
   if (!request_.corr_out.empty()) require_sky(found_.sky, request_.corr_out);
   if (by_table_ && found_.frame.known) check_star_places(stars_, found_.frame, request_.stars);
   if (says_.camera) start_ = sky_camera_of(says_.camera->camera, found_.frame);
+  if (says_.instant && depends_on_time()) {
+    found_.origin.instant = says_.instant;
+    tell_(words_of(*says_.instant));
+  }
 }
 
-/// Stars found among points of light and named by the catalogue.
-void CameraCalibrator::recognise_by_camera() {
+/// Whether directions are computed from the time.
+bool CameraCalibrator::depends_on_time() const {
+  if (maps_) return !request_.wcs.empty();
+  return !by_table_ || std::any_of(stars_.begin(), stars_.end(),
+                                   [](const StarSighting& star) { return !star.is_direction_given; });
+}
+
+/// Turns the maps the way round by which the picture's stars stand in them, if it shows some.
+void CameraCalibrator::settle_flip() {
+  constexpr double kFaintest = 4.0;
+  const SkyOfPicture& sky = found_.sky;
+  if (!sky.julian_date || !sky.observer) return;
+  const std::optional<MapFlip> found =
+      flip_by_stars(maps_->map, points_of_picture(),
+                    catalogue_sky(*sky.observer, *sky.julian_date, kFaintest,
+                                  sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg));
+  if (!found) {
+    tell_("the picture's stars do not tell which way round the maps belong to it: as stored");
+    return;
+  }
+  flip_map(found->flip, maps_->map);
+  tell_(fmt::format(
+      "which way round the maps belong to the picture, by its stars: {} ({} stars have a point of "
+      "light there, at most {} by another way)",
+      words_of(found->flip), found->stars, found->others));
+}
+
+/// Stars found among points of light and named by the catalogue; false if chance explains them as well.
+bool CameraCalibrator::recognise_by_camera() {
   const std::vector<FoundStar> points = listed_ ? listed_->points : points_of_picture();
   const SkyOfPicture& sky = found_.sky;
   if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
-  const std::vector<StarSighting> catalogue =
-      catalogue_sky(*sky.observer, *sky.julian_date, request_.faintest, request_.min_elevation_deg);
+  const std::vector<StarSighting> all =
+      catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
+                    sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
+  const double faintest =
+      request_.faintest.value_or(faintest_for_field(*start_, found_.frame, all, request_.first_faintest()));
+  std::vector<StarSighting> catalogue = all;
+  catalogue.erase(std::find_if(catalogue.begin(), catalogue.end(),
+                               [&](const StarSighting& one) { return one.magnitude > faintest; }),
+                  catalogue.end());
   IdentificationSettings settings;
-  settings.faintest = request_.faintest;
-  settings.first_magnitude = std::min(settings.first_magnitude, request_.faintest);
+  settings.faintest = faintest;
+  settings.first_magnitude = std::max(std::min(settings.first_magnitude, faintest), faintest - kFirstRange);
   settings.twist_deg = request_.twist_deg;
   settings.shift_px = request_.shift_px;
   settings.scale_share = 0.01 * request_.scale_percent;
@@ -262,23 +350,31 @@ void CameraCalibrator::recognise_by_camera() {
   settings.free = settings_.only.empty()
                       ? free_numbers({start_->model, 0, false, false}, settings_.centre_free)
                       : settings_.only;
+  if (found_.photo) settings.pixels = SkyPixels(usable());
   const Identification found = identify(*start_, found_.frame, catalogue, points, settings);
   tell_(fmt::format(
       "{} points of light; {} of the {} stars to magnitude {:.1f} that should be seen have one within {:.1f} "
       "px ({:.1f} would by chance)",
-      points.size(), found.stars.size(), found.in_frame, request_.faintest, found.last_radius_px,
-      found.by_chance));
-  if (!is_trustworthy(found))
-    tell_(
-        "note: so few may be an accident of the search: look at --overlay, try a brighter "
-        "--catalogue-magnitude, another --lens, --scale or mirrored in --camera");
+      points.size(), found.stars.size(), found.in_frame, faintest, found.last_radius_px, found.by_chance));
+  if (!is_trustworthy(found)) {
+    found_.has_answer = false;
+    found_.chance = chance_line(found, request_.camera);
+    const std::size_t in_view = expected_stars(*start_, found_.frame, all, settings.pixels).size();
+    if (in_view < kFewInView) found_.chance += narrow_line(in_view);
+    tell_(found_.chance);
+    return false;
+  }
   settings_.start = found.camera;
   stars_ = found.stars;
+  return true;
 }
 
 void CameraCalibrator::recognise_blindly() {
   BlindStars& blind = found_.blind.emplace();
-  blind.picture = recognise_picture(found_.photo->linear, finder(), usable());
+  RecognitionSettings known;
+  if (found_.sky.julian_date && found_.sky.observer)
+    known.zenith = zenith_of(*found_.sky.observer, *found_.sky.julian_date);
+  blind.picture = recognise_picture(found_.photo->linear, finder(), usable(), known);
   tell_(words_of(blind.picture.recognition));
   if (!blind.picture.recognition.found) return;
   std::optional<Circle> circle;
@@ -290,8 +386,8 @@ void CameraCalibrator::recognise_blindly() {
   if (!sky.julian_date || !sky.observer) tell_times();
   if (sky.julian_date) tell_planets(circle);
   if (!sky.julian_date || !sky.observer) return;
-  blind.local = local_stars(blind.picture, found_.frame, *sky.observer, *sky.julian_date, request_.faintest,
-                            request_.min_elevation_deg);
+  blind.local = local_stars(blind.picture, found_.frame, *sky.observer, *sky.julian_date,
+                            request_.first_faintest(), request_.min_elevation_deg);
 }
 
 /// Whether stars that were recognised blindly are known in azimuth and elevation, and a camera is asked for.
@@ -320,7 +416,7 @@ bool CameraCalibrator::is_placed() {
   tell_(fmt::format(
       "with time and site: {} of the {} stars to magnitude {:.1f} that should be seen have a point within "
       "{:.1f} px ({:.1f} would by chance)",
-      stars_.size(), again.in_frame, request_.faintest, again.last_radius_px, again.by_chance));
+      stars_.size(), again.in_frame, request_.first_faintest(), again.last_radius_px, again.by_chance));
   return true;
 }
 
@@ -357,9 +453,10 @@ bool CameraCalibrator::is_shown(const SeenPlanet& planet, const std::optional<Ci
 
 /// Those where the picture shows sky, and that the site had above its horizon, if the site is known.
 void CameraCalibrator::tell_planets(const std::optional<Circle>& circle) {
-  constexpr double kMinUp = 0.0;
   const double julian_date = *found_.sky.julian_date;
   const std::optional<sim::Observer>& observer = found_.sky.observer;
+  const double min_up =
+      observer ? std::sin(sim::horizon_elevation_deg(*observer) * sim::kRadiansPerDegree) : -1.0;
   for (const SeenPlanet& planet : planets_in(found_.blind->picture, found_.frame, julian_date)) {
     if (!is_shown(planet, circle)) continue;
     bool up = true;
@@ -367,7 +464,7 @@ void CameraCalibrator::tell_planets(const std::optional<Circle>& circle) {
       if (planet.name != sim::name_of(one) || !observer) continue;
       sim::CataloguePlace place;
       place.j2000 = sim::place_of_planet(one, julian_date);
-      up = sim::direction_of_star(place, *observer, julian_date)[2] > kMinUp;
+      up = sim::direction_of_star(place, *observer, julian_date)[2] > min_up;
     }
     if (!up) continue;
     const std::string at = fmt::format("({:.1f}, {:.1f})", planet.x_px, planet.y_px);
@@ -386,24 +483,62 @@ StarEvidence CameraCalibrator::evidence() {
   evidence.sky = found_.sky;
   evidence.photo = found_.photo ? &*found_.photo : nullptr;
   if (found_.photo) evidence.usable = usable();
+  if (found_.blind) evidence.points = found_.blind->picture.found;
   evidence.is_table = !request_.stars.empty();
   if (camera_file_ && camera_file_->lines.count("camera.elevation_deg") > 0 &&
       camera_file_->camera.elevation_deg >= kZenithCamera_deg)
     evidence.why_level = "--camera looks to the zenith";
-  evidence.faintest = request_.faintest;
+  evidence.faintest = request_.first_faintest();
   evidence.min_elevation_deg = request_.min_elevation_deg;
   evidence.min_signal = request_.min_signal;
   return evidence;
 }
 
+/// The camera by these stars, which is within a scene's limits.
+Calibration CameraCalibrator::fitted(const std::vector<StarSighting>& stars) const {
+  Calibration calibration = calibrate(settings_, stars, found_.frame, request_.source());
+  check_scene(calibration);
+  return calibration;
+}
+
+/// Refuses a table whose right ascensions are hours under the name of degrees: taken for hours the stars fit.
+void CameraCalibrator::refuse_hours() const {
+  std::optional<std::vector<StarSighting>> stars =
+      stars_with_hours(request_.stars, found_.sky, request_.first_pixel);
+  if (!stars) return;
+  for (StarSighting& star : *stars) move_by_offset(request_, star);
+  std::optional<Calibration> by_hours;
+  try {
+    by_hours = fitted(*stars);
+  } catch (const sim::Error&) {
+    return;
+  }
+  constexpr double kClearly = 3.0;
+  const bool is_better = !found_.calibration || (by_hours->used() >= found_.calibration->used() &&
+                                                 kClearly * by_hours->rms_px < found_.calibration->rms_px);
+  if (!is_better) return;
+  throw sim::unreadable(request_.stars,
+                        fmt::format("its right ascensions are hours, not degrees: no number in 'ra_deg' is "
+                                    "above 24, and as hours {} of {} stars fit to {:.2f} px",
+                                    by_hours->used(), stars->size(), by_hours->rms_px))
+      .key("ra_deg")
+      .expected("'ra_hours' as the name of the column, or degrees in it");
+}
+
 void CameraCalibrator::fit_camera() {
   const std::string& from = request_.source();
-  found_.calibration =
-      maps_ ? calibrate_maps(settings_, maps_->map, from) : calibrate(settings_, stars_, found_.frame, from);
+  try {
+    found_.calibration = maps_ ? calibrate_maps(settings_, maps_->map, from) : fitted(stars_);
+  } catch (const sim::Error&) {
+    if (by_table_) refuse_hours();
+    throw;
+  }
+  if (by_table_) refuse_hours();
+  if (found_.photo && !by_table_ && !maps_ && !listed_ && !request_.faintest) deepen(from);
+  if (found_.sky.observer)
+    found_.calibration->horizon_elevation_deg = sim::horizon_elevation_deg(*found_.sky.observer);
   if (!maps_) add_star_doubts(*found_.calibration, evidence());
-  sim::Scene scene;
-  scene.camera = scene_camera_of(*found_.calibration);
-  sim::validate(scene);
+  check_scene(*found_.calibration);
 
   CalibrationOrigin& origin = found_.origin;
   origin.stars = maps_ ? maps_->names : name_without_folder(from);
@@ -415,7 +550,33 @@ void CameraCalibrator::fit_camera() {
     origin.site.longitude_deg = found_.sky.observer->longitude_deg;
     origin.site.altitude_m = found_.sky.observer->height_m;
   }
-  if (found_.sky.julian_date) origin.site.time_utc = sim::text_of_julian_date(*found_.sky.julian_date);
+  if (says_.instant) origin.site.time_utc = says_.instant->utc();
+  if (origin.instant && found_.sky.observer)
+    add_time_error(*found_.calibration, found_.sky.observer->latitude_deg, origin.instant->turn_error_deg());
+}
+
+/// Calibrates again with fainter stars, if the picture shows some.
+void CameraCalibrator::deepen(const std::string& from) {
+  constexpr int kManyPoints = 2000;
+  const SkyOfPicture& sky = found_.sky;
+  const int smaller = found_.blind ? found_.blind->picture.smaller : 1;
+  StarFinderSettings many = finder();
+  many.most = kManyPoints;
+  const Calibration& before = *found_.calibration;
+  std::vector<StarSighting> deeper = with_deeper_stars(
+      before,
+      catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
+                    sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg, 0.0),
+      points_of_smaller(found_.photo->linear, many, usable(), smaller), SkyPixels(usable()), smaller);
+  const std::size_t added = deeper.size() - before.stars.size();
+  if (added == 0) return;
+  LensSettings settings = settings_;
+  if (!settings.start) settings.start = before.camera;
+  Calibration again = calibrate(settings, deeper, found_.frame, from);
+  tell_(fmt::format("{} fainter stars, to magnitude {:.1f}, are where they should be", added,
+                    deeper.back().magnitude));
+  stars_ = std::move(deeper);
+  found_.calibration = std::move(again);
 }
 
 }  // namespace
@@ -425,7 +586,8 @@ CameraCalibration calibrate_camera(const CalibrationRequest& request, const Tell
 }
 
 std::string recognised_table(const CameraCalibration& found) {
-  return found.blind && found.blind->place ? stars_csv(found.blind->picture.recognition) : "";
+  if (!found.blind || !found.blind->place) return {};
+  return found.calibration ? stars_csv(*found.calibration) : stars_csv(found.blind->picture.recognition);
 }
 
 std::string lens_line(const Calibration& calibration) {
@@ -461,6 +623,8 @@ void tell_calibration(const CameraCalibration& found, const Tell& tell) {
   tell(lens_line(calibration));
   tell(rms_line(calibration));
   if (calibration.maps) tell(words_of(*calibration.maps));
+  if (!calibration.maps) tell(held_out_line(calibration));
+  if (const std::string points = explained_line(calibration); !points.empty()) tell(points);
   for (const CameraEstimate& estimate : calibration.estimates)
     if (estimate.free)
       tell("camera." + estimate.key() + ": " + sim::number_with_error(estimate.value, estimate.sigma) + " " +
@@ -485,6 +649,7 @@ void tell_calibration(const CameraCalibration& found, const Tell& tell) {
 nlohmann::ordered_json answer_json(const CameraCalibration& found) {
   if (found.calibration)
     return nlohmann::ordered_json::parse(calibration_json(*found.calibration, found.origin));
+  if (!found.blind) return {{"found", false}, {"words", found.chance}};
   const StarRecognition& recognition = found.blind->picture.recognition;
   nlohmann::ordered_json json = {{"found", recognition.found}, {"words", words_of(recognition)}};
   if (found.blind->place) json["place"] = words_of(*found.blind->place, recognition.best);

@@ -28,9 +28,10 @@ struct CameraCalibration {
   SkyOfPicture sky;
   std::vector<FoundStar> points;    ///< of light, if the request asks for them
   std::optional<BlindStars> blind;  ///< of a request that is blind()
-  /// None: stars that were recognised blindly are not known in azimuth and elevation.
+  /// None: no stars were recognised, or they are not known in azimuth and elevation.
   std::optional<Calibration> calibration;
   CalibrationOrigin origin;
+  std::string chance;      ///< why no stars were recognised from an earlier camera; empty: they were
   bool has_answer = true;  ///< whether it gives all that was asked for
 };
 

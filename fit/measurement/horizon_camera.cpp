@@ -14,6 +14,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/shown_text.h"
 #include "sim/base/version.h"
+#include "sim/scene/file/closing_line.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/parameter_table.h"
@@ -219,6 +220,7 @@ HorizonCamera camera_by_horizon(const HorizonRequest& request) {
   camera.altitude_m = request.altitude_m;
   problem.dip_deg = horizon_dip_deg(1e-3 * request.altitude_m.value_or(0.0), request.layer_km);
   problem.point_error_px = request.point_error_px;
+  problem.relief_deg = request.relief_deg;
   camera.found = calibrate_horizon(problem);
   measure_rounding(camera);
   ask_points_alone(camera);
@@ -312,7 +314,7 @@ std::string horizon_toml(const HorizonCamera& camera) {
   text += horizon_line("elevation_deg", six_places(found.elevation_deg.value), elevation_from);
   text += horizon_line("roll_deg", six_places(found.roll_deg.value),
                        with_sigma(found.roll_deg, "from the horizon"));
-  return text;
+  return sim::with_closing_line(text);
 }
 
 }  // namespace vegard::fit

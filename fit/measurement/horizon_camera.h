@@ -23,7 +23,8 @@ struct HorizonRequest {
   std::optional<double> hfov_deg, focal_35mm_mm, azimuth_deg;
   std::optional<double> altitude_m;  ///< of the observer above the ground or sea that forms the horizon
   double layer_km = 0.0, point_error_px = 1.0;
-  bool fit_hfov = false;  ///< the field of view is found, from a bent horizon
+  double relief_deg = 0.0;  ///< HorizonProblem::relief_deg
+  bool fit_hfov = false;    ///< the field of view is found, from a bent horizon
 };
 
 /// What the points say if one more number is found from them, or why they say nothing.

@@ -9,8 +9,8 @@
 
 #include "fit/measurement/words.h"
 #include "fit/photo/mask/circle.h"
-#include "fit/photo/mask/horizon.h"
 #include "fit/photo/mask/faulty_pixels.h"
+#include "fit/photo/mask/horizon.h"
 #include "fit/photo/mask/mask_picture.h"
 #include "fit/photo/mask/stars.h"
 #include "fit/photo/photo.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fit/measurement/main_border.h"
 #include "fit/photo/scene_photos.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
@@ -29,7 +30,10 @@ Border traced_border(const sim::Scene& scene, const Photo& photo, const BorderSe
   Border border = sim::placing_errors(scene, [&] { return trace_border(photo, scene, settings); });
   write_border_run(directory, overwrite, border, photo, scene, facts);
   for (std::size_t t = 0; t < border.traces.size(); ++t)
-    if (border.traces[t].measured > 0) tell(border_sentence(border, t, scene));
+    if (border.traces[t].is_claimed() && border.traces[t].measured > 0)
+      tell(border_sentence(border, t, scene));
+  if (const std::string others = unclaimed_words(border); !others.empty())
+    tell("not claimed to be aurora: " + others);
   for (const std::string& note : border.notes) tell(note);
   if (border.measured == 0)
     tell("no lower border was measured; the reason is given above", Tell::Tone::doubtful);
@@ -44,7 +48,10 @@ JournalSubject subject_of_map(const MapOptions& options, const sim::Scene& scene
                             {"the scene", sim::sha256(sim::write_scene(scene))},
                             {"--sparsity", sim::short_number(options.sparsity, 17)},
                             {"--farthest-km", sim::short_number(options.farthest_km, 17)},
-                            {"--altitude-scale", sim::short_number(options.altitude_scale, 17)}};
+                            {"--altitude-scale", sim::short_number(options.altitude_scale, 17)},
+                            {"--spectrum", sim::spectrum_word(options.spectrum.kind)},
+                            {"--spread", sim::short_number(options.spectrum.spread, 17)},
+                            {"--kappa", sim::short_number(options.spectrum.kappa, 17)}};
   for (const auto& [path, sum] : sim::table_sums(scene)) subject.push_back({"the table of " + path, sum});
   for (std::size_t i = 0; i < photos.size(); ++i) {
     const std::string which = photos.size() > 1 ? " " + std::to_string(i + 1) : "";

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "sim/base/declared_unit.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
@@ -21,12 +22,21 @@ bool is_fits(const std::string& file) {
   return extension == ".fits" || extension == ".fit" || extension == ".fts";
 }
 
-sim::Image read_fits_plane(const std::string& file, const std::string& what) {
+void multiply_by(double factor, sim::Image& image) {
+  if (factor != 1.0)
+    for (float& value : image.data) value = static_cast<float>(factor * value);
+}
+
+sim::Image read_fits_plane(const std::string& file, const std::string& what, sim::Quantity quantity) {
   const std::string bytes = sim::input_bytes(file, "a map of " + what, sim::kMaxPictureBytes);
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   for (std::size_t i = 0; i < fits.known.size(); ++i)
     if (!fits.known[i]) fits.image.data[i] = std::numeric_limits<float>::quiet_NaN();
-  return one_channel(fits.image, 0);
+  sim::Image plane = one_channel(fits.image, 0);
+  std::string key;
+  const std::string unit = sim::unit_of_plane(fits.keywords, 0, true, key);
+  multiply_by(sim::declared_factor(unit, quantity, file, key), plane);
+  return plane;
 }
 
 sim::ImageFormat format_of(const std::string& file, const std::string& what) {
@@ -59,7 +69,7 @@ FitsMaps encode_fits_maps(const sim::DirectionMap& map) {
 }
 
 sim::Image read_angles(const std::string& file, const std::string& channel) {
-  return read_plane(file, {channel}, "angles");
+  return read_plane(file, {channel}, "angles", sim::Quantity::angle_deg);
 }
 
 sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std::string& elevation_file) {
@@ -75,11 +85,14 @@ sim::Image one_channel(const sim::Image& image, int channel) {
 }
 
 sim::Image read_plane(const std::string& file, const std::vector<std::string>& channels,
-                      const std::string& what) {
-  if (is_fits(file)) return read_fits_plane(file, what);
+                      const std::string& what, sim::Quantity quantity) {
+  if (is_fits(file)) return read_fits_plane(file, what, quantity);
   const sim::ImageFormat format = format_of(file, what);
   if (format == sim::ImageFormat::exr) {
-    const sim::ExrFile exr = sim::read_exr(file);
+    sim::ExrFile exr = sim::read_exr(file);
+    const auto unit = exr.attributes.find("declared unit");
+    if (unit != exr.attributes.end())
+      multiply_by(sim::declared_factor(unit->second, quantity, file, "units"), exr.image);
     const auto& names = exr.image.channel_names;
     for (const std::string& channel : channels) {
       const auto named = std::find(names.begin(), names.end(), channel);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/declared_unit.h"
 #include "sim/base/image.h"
 #include "sim/view/camera/direction_map.h"
 
@@ -32,9 +33,11 @@ sim::DirectionMap read_direction_map(const std::string& azimuth_file, const std:
 sim::Image one_channel(const sim::Image& image, int channel);
 
 /// Reads from an EXR the first of `channels` that it has, or its only channel; from FITS (.fits, .fit, .fts)
-/// and from a TIFF of floats the first plane. Undefined values of FITS become NaN. Throws
-/// Error(unreadable_input), whose message calls the numbers `what`, such as "angles".
+/// and from a TIFF of floats the first plane. Undefined values of FITS become NaN. Values of a declared unit
+/// (BUNIT; the attribute unit, units or BUNIT of an EXR) are converted to that of `quantity`. Throws
+/// Error(unreadable_input), whose message calls the numbers `what`, such as "angles", and for a unit that is
+/// none of the quantity.
 sim::Image read_plane(const std::string& file, const std::vector<std::string>& channels,
-                      const std::string& what);
+                      const std::string& what, sim::Quantity quantity);
 
 }  // namespace vegard::fit

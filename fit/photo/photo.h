@@ -54,12 +54,12 @@ struct Photo {
 /// Reads a photograph: a file or one frame of it (fit/photo/frames/frame_name.h), in one of the formats of
 /// docs/file_formats.md, "Photographs" (JPEG, PNG, TIFF, PGM, PPM, EXR, FITS, camera raw, HEIC), which is
 /// recognised by the contents. The picture is turned upright by its EXIF orientation. Grey becomes three
-/// equal channels, alpha is dropped. Decoding::automatic means sRGB for JPEG, PNG, integer TIFF, HEIC and PGM
-/// or PPM of 8 bits, linear light for all others. A channel's value at the file's white is clipped and not
-/// usable; in float files only values that are not finite (stored as 0) are unusable. Throws
-/// sim::Error(unreadable_input) for a file that is missing, truncated, of zero size, not an image, or larger
-/// by its header than sim/base/picture/pixel_limit.h allows (OpenCV returns a full picture for a truncated
-/// JPEG: fit/photo/codec/picture_format.h checks this before).
+/// equal channels, alpha is dropped. Decoding::automatic means sRGB for integers of JPEG, PNG, TIFF, HEIC,
+/// PGM and PPM, linear light for grey ones of more than 8 bits (assume_light()) and for all other files. A
+/// channel's value at the file's white is clipped and not usable; in float files only values that are not
+/// finite (stored as 0) are unusable. Throws sim::Error(unreadable_input) for a file that is missing,
+/// truncated, of zero size, not an image, or larger by its header than sim/base/picture/pixel_limit.h allows
+/// (OpenCV returns a full picture for a truncated JPEG: fit/photo/codec/picture_format.h checks this before).
 ///
 /// Decoding::sensor needs the `scene`: integers of display files are decoded by its tone curve (all others
 /// are linear light), the light is divided by the vignetting, and pixels to which a saturated pixel

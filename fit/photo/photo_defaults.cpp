@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/photo/taken_time.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/utc_time.h"
@@ -66,7 +67,11 @@ void note_the_field(const Given& given, PhotoDefaults& defaults) {
 
 /// A camera's clock may be wrong, and is set right in the scene; an imager's is kept by a time server.
 void note_the_time(const Given& given, const sim::PictureMetadata& metadata, PhotoDefaults& defaults) {
-  if (!metadata.contradiction.empty()) defaults.notes.push_back(metadata.contradiction);
+  const auto add = [&](const std::vector<std::string>& notes) {
+    defaults.notes.insert(defaults.notes.end(), notes.begin(), notes.end());
+  };
+  add(metadata.contradictions);
+  if (!given("site.time_utc")) add(taken_time(metadata).notes);
   if (!given("site.time_utc") || !metadata.header_time_utc) return;
   const std::string& of_scene = defaults.scene.site.time_utc;
   const auto scene_s = sim::utc_seconds(of_scene), header_s = sim::utc_seconds(*metadata.header_time_utc);

@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "fit/photo/codec/picture_codes.h"
+#include "fit/photo/codec/picture_format.h"
+#include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/picture_field_of_view.h"
+#include "fit/photo/taken_time.h"
+#include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"
 
@@ -18,15 +23,10 @@ std::string plain(double value, int places) {
 std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 void add_time(const sim::PictureMetadata& metadata, PhotoFacts& all) {
-  if (const auto utc = sim::taken_utc(metadata)) {
-    all.facts.push_back({"site.time_utc", "\"" + *utc + "\"",
-                         metadata.header_time_utc ? metadata.sources.header_time
-                                                  : "EXIF DateTimeOriginal and OffsetTimeOriginal"});
-  } else if (metadata.gps_time_utc) {
-    all.facts.push_back({"site.time_utc", "\"" + *metadata.gps_time_utc + "\"",
-                         "EXIF GPSDateStamp and GPSTimeStamp, of the last position"});
-  }
-  if (metadata.taken_local && !metadata.utc_offset)
+  const TakenTime taken = taken_time(metadata);
+  if (!taken.utc.empty()) all.facts.push_back({"site.time_utc", "\"" + taken.utc + "\"", taken.source});
+  all.notes.insert(all.notes.end(), taken.notes.begin(), taken.notes.end());
+  if (metadata.taken_local && !metadata.utc_offset && taken.notes.empty())
     all.notes.push_back("the camera's clock said " + *metadata.taken_local +
                         ", in a zone that the picture does not name");
 }
@@ -78,8 +78,23 @@ PhotoFacts photo_facts(const sim::PictureMetadata& metadata) {
   add_time(metadata, all);
   add_camera(metadata, all);
   add_exposure(metadata, all);
-  if (!metadata.contradiction.empty()) all.notes.push_back(metadata.contradiction);
+  all.notes.insert(all.notes.end(), metadata.contradictions.begin(), metadata.contradictions.end());
   return all;
+}
+
+std::string assumed_light(const std::string& photo) {
+  try {
+    const PictureBytes picture = read_picture_bytes(photo);
+    constexpr int kBits = 8;
+    const ImageFile image = inspect_image_file(picture.bytes, picture.name);
+    if (image.bits <= kBits || image.floating) return {};
+    const PictureCodes codes = picture_codes(picture.bytes, picture.name);
+    if (!codes.is_light_assumed || codes.declared.counts()) return {};
+    return fmt::format("this {} does not say what its numbers are: {} is assumed; --decoding overrides",
+                       codes.kind, codes.linear ? "linear light" : "sRGB");
+  } catch (const sim::Error&) {
+    return {};  // whoever needs its light is told
+  }
 }
 
 std::string fact_text(const PhotoFact& fact) {

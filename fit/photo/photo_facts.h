@@ -20,9 +20,13 @@ struct PhotoFacts {
 };
 
 /// Returns site, time, the pinhole's field of view and size, exposure, ISO and f-number, as far as the
-/// metadata have them. The time is that of the camera's clock if its zone is known, else that of the GPS,
-/// else none.
+/// metadata have them. The time is that of taken_time() (fit/photo/taken_time.h).
 PhotoFacts photo_facts(const sim::PictureMetadata& metadata);
+
+/// Returns a note on what light the numbers of a picture are taken for, where its file leaves that open and
+/// it has more than eight bits (assume_light() of fit/photo/codec/picture_codes.h); empty for others, and for
+/// what is no sound picture.
+std::string assumed_light(const std::string& photo);
 
 /// Returns a fact as "camera.hfov_deg = 65.47 (EXIF FocalLengthIn35mmFilm 27 mm, by the diagonal)".
 std::string fact_text(const PhotoFact& fact);

@@ -3,15 +3,27 @@
 #include <filesystem>
 
 #include "fit/photo/frames/imager_words.h"
-
+#include "fit/photo/taken_time.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::fit {
 namespace {
 
+/// The time of a name that says its zone, where nothing else tells the time in UTC.
+void add_zoned_name(const std::string& file_name, sim::PictureMetadata& metadata) {
+  const std::optional<sim::TimeInName> name = sim::time_in_name(file_name);
+  if (!name || !name->offset_minutes || !taken_time(metadata).utc.empty()) return;
+  metadata.header_time_utc = sim::utc_text(name->utc_s());
+  metadata.sources.header_time = "the file's name";
+}
+
 void compare_with_name(const std::string& file, sim::PictureMetadata& metadata) {
   const std::string name = std::filesystem::path(file).filename().string();
   add_imager_name(name, metadata);
-  metadata.contradiction = contradicted_time(name, metadata);
+  add_zoned_name(name, metadata);
+  const std::string contradiction =
+      imager_name(name) ? contradicted_time(name, metadata) : contradicted_by_name(name, metadata);
+  if (!contradiction.empty()) metadata.contradictions.push_back(contradiction);
 }
 
 }  // namespace

@@ -10,8 +10,9 @@
 namespace vegard::fit {
 
 /// Returns the metadata of the picture with this name (fit/photo/frames/frame_name.h). If the file name is
-/// one of a known imager, it provides what the file does not give; if the times of the name and of the file
-/// contradict each other, PictureMetadata::contradiction says so. Throws sim::Error as read_picture_bytes()
+/// one of a known imager, it provides what the file does not give, and a name that tells a time with its zone
+/// provides the time; if the times of the name and of the file contradict each other,
+/// PictureMetadata::contradictions says so. Throws sim::Error as read_picture_bytes()
 /// does.
 sim::PictureMetadata photo_metadata(const std::string& name);
 

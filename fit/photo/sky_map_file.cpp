@@ -10,6 +10,7 @@
 
 #include "fit/photo/direction_map_file.h"
 #include "sim/base/array/array_format.h"
+#include "sim/base/declared_unit.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
@@ -66,6 +67,16 @@ const StoredArray& angles_of(const sim::ArrayFile& file, const Names& names) {
   return *largest;
 }
 
+/// From the array's unit, by its attribute units (unit, BUNIT), to degrees.
+double factor_to_degrees(const sim::ArrayFile& file, const StoredArray& array) {
+  for (const auto& [key, value] : array.words) {
+    const std::string word = sim::lowered(key);
+    if (word == "units" || word == "unit" || word == "bunit")
+      return sim::declared_factor(value, sim::Quantity::angle_deg, file.name(), array.name + ":" + key);
+  }
+  return 1.0;
+}
+
 sim::Image image_of_angles(sim::ArrayFile& file, const StoredArray& array) {
   const auto [height, width] = *plane_of(array);
   if (height > static_cast<std::uint64_t>(sim::longest_side_px) ||
@@ -73,33 +84,51 @@ sim::Image image_of_angles(sim::ArrayFile& file, const StoredArray& array) {
     throw sim::unreadable(file.name(), "'" + array.name + "' is too large");
   sim::check_pixel_limit(static_cast<long long>(width), static_cast<long long>(height), file.name());
   const std::vector<double> numbers = file.read_numbers(array);
+  const double factor = factor_to_degrees(file, array);
   sim::Image image(static_cast<int>(width), static_cast<int>(height), {array.name});
   for (std::uint64_t y = 0; y < height; ++y)
     for (std::uint64_t x = 0; x < width; ++x) {
       image.data[y * width + x] =
-          static_cast<float>(numbers[array.columns_first ? x * height + y : y * width + x]);
+          static_cast<float>(factor * numbers[array.columns_first ? x * height + y : y * width + x]);
     }
   return image;
 }
 
-std::optional<double> number_called(sim::ArrayFile& file, std::initializer_list<std::string_view> names) {
+const StoredArray* one_called(const sim::ArrayFile& file, std::initializer_list<std::string_view> names) {
   for (const StoredArray& array : file.arrays())
     for (const std::string_view name : names)
-      if (array.count() == 1 && sim::size_of(array.kind) > 0 && last_name(array.name) == name)
-        return file.read_numbers(array).at(0);
-  return std::nullopt;
+      if (array.count() == 1 && sim::size_of(array.kind) > 0 && last_name(array.name) == name) return &array;
+  return nullptr;
+}
+
+std::optional<double> angle_called(sim::ArrayFile& file, std::initializer_list<std::string_view> names) {
+  const StoredArray* const array = one_called(file, names);
+  if (array == nullptr) return std::nullopt;
+  return factor_to_degrees(file, *array) * file.read_numbers(*array).at(0);
+}
+
+/// In metres, or in the length of its attribute units.
+std::optional<double> altitude_called(sim::ArrayFile& file, std::initializer_list<std::string_view> names) {
+  const StoredArray* const array = one_called(file, names);
+  if (array == nullptr) return std::nullopt;
+  double factor = 1.0;
+  for (const auto& [key, value] : array->words)
+    if (sim::lowered(key) == "units" && !value.empty())
+      factor =
+          1e3 * sim::declared_factor(value, sim::Quantity::length_km, file.name(), array->name + ":" + key);
+  return factor * file.read_numbers(*array).at(0);
 }
 
 std::optional<SkyMapPlace> place_of(sim::ArrayFile& file) {
-  const auto latitude = number_called(file, {"site_map_latitude", "site_latitude"});
-  const auto longitude = number_called(file, {"site_map_longitude", "site_longitude"});
+  const auto latitude = angle_called(file, {"site_map_latitude", "site_latitude"});
+  const auto longitude = angle_called(file, {"site_map_longitude", "site_longitude"});
   constexpr double kPole_deg = 90.0, kHalfTurn_deg = 180.0, kTurn_deg = 360.0;
   if (!latitude || !longitude || !(std::abs(*latitude) <= kPole_deg) || !(std::abs(*longitude) <= kTurn_deg))
     return std::nullopt;
   SkyMapPlace place{*latitude, *longitude, 0.0};
   if (place.longitude_deg > kHalfTurn_deg) place.longitude_deg -= kTurn_deg;
   if (place.longitude_deg < -kHalfTurn_deg) place.longitude_deg += kTurn_deg;
-  const auto altitude = number_called(file, {"site_map_altitude", "site_altitude"});
+  const auto altitude = altitude_called(file, {"site_map_altitude", "site_altitude"});
   constexpr double kLowest_m = -500.0, kHighest_m = 9000.0;
   if (altitude && *altitude > kLowest_m && *altitude < kHighest_m) place.altitude_m = *altitude;
   return place;
@@ -132,10 +161,14 @@ SkyMapFile read_planes(const std::string& file) {
   sim::Image angles[2];
   for (std::size_t plane = 0; plane < planes; ++plane) {
     angles[plane] = sim::Image(fits.image.width, fits.image.height, {plane == 0 ? "azimuth" : "elevation"});
+    std::string key;
+    const std::string unit = sim::unit_of_plane(fits.keywords, static_cast<int>(plane), true, key);
+    const double factor = sim::declared_factor(unit, sim::Quantity::angle_deg, file, key);
     for (std::size_t i = 0; i < angles[plane].data.size(); ++i) {
       const std::size_t at = i * planes + plane;
-      angles[plane].data[i] = fits.known.empty() || fits.known[at] ? fits.image.data[at]
-                                                                   : std::numeric_limits<float>::quiet_NaN();
+      angles[plane].data[i] = fits.known.empty() || fits.known[at]
+                                  ? static_cast<float>(factor * fits.image.data[at])
+                                  : std::numeric_limits<float>::quiet_NaN();
     }
   }
   SkyMapFile read;

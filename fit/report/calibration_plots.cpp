@@ -6,9 +6,9 @@
 #include <limits>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "fit/photo/codec/opencv_codecs.h"
 #include "sim/base/number/constants.h"
 
 namespace vegard::fit {
@@ -226,9 +226,17 @@ std::string star_overlay(const Calibration& calibration, const Photo& photo) {
   overlay.cardinal(270.0, "W");
   for (std::size_t i = 0; i < calibration.stars.size(); ++i)
     overlay.star(calibration.stars[i], calibration.residuals[i].used);
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {bytes.begin(), bytes.end()};
+  return encoded_png(picture);
+}
+
+std::string star_overlay(const StarRecognition& recognition, const Photo& photo) {
+  int scale = 1;
+  cv::Mat picture = display(photo, scale);
+  Overlay overlay(recognition.best.camera, picture, scale);
+  for (const double declination_deg : {-60.0, -30.0, 0.0, 30.0, 60.0})
+    overlay.circle_of_elevation(declination_deg, {160, 120, 90});
+  for (const StarSighting& star : recognition.stars()) overlay.star(star, true);
+  return encoded_png(picture);
 }
 
 }  // namespace vegard::fit

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "fit/photo/photo.h"
+#include "fit/photo/pointing/blind/star_recognition.h"
 #include "fit/photo/pointing/calibration.h"
 #include "fit/report/plot/plot.h"
 
@@ -17,5 +18,9 @@ Plot residual_plot(const Calibration& calibration);
 /// cross at its measured one, and its name; stars that were left out in red; the horizon, and circles of
 /// elevation every 30 degrees.
 std::string star_overlay(const Calibration& calibration, const Photo& photo);
+
+/// The same of stars that were recognised without time and place: where the horizon is is not known then, and
+/// the circles are of declination, every 30 degrees.
+std::string star_overlay(const StarRecognition& recognition, const Photo& photo);
 
 }  // namespace vegard::fit

@@ -306,6 +306,36 @@ std::string verdict_table(const std::vector<QuantityVerdict>& verdicts) {
   return html + "</table>\n";
 }
 
+/// What was counted as a curtain, and what was not.
+std::string count_words(const MapResult& result, const std::vector<Curtain>& curtains,
+                        const std::vector<Curtain>& others) {
+  const auto patches =
+      std::count_if(others.begin(), others.end(), [](const Curtain& c) { return c.is_diffuse_patch; });
+  const auto count = [](std::size_t n, const char* one) {
+    return std::to_string(n) + " " + one + (n == 1 ? "" : "s");
+  };
+  std::string html = "<p>" + count(curtains.size(), "curtain");
+  if (result.replicates.empty())
+    html += ", not tested against chance: that needs perturbed solutions (--replicates)";
+  else if (!curtains.empty())
+    html += ", which nearly all perturbed solutions have, and chance does not make";
+  html += ".";
+  const auto length_words = [](const Curtain& c) { return sim::short_number(c.length_km, 3) + " km"; };
+  if (!curtains.empty()) {
+    html += curtains.size() == 1 ? " It is " : " They are ";
+    for (std::size_t c = 0; c < curtains.size(); ++c)
+      html += (c == 0 ? "" : c + 1 == curtains.size() ? " and " : ", ") + length_words(curtains[c]);
+    html += " long.";
+  }
+  const std::size_t rest = others.size() - static_cast<std::size_t>(patches);
+  if (rest > 0)
+    html += fmt::format(" {} that {} faint or may be chance {} in faint_curtains.csv.", count(rest, "ridge"),
+                        rest == 1 ? "is" : "are", rest == 1 ? "is" : "are");
+  if (patches > 0)
+    html += fmt::format(" Diffuse patches, wide and not long, in the same table: {}.", patches);
+  return html + "</p>\n";
+}
+
 std::string prior_words(const MapResult& result) {
   std::string html = fmt::format(
       "<p>Strength of the prior: {} per lit cell{}. {} cells of the ground, {} energies from {} to {} keV, "
@@ -320,6 +350,14 @@ std::string prior_words(const MapResult& result) {
   if (result.altitude_scale != 1.0)
     html += "<p>All light is at " + sim::short_number(result.altitude_scale, 4) +
             " times the altitudes of the tables, as asked (--altitude-scale).</p>\n";
+  if (result.spectrum.kind != sim::ElectronSpectrum::Kind::maxwellian)
+    html += "<p>The electrons' spectrum is " + sim::spectrum_in_words(result.spectrum) +
+            ", as asked (--spectrum).</p>\n";
+  if (is_of_one_station(result) && result.replicates.size() > 1)
+    html +=
+        "<p>Every second perturbed solution has another spectrum of electrons (docs/map.md): from one "
+        "station "
+        "its effect looks like another height and distance.</p>\n";
   if (!result.numbers.empty() && !result.replicates.empty()) {
     std::string unknown;
     bool has_modes = false;
@@ -365,7 +403,7 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
       "<section><h2>Where electrons fall</h2>\n<p>Energy flux and energy on the ground's cells, at the feet "
       "of the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
       "class=\"plots\">" +
-      maps(result, curtains) + "</div></section>\n";
+      maps(result, curtains) + "</div>\n" + count_words(result, curtains, facts.faint) + "</section>\n";
   html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) + "</section>\n";
   for (const MappedPhoto& photo : result.photos)
     html += "<section><h2>The picture" + (photo.name.empty() ? "" : " " + sim::html_text(photo.name)) +

@@ -1,6 +1,7 @@
 #include "fit/report/map_run.h"
 
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -63,6 +64,10 @@ sim::KnownFolder look_at_map(const std::string& directory) {
 
 sim::DirectoryKind map_kind() { return {"a map", look_at_map, {kMapJson}}; }
 
+bool is_maxwellian(const MapResult& result) {
+  return result.spectrum.kind == sim::ElectronSpectrum::Kind::maxwellian;
+}
+
 std::string precipitation_fits(const MapResult& result) {
   const RasterisedMap map = rasterised_map(result);
   const RasterGrid& raster = map.raster;
@@ -81,7 +86,8 @@ std::string precipitation_fits(const MapResult& result) {
       {"SITELAT", result.scene.site.latitude_deg, "degrees north"},
       {"SITELONG", result.scene.site.longitude_deg, "degrees east"},
       {"PLANE1", std::string("energy flux, mW m-2") + (is_absolute(result) ? "" : ", relative"), ""},
-      {"PLANE2", "characteristic energy E0, keV", "of Maxwellian electrons"},
+      {"PLANE2", "characteristic energy E0, keV",
+       is_maxwellian(result) ? "of Maxwellian electrons" : "of electrons of SPECTRUM"},
       {"PLANE3", "relative standard error of plane 1", ""},
       {"PLANE4", "standard error of ln(plane 2)", ""},
       {"PLANE5", "sensitivity: signal to noise of 1 mW m-2", "in a cell by itself"},
@@ -90,6 +96,9 @@ std::string precipitation_fits(const MapResult& result) {
       {"ORIGIN", "vegard " + sim::version(), ""}};
   if (!result.scene.site.time_utc.empty())
     keywords.push_back({"DATE-OBS", sim::in_utc(result.scene.site.time_utc), ""});
+  if (!is_maxwellian(result))
+    keywords.push_back(
+        {"SPECTRUM", sim::spectrum_word(result.spectrum.kind), sim::spectrum_in_words(result.spectrum)});
   return sim::encode_fits(map.planes, keywords, "precipitation.fits");
 }
 
@@ -98,7 +107,8 @@ void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
   sim::Image model(film.columns, film.rows, {"R", "G", "B"}), residual = model;
   for (std::size_t i = 0; i < model.data.size(); ++i) {
     model.data[i] = photo.model[i] + photo.sky[i];
-    residual.data[i] = photo.sigma[i] > 0.0f ? photo.data[i] - model.data[i] : 0.0f;
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    residual.data[i] = photo.sigma[i] > 0.0f ? photo.data[i] - model.data[i] : kUnknown;
   }
   const sim::ImageAttributes where = {
       {"version", sim::version()},
@@ -106,6 +116,10 @@ void write_pictures(const sim::WholeDirectory& run, const MappedPhoto& photo) {
                            film.cell_height_px, film.x0_px, film.y0_px)}};
   sim::write_exr(run.file(file_of("model", photo.name)), model, where);
   sim::write_exr(run.file(file_of("residual", photo.name)), residual, where);
+}
+
+nlohmann::ordered_json finite_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
 }  // namespace
@@ -134,6 +148,9 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
     json["prior"]["tried"].push_back(
         {{"sparsity", t.sparsity}, {"left_out_loss", t.left_out}, {"standard_error", t.error}});
   json["altitude_scale"] = result.altitude_scale;
+  json["spectrum"] = sim::spectrum_word(result.spectrum.kind);
+  if (result.spectrum.kind == sim::ElectronSpectrum::Kind::gaussian) json["spread"] = result.spectrum.spread;
+  if (result.spectrum.kind == sim::ElectronSpectrum::Kind::kappa) json["kappa"] = result.spectrum.kappa;
   json["known_with_errors"] = nlohmann::ordered_json::array();
   for (const MapNumber& n : result.numbers)
     json["known_with_errors"].push_back(
@@ -164,9 +181,12 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
     json["curtains"].push_back({{"length_km", curtain.length_km},
                                 {"points", curtain.points.size()},
                                 {"mean_energy_flux_mw_m2", flux / curtain.points.size()},
-                                {"mean_energy_kev", flux > 0.0 ? std::exp(ln / flux) : sim::kNaN}});
+                                {"mean_energy_kev", flux > 0.0 ? std::exp(ln / flux) : sim::kNaN},
+                                {"probability", finite_or_null(curtain.probability)}});
   }
   json["faint_curtains"] = facts.faint.size();
+  json["diffuse_patches"] = std::count_if(facts.faint.begin(), facts.faint.end(),
+                                          [](const Curtain& c) { return c.is_diffuse_patch; });
   json["inputs"] = nlohmann::ordered_json::array();
   for (const InputFile& input : facts.inputs)
     json["inputs"].push_back({{"role", input.role}, {"name", input.name}, {"sha256", input.sha256}});
@@ -189,7 +209,7 @@ std::string curtains_csv(const std::vector<Curtain>& curtains) {
   std::string csv =
       "curtain,point,east_km,north_km,distance_km,azimuth_deg,lower_border_km,energy_flux_mw_m2,energy_kev,"
       "width_km,lateral_error_km,distance_error_km,lower_border_error_km,energy_flux_error_mw_m2,"
-      "energy_error_kev,width_error_km,border_in_view\n";
+      "energy_error_kev,width_error_km,border_in_view,at_edge,energy_limit,found_in,probability,diffuse\n";
   for (std::size_t c = 0; c < curtains.size(); ++c)
     for (std::size_t i = 0; i < curtains[c].points.size(); ++i) {
       const CurtainPoint& p = curtains[c].points[i];
@@ -199,7 +219,9 @@ std::string curtains_csv(const std::vector<Curtain>& curtains) {
             p.flux_mw_m2.value, p.energy_kev.value, p.width_km.value, p.lateral_error_km, p.distance_error_km,
             p.lower_border_km.error, p.flux_mw_m2.error, p.energy_kev.error, p.width_km.error})
         csv += "," + sim::csv_number(value);
-      csv += p.border_in_view ? ",1\n" : ",0\n";
+      csv += fmt::format(",{:d},{:d},{}", p.border_in_view, p.at_edge, p.energy_limit);
+      csv += "," + sim::csv_number(p.found_in) + "," + sim::csv_number(curtains[c].probability);
+      csv += curtains[c].is_diffuse_patch ? ",1\n" : ",0\n";
     }
   return csv;
 }

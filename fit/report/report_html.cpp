@@ -241,7 +241,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
       (photos.size() == 1 ? std::string("a photograph") : std::to_string(photos.size()) + " photographs") +
       "</p>\n<h1>" + title + "</h1>\n</div></header>\n" + verdict_band(result) + "<main>\n";
   for (std::size_t i = 0; i < photos.size(); ++i) html += pictures_section(photos[i], pictures[i]);
-  const std::string cards = derived_cards(result) + derived_table(result);
+  const std::string cards = derived_cards(result) + derived_table(result) + tables_list(result);
   const bool believed = result.verdict == Verdict::good;
   if (!cards.empty())
     html +=

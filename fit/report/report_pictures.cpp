@@ -1,12 +1,11 @@
 #include "fit/report/report_pictures.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "fit/photo/codec/opencv_codecs.h"
 #include "fit/photo/grey_light.h"
 #include "fit/report/table/report_bins.h"
 #include "sim/base/shown_text.h"
@@ -43,13 +42,9 @@ cv::Mat to_bytes(const cv::Mat& picture, const Code& code) {
 }
 
 std::string png_uri(const cv::Mat& bytes) {
-  std::vector<unsigned char> file;
   // The densest, 9, would be a sixth smaller, and take as long as the fit.
   constexpr int kCompression = 4;
-  const bool encoded = cv::imencode(".png", bytes, file, {cv::IMWRITE_PNG_COMPRESSION, kCompression});
-  assert(encoded);
-  static_cast<void>(encoded);
-  return "data:image/png;base64," + sim::base64({reinterpret_cast<const char*>(file.data()), file.size()});
+  return "data:image/png;base64," + sim::base64(encoded_png(bytes, kCompression));
 }
 
 /// The value below which this share of them lies; 0 for none.

@@ -34,7 +34,9 @@ h2 { margin: 0 0 12px; font-size: 20px; font-weight: 600; }
 h3 { margin: 22px 0 6px; font-size: 15px; font-weight: 600; }
 section > p { margin: 0 0 14px; color: var(--soft); max-width: 86ch; }
 section > h2 + p { margin-top: -6px; } section > svg + p, section > .plots + p { margin-top: 8px; }
-figure { margin: 0; } figcaption { color: var(--soft); font-size: 13px; margin-top: 6px; }
+figure { margin: 0; } .large { margin: 22px 0; } .large img { display: block; width: 100%; height: auto; border-radius: 6px; }
+.inks span { margin-right: 18px; white-space: nowrap; } .inks i { display: inline-block; width: 22px; height: 10px; margin-right: 6px;
+  border: 1px solid var(--soft); border-radius: 2px; } figcaption { color: var(--soft); font-size: 13px; margin-top: 6px; }
 figcaption b { color: var(--ink); font-size: 15px; display: block; }
 .three { display: grid; grid-template-columns: repeat(3, 1fr); gap: 18px; }
 .three img { width: 100%; height: auto; display: block; border-radius: 4px; }

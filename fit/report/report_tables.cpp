@@ -9,6 +9,7 @@
 
 #include "fit/answer/derived.h"
 #include "fit/answer/result_numbers.h"
+#include "fit/answer/tables_correction.h"
 #include "fit/version.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/shown_text.h"
@@ -144,6 +145,17 @@ std::string derived_table(const FitResult& result) {
   return "<table class=\"wide\">\n<thead><tr><th>Also</th><th class=\"number\">Value \u00b1 \u03c3</th>"
          "<th>Trust</th><th></th></tr></thead>\n<tbody>\n" +
          rows + "</tbody>\n</table>\n";
+}
+
+std::string tables_list(const FitResult& result) {
+  std::string items;
+  for (const TablesCorrection& correction : result.tables)
+    items += "<li>" + sim::html_text(correction_words(correction)) + "</li>\n";
+  return items.empty()
+             ? items
+             : "<p class=\"soft\">What it says about the emission tables, which the answer does not "
+               "use:</p>\n<ul class=\"soft\">\n" +
+                   items + "</ul>\n";
 }
 
 std::string parameter_table_html(const FitResult& result) {

@@ -17,6 +17,9 @@ std::string answer_sentence(const FitResult& result);
 /// Derived numbers without a card: details, and unconstrained ones with the reason; empty if there are none.
 std::string derived_table(const FitResult& result);
 
+/// A sentence for each of FitResult::tables; empty if there are none.
+std::string tables_list(const FitResult& result);
+
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.
 std::string parameter_table_html(const FitResult& result);
 

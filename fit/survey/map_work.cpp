@@ -86,7 +86,13 @@ void add_curtain(const Curtain& curtain, int item, const sim::Scene& scene, cons
 }  // namespace
 
 std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene, const MapOptions& options) {
-  const MapResult map = map_photos(scene, {photo}, options);
+  std::optional<MapResult> made;
+  try {
+    made = map_photos(scene, {photo}, options);
+  } catch (const MapStopped&) {
+    return std::nullopt;
+  }
+  const MapResult& map = *made;
   if (map.interrupted) return std::nullopt;
   const std::vector<Curtain> curtains = find_curtains(map);
   const std::vector<QuantityVerdict> verdicts = map_verdicts(map, curtains);

@@ -1,5 +1,9 @@
 #include "fit/survey/sqlite_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
@@ -19,6 +23,21 @@ constexpr int kMaxCellBytes = 16 << 20;
 std::string absolute_name(const std::string& file) {
   std::error_code ignored;
   return std::filesystem::absolute(file, ignored).string();
+}
+
+/// Whether the file's system refuses every lock. SQLite takes that for a lock that another process holds.
+bool has_no_locks(const std::string& file) {
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = 0;
+  lock.l_len = 1;  // SQLite's own locks lie a gigabyte behind
+  const bool is_refused = ::fcntl(descriptor, F_SETLK, &lock) != 0;
+  const int why = errno;
+  ::close(descriptor);
+  return is_refused && (why == ENOLCK || why == ENOSYS || why == EOPNOTSUPP || why == EINVAL);
 }
 
 }  // namespace
@@ -187,6 +206,11 @@ sim::Error SqliteFile::error_of(int code, const std::string& words) const {
       throw std::bad_alloc();
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
+      if (has_no_locks(name_))
+        return sim::Error(sim::ErrorKind::unwritable_output, "its file system has no locks for files")
+            .file(name_)
+            .expected("a database on a disk of this machine, or on a network disk with locks")
+            .hint("an NFS server needs its lock daemon (rpc.statd)");
       return sim::Error(sim::ErrorKind::existing_output, "another process keeps this database")
           .file(name_)
           .hint("try again when it has ended");

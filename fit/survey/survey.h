@@ -43,7 +43,7 @@ struct SurveyCamera {
   std::vector<std::string> endings;  ///< of the files in folders that are frames, lower case: ".png"
   std::string decoding;              ///< a word of --decoding; empty: the scene's
   int channel = 1;                   ///< in which borders are traced: 0, 1, 2 for red, green, blue
-  std::string filter;                ///< file of decision trees (fit/survey/filter); empty: the built-in ones
+  std::string filter;                ///< file of a model (fit/sky_kind/sky_model.h); empty: the built-in one
   std::vector<SurveyCalibration> calibrations;
 };
 
@@ -115,6 +115,8 @@ struct WorkAnswer {
   std::optional<double> chi2_per_dof;
   std::optional<std::int64_t> seed;
   std::vector<double> free_values;  ///< of a fit, exact; the next frame's fit starts there
+  /// Of a fit whose tables have an uncertainty: what it says of them, as JSON (fit/survey/survey_physics.h).
+  std::optional<std::string> physics{};
   std::vector<SurveyQuantity> quantities;
 };
 

@@ -13,6 +13,7 @@
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_run.h"
 #include "fit/sequence.h"
+#include "fit/survey/survey_physics.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/sha256.h"
@@ -54,7 +55,7 @@ WorkAnswer filter_answer(const FilterFinding& found) {
                                  {},
                                  {},
                                  {}});
-  for (const FeatureWords& words : feature_words())
+  for (const SkyFeatureWords& words : sky_feature_words())
     answer.quantities.push_back(
         {0, words.name, words.unit, finite_or_none(feature(found.features, words.feature)), {}, {}, {}});
   return answer;
@@ -111,6 +112,7 @@ WorkAnswer fit_answer(const FrameFit& fit, const sim::Scene& scene, const Photo&
   answer.chi2_per_dof = finite_or_none(row.chi2_per_dof);
   answer.seed = static_cast<std::int64_t>(result.seed);
   answer.free_values = row.values;
+  answer.physics = physics_of_row(row);
   for (const SequenceNumber& n : row.numbers) {
     SurveyQuantity quantity{0, n.name, n.unit, finite_or_none(n.value), {}, {}, {}};
     if (n.sigma) quantity.sigma = finite_or_none(*n.sigma);

@@ -54,7 +54,7 @@ class LatestEye {
 void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work);
 
 /// Returns a hash of everything on which the answers depend: the contents of the scene and of its tables and
-/// files, the mask, the curve of the decoding, the channel, and the filter's trees. `decoding`: the word for
+/// files, the mask, the curve of the decoding, the channel, and the filter's model. `decoding`: the word for
 /// eye.decoding.
 std::string eye_sha256(const SurveyEye& eye, const std::string& decoding);
 

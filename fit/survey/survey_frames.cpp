@@ -36,18 +36,27 @@ bool has_ending(const std::string& name, const std::vector<std::string>& endings
 std::string plain_path(const std::string& path) { return fs::path(path).lexically_normal().generic_string(); }
 
 /// Returns the time that a file's name tells; none if it tells no time.
-std::optional<double> time_in_name(const std::string& name) {
-  if (const auto imager = imager_name(name)) return imager->begin_s;
-  return sim::utc_seconds_in_name(name);
+std::optional<sim::TimeInName> time_by_name(const std::string& name) {
+  const auto imager = imager_name(name);
+  return imager ? sim::TimeInName{imager->begin_s, 0, {}} : sim::time_in_name(name);
 }
 
 double time_of_name(const std::string& frame, const std::string& file, int line) {
   const std::string name = fs::path(frame_reference(frame).file).filename().string();
-  if (const auto seconds = time_in_name(name)) return *seconds;
+  const auto time = time_by_name(name);
+  if (time && time->unclear.empty()) return time->utc_s();
+  constexpr const char* kList =
+      "a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out";
+  if (time)
+    throw sim::unreadable(file,
+                          "the time in the name of '" + name + "' is not clear: '" + time->unclear + "'")
+        .line(line)
+        .expected("UTC, or an offset from it: 20190301_231000+0100.png")
+        .hint(kList);
   throw sim::unreadable(file, "the name of '" + name + "' has no time")
       .line(line)
       .expected("a date and a time, as in 20190301_221000.png, taken for UTC")
-      .hint("a list (.txt) with lines FRAME TIME says when each was taken; 'endings' leaves other files out");
+      .hint(kList);
 }
 
 /// Returns whether a file may hold many frames, which its name does not tell: such files alone are opened.

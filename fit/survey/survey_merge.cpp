@@ -58,7 +58,7 @@ std::string digest_of(const SurveyReader& reader, const AnsweredBlock& block, in
     for (const auto* text : {&a.reason, &a.sha256, &a.decoding}) add(*text);
     for (const WorkAnswer& w : a.works) {
       add(survey_work_name(w.work) + w.verdict);
-      for (const auto* text : {&w.words, &w.start}) add(*text);
+      for (const auto* text : {&w.words, &w.start, &w.physics}) add(*text);
       add_number(w.chi2_per_dof);
       add(std::to_string(w.seed.value_or(-1)));
       for (const double value : w.free_values) add_number(value);

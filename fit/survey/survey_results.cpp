@@ -17,7 +17,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr std::int64_t kApplication = 0x76677376;  // "vgsv"
-constexpr int kTablesFormat = 1;
+constexpr int kTablesFormat = 2;
 
 struct TableOfSurvey {
   const char *name, *columns;
@@ -46,7 +46,7 @@ constexpr std::array<TableOfSurvey, 7> kTables = {{
     {"result",
      "(frame INTEGER NOT NULL, work TEXT NOT NULL, verdict TEXT NOT NULL, words TEXT, start TEXT, "
      "chi2_per_dof REAL, "
-     "seed INTEGER, free_values TEXT, PRIMARY KEY (frame, work)) WITHOUT ROWID"},
+     "seed INTEGER, free_values TEXT, physics TEXT, PRIMARY KEY (frame, work)) WITHOUT ROWID"},
 }};
 
 /// The further tables that vegard survey smooth writes.
@@ -98,7 +98,7 @@ std::vector<double> values_of_text(const SqliteFile& file, const std::optional<s
 }
 
 constexpr const char* kResultColumns =
-    "SELECT work, verdict, words, start, chi2_per_dof, seed, free_values FROM result ";
+    "SELECT work, verdict, words, start, chi2_per_dof, seed, free_values, physics FROM result ";
 
 WorkAnswer work_of_row(const SqliteFile& file, const SqliteStatement& row) {
   WorkAnswer answer;
@@ -111,6 +111,7 @@ WorkAnswer work_of_row(const SqliteFile& file, const SqliteStatement& row) {
   answer.chi2_per_dof = row.number_or_none(4);
   answer.seed = row.integer_or_none(5);
   answer.free_values = values_of_text(file, row.text_or_none(6));
+  answer.physics = row.text_or_none(7);
   return answer;
 }
 
@@ -184,7 +185,7 @@ SurveyWriter::SurveyWriter(SqliteFile& file)
       origin_(file, "INSERT INTO origin VALUES (?, ?, ?, ?, ?, ?)"),
       block_(file, "INSERT INTO block VALUES (?, ?, ?, ?)"),
       frame_(file, "INSERT INTO frame VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      result_(file, "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
+      result_(file, "INSERT INTO result VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       quantity_(file, "INSERT OR IGNORE INTO quantity VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
 
 void SurveyWriter::add_plan(int number, const AnsweredPlan& plan, int first_frame, int first_block) {
@@ -211,7 +212,7 @@ void SurveyWriter::add_frame(const FrameAnswer& a) {
     const char* work = survey_work_name(w.work);
     result_
         .bind_all(a.frame, work, w.verdict, w.words, w.start, w.chi2_per_dof, w.seed,
-                  values_text(w.free_values))
+                  values_text(w.free_values), w.physics)
         .run();
     for (const SurveyQuantity& q : w.quantities)
       quantity_.bind_all(a.frame, work, q.item, q.name, q.unit, q.value, q.sigma, q.trust, q.reason).run();
@@ -244,6 +245,10 @@ SurveyReader::SurveyReader(const SqliteFile& file) : file_(file) {
     origins_.push_back(origin);
   }
   if (plans_.empty() || origins_.empty()) throw bad_database(file, "has no plan");
+  // Of an empty table both are 0.
+  if (file.integer("SELECT coalesce(min(frame), 0) FROM frame") < 0 ||
+      file.integer("SELECT coalesce(max(frame), 0) FROM frame") >= std::numeric_limits<int>::max())
+    throw bad_database(file, "has a frame whose number no survey has");
 }
 
 std::vector<AnsweredBlock> SurveyReader::blocks() const {

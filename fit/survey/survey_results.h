@@ -70,6 +70,7 @@ class SurveyReader {
 
   explicit SurveyReader(const SqliteFile& file);
 
+  const std::string& name() const { return file_.name(); }
   const std::vector<AnsweredPlan>& plans() const { return plans_; }
   const std::vector<Origin>& origins() const { return origins_; }
 

@@ -103,7 +103,7 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
       throw scene_error({"'" + channel + "' is no channel", "red, green or blue", ""}, table.at("channel"));
     camera.channel = static_cast<int>(found - channels.begin());
   }
-  camera.filter = table.text("filter", "a file of scripts/learn_filter.py");
+  camera.filter = table.text("filter", "a file of scripts/learn_sky_kind.py");
   table.each("calibration", [&](SurveyTable& inner) {
     SurveyCalibration calibration;
     calibration.period = period_of(inner);

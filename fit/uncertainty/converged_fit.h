@@ -56,6 +56,12 @@ sim::EnsembleState chain_of_fit(const ConvergedFit& fit, int steps, const std::a
 // Bootstrap over the bands of a fit's photographs (band_bootstrap.h), with the model linearised about the
 // answer.
 
+/// Returns the rows of the photographs alone, in the coordinates of the Jacobians, whose mean is taken; residuals
+/// and Jacobian are divided by the inflation. Bands are as below.
+BandRows photo_rows(const std::vector<Observation>& observations, const ProfileCost& cost,
+                    const ProfileCost::Point& point, const std::vector<std::vector<double>>& jacobians,
+                    double inflation);
+
 /// Returns the rows of photographs, priors and limits at the answer, in the numbers' own coordinates. Bands
 /// are the profile's, those of several photographs one after the other; rows of other statistics belong to
 /// none. The Jacobian is the mean of those for the error bars (sampled_uncertainty.h). The residuals' component

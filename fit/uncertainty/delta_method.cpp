@@ -4,18 +4,30 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/light/tables/emission_tables.h"
+
 namespace vegard::fit {
 namespace {
 
 constexpr double kDeltaStep = 0.1;     // of a standard deviation
 constexpr double kStepWithout = 1e-4;  // of the value, or of one unit, where there is none
 
-double variance_of(const std::vector<double>& slope, const ValueUncertainty& known) {
+double variance_of(const std::vector<double>& slope, const ValueUncertainty& known,
+                   const std::vector<double>& by_mode) {
   double variance = 0.0;
   for (std::size_t j = 0; j < slope.size(); ++j)
     for (std::size_t k = 0; k < slope.size(); ++k)
       if (slope[j] != 0.0 && slope[k] != 0.0) variance += slope[j] * slope[k] * known.covariance[j][k];
-  return variance;
+  // The covariance has what the modes do by way of the free numbers: instead, all that they do.
+  double by_numbers = 0.0, by_all = 0.0;
+  for (std::size_t m = 0; m < by_mode.size(); ++m) {
+    double shift = 0.0;
+    for (std::size_t j = 0; j < slope.size(); ++j)
+      if (slope[j] != 0.0) shift += slope[j] * known.modes[m].shift[j];
+    by_numbers += shift * shift;
+    by_all += (shift + by_mode[m]) * (shift + by_mode[m]);
+  }
+  return by_mode.empty() ? variance : std::max(0.0, variance - by_numbers) + by_all;
 }
 
 /// The standard deviation of a place along a direction, in its lengths, all between the limits alike likely.
@@ -33,8 +45,9 @@ double spread_along(const std::vector<double>& direction, const std::vector<Free
 
 }  // namespace
 
-std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known) {
-  const double variance = variance_of(slope, known);
+std::optional<double> combined_sigma(const std::vector<double>& slope, const ValueUncertainty& known,
+                                     const std::vector<double>& by_mode) {
+  const double variance = variance_of(slope, known, by_mode);
   // A direction that only the limits bound spoils what owes it half of its variance.
   const auto spoils = [&](const std::vector<double>& direction) {
     double reach = std::numeric_limits<double>::infinity(), along = 0.0;
@@ -79,10 +92,18 @@ std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& number
       result[i].moves = result[i].moves || slopes[i][j] != 0.0;
     }
   }
+  const std::vector<std::vector<double>> by_mode = by_modes(numbers, result.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i].sigma = combined_sigma(slopes[i], known_);
+    const std::vector<double> by_modes_too = result[i].moves ? by_mode[i] : std::vector<double>();
+    result[i].sigma = combined_sigma(slopes[i], known_, by_modes_too);
+    for (std::size_t m = 0; m < by_modes_too.size(); ++m) {
+      double change = by_modes_too[m];
+      for (std::size_t j = 0; j < free_.size(); ++j)
+        if (slopes[i][j] != 0.0) change += slopes[i][j] * known_.modes[m].shift[j];
+      result[i].by_mode.push_back(change);
+    }
     if (!result[i].sigma) {
-      result[i].within_limits = within_limits(slopes[i]);
+      result[i].within_limits = within_limits(slopes[i], by_modes_too);
       continue;
     }
     for (std::size_t j = 0; j < free_.size(); ++j)
@@ -92,8 +113,24 @@ std::vector<DeltaMethod::Estimate> DeltaMethod::operator()(const Numbers& number
   return result;
 }
 
-std::optional<double> DeltaMethod::within_limits(const std::vector<double>& slope) const {
-  double variance = variance_of(slope, known_);
+/// Derivatives of each number by the modes' coefficients, for fixed free numbers.
+std::vector<std::vector<double>> DeltaMethod::by_modes(const Numbers& numbers, std::size_t count) const {
+  std::vector<std::vector<double>> slopes(count);
+  for (const ModeShift& mode : known_.modes) {
+    const auto at = [&](double step) {
+      sim::Scene moved = best_;
+      sim::add_to_mode(moved, mode.mode, step);
+      return numbers(moved);
+    };
+    const std::vector<double> above = at(kDeltaStep), below = at(-kDeltaStep);
+    for (std::size_t i = 0; i < count; ++i) slopes[i].push_back((above[i] - below[i]) / (2.0 * kDeltaStep));
+  }
+  return slopes;
+}
+
+std::optional<double> DeltaMethod::within_limits(const std::vector<double>& slope,
+                                                 const std::vector<double>& by_mode) const {
+  double variance = variance_of(slope, known_, by_mode);
   for (const std::vector<double>& direction : known_.undetermined) {
     double along = 0.0;
     for (std::size_t j = 0; j < slope.size(); ++j) along += slope[j] * direction[j];

@@ -49,19 +49,27 @@ void take_off_what_moves(BandRows& rows) {
 
 }  // namespace
 
+BandRows photo_rows(const std::vector<Observation>& observations, const ProfileCost& cost,
+                    const ProfileCost::Point& point, const std::vector<std::vector<double>>& jacobians,
+                    double inflation) {
+  BandRows rows;
+  rows.residual = cost.data_residual(point);
+  rows.jacobian = mean_of(jacobians);
+  rows.coordinates = rows.residual.empty() ? 0 : rows.jacobian.size() / rows.residual.size();
+  rows.band = bands_of(observations, point);
+  // The estimator weighs data by the inflation, and priors as they are; how far bands scatter does not ask.
+  for (double& r : rows.residual) r /= inflation;
+  for (double& d : rows.jacobian) d /= inflation;
+  return rows;
+}
+
 BandRows band_rows(const ConvergedFit& fit, int threads) {
   const std::size_t n = fit.free.size();
   EvaluationLog uncounted;
   const ProfileCost cost(fit.free, cost_terms(fit.observations, fit.free, Detail::full), uncounted);
   const ProfileCost::Point point = cost.at(fit.values, true);
-  BandRows rows;
-  rows.coordinates = n;
-  rows.residual = cost.data_residual(point);
-  rows.jacobian = mean_of(sampled_jacobians(fit.observations, fit.free, fit.values, {}, threads));
-  rows.band = bands_of(fit.observations, point);
-  // The estimator weighs data by the inflation, and priors as they are; how far bands scatter does not ask.
-  for (double& r : rows.residual) r /= fit.inflation;
-  for (double& d : rows.jacobian) d /= fit.inflation;
+  BandRows rows = photo_rows(fit.observations, cost, point,
+                             sampled_jacobians(fit.observations, fit.free, fit.values, {}, threads), fit.inflation);
 
   PriorRows priors(fit.free);
   append_rows(fit.prior, fit.observations.front().scene, 1.0, priors);

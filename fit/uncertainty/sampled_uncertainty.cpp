@@ -54,7 +54,7 @@ Uncertainty no_uncertainty(std::size_t coordinates, double inflation) {
 Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
                                 const std::vector<FreeNumber>& free, const std::vector<double>& values,
                                 const SplinePrior& prior, const std::vector<PhaseAnchor>& anchors,
-                                double inflation, int threads) {
+                                double inflation, const std::vector<std::vector<double>>& jacobians) {
   const std::size_t n = free.size();
   const ProfileCost::Options anchored = {{}, {}, {}, 1.0, anchors};
   EvaluationLog closing;
@@ -75,16 +75,34 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
   }
   for (const SplineLine& line : prior.lines)
     for (const int j : line.numbers) known.has_prior[j] = true;
-  return uncertainty(sampled_jacobians(observations, free, values, anchors, threads), here.data_residuals(),
-                     static_cast<int>(n), known, inflation);
+  return uncertainty(jacobians, here.data_residuals(), static_cast<int>(n), known, inflation);
+}
+
+namespace {
+
+/// d (coordinate of the phase at the sheet's start) / d (coordinate of the wavelength) at a fixed phase in view.
+double phase_by_wavelength(const PhaseAnchor& a, const std::vector<FreeNumber>& moved,
+                           const std::vector<double>& values) {
+  const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };
+  return -a.slope(values[a.wavelength]) * slope_of(a.wavelength) / slope_of(a.phase);
+}
+
+}  // namespace
+
+void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
+                     const std::vector<double>& values, std::vector<double>& jacobian) {
+  for (const PhaseAnchor& a : anchors) {
+    const double by_wavelength = phase_by_wavelength(a, moved, values);
+    for (std::size_t row = 0; row < jacobian.size(); row += moved.size())
+      jacobian[row + a.wavelength] -= by_wavelength * jacobian[row + a.phase];
+  }
 }
 
 void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
                      const std::vector<double>& values, Uncertainty& u) {
   const std::size_t n = moved.size();
-  const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };
   for (const PhaseAnchor& a : anchors) {
-    const double by_wavelength = -a.slope(values[a.wavelength]) * slope_of(a.wavelength) / slope_of(a.phase);
+    const double by_wavelength = phase_by_wavelength(a, moved, values);
     for (std::size_t k = 0; k < n; ++k)
       u.covariance[a.phase][k] += by_wavelength * u.covariance[a.wavelength][k];
     for (std::size_t k = 0; k < n; ++k)
@@ -109,6 +127,7 @@ StepOutput output_of(const Uncertainty& u) {
   output.numbers["covariance"] = flat(u.covariance);
   output.numbers["undetermined"] = flat(u.undetermined);
   output.numbers["inflation"] = {u.inflation};
+  output.numbers["by bands"] = u.by_bands;
   return output;
 }
 
@@ -121,6 +140,7 @@ Uncertainty uncertainty_of(const StepOutput& output, std::size_t free) {
   if (free * u.undetermined.size() != output.numbers_at("undetermined").size())
     throw output.error_at("undetermined");
   u.inflation = output.number_at("inflation");
+  u.by_bands = output.numbers_at("by bands", free);
   return u;
 }
 

@@ -10,11 +10,12 @@
 
 namespace vegard::fit {
 
-/// Computes the error bars in the solver's coordinates with these anchors.
+/// Computes the error bars in the solver's coordinates with these anchors, from the Jacobians of
+/// sampled_jacobians().
 Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
                                 const std::vector<FreeNumber>& free, const std::vector<double>& values,
                                 const SplinePrior& prior, const std::vector<PhaseAnchor>& anchors,
-                                double inflation, int threads);
+                                double inflation, const std::vector<std::vector<double>>& jacobians);
 
 /// Returns the variance, in the solver's coordinate, of a number of which only the limits are known. A value
 /// with a uniform distribution between two limits, on its own scale, has a logistic distribution in the
@@ -29,6 +30,10 @@ Uncertainty no_uncertainty(std::size_t coordinates, double inflation);
 /// without anchors. In `moved`, start_wavelength_km is that of `values`.
 void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
                      const std::vector<double>& values, Uncertainty& uncertainty);
+
+/// The same for a Jacobian, row-major [residual][coordinate].
+void without_anchors(const std::vector<PhaseAnchor>& anchors, const std::vector<FreeNumber>& moved,
+                     const std::vector<double>& values, std::vector<double>& jacobian);
 
 /// Convert an uncertainty to a step's output, and back.
 StepOutput output_of(const Uncertainty& uncertainty);

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kUncertaintyRankTolerance = 1e-12;
 constexpr double kStandardErrors = 2.0;
-constexpr double kLeans = 0.1;      // of the largest part of an undetermined direction: what belongs to it
-constexpr double kLeftOpen = 0.25;  // of the variance inside the limits
+constexpr double kLeans = 0.1;  // of the largest part of an undetermined direction: what belongs to it
 constexpr double kAsGoodAsNoLimit = 1e5;  // standard deviations
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -6,6 +6,15 @@
 
 namespace vegard::fit {
 
+/// What a mode of the emission tables' uncertainty (sim/light/tables/light_modes.h) does to an answer, by one
+/// standard deviation of its coefficient and to first order.
+struct ModeShift {
+  int mode = 0;               ///< from 0
+  std::vector<double> shift;  ///< of every coordinate; its squares are part of the covariance
+  /// Changes of each photograph's gains and sky at fixed coordinates, [photograph][coefficient].
+  std::vector<std::vector<double>> coefficients;
+};
+
 struct Uncertainty {
   std::vector<double> sigma;  ///< of every coordinate; NaN where the data do not determine it
   std::vector<std::vector<double>> correlation;  ///< zeros for coordinates without an error bar
@@ -14,8 +23,15 @@ struct Uncertainty {
   std::vector<std::vector<double>> covariance;
   /// Directions that the data do not determine, each with a largest component of 1.
   std::vector<std::vector<double>> undetermined;
-  double inflation = 1.0;  ///< already applied to sigma
+  double inflation = 1.0;          ///< already applied to sigma
+  /// By how much more the scatter of the bands widens the error bar of every coordinate (band_scatter.h); not
+  /// applied yet.
+  std::vector<double> by_bands{};
+  std::vector<ModeShift> modes{};  ///< of physics_uncertainty.h
 };
+
+/// Share of the variance inside a coordinate's limits above which it is undetermined.
+inline constexpr double kLeftOpen = 0.25;
 
 /// Knowledge of the coordinates from other sources than the data.
 struct PriorKnowledge {

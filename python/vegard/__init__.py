@@ -8,6 +8,7 @@ All light is linear unless a name says otherwise; units are in the names.
 """
 
 from ._vegard import (
+    AnswerPart,
     Calibration,
     Camera,
     Cost,
@@ -35,6 +36,7 @@ from ._vegard import (
 )
 
 __all__ = [
+    "AnswerPart",
     "Calibration",
     "Camera",
     "Cost",

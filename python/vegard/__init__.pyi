@@ -102,6 +102,9 @@ class Scene:
         sparsity: float = 0.0,
         farthest_km: float = 0.0,
         altitude_scale: float = 1.0,
+        spectrum: str = "maxwellian",
+        spread: float | None = None,
+        kappa: float | None = None,
         progress: _Progress = None,
         stop: Event | None = None,
     ) -> Map: ...
@@ -326,11 +329,23 @@ class MeasureStage:
     @property
     def numbers(self) -> dict[str, Any] | None: ...
 
+class AnswerPart:
+    @property
+    def name(self) -> str: ...
+    @property
+    def trust(self) -> str: ...
+    @property
+    def reasons(self) -> list[str]: ...
+
 class Measurement:
     @property
     def trust(self) -> str: ...
     @property
     def answer(self) -> list[str]: ...
+    @property
+    def parts(self) -> list[AnswerPart]: ...
+    @property
+    def not_known(self) -> list[str]: ...
     @property
     def out(self) -> str: ...
     @property

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <iterator>
 
 namespace vegard::sim {
 namespace {
@@ -78,6 +80,136 @@ std::optional<double> read_moment(TimeReader& in, bool separated, std::string_vi
   return seconds_of(year, month, day, hour, minute, second, fraction);
 }
 
+/// What stands behind the time in a name, or before it.
+namespace zone_in_name {
+
+/// Zones whose offset depends on who wrote them, or on the season, and "local time".
+constexpr std::string_view kUnclear[] = {
+    "CET",  "CEST", "EET", "EEST", "WET",  "WEST",  "MET",   "MEST", "MEZ",  "MESZ", "MSK",
+    "BST",  "IST",  "EST", "EDT",  "CST",  "CDT",   "MST",   "MDT",  "PST",  "PDT",  "AKST",
+    "AKDT", "HST",  "AST", "ADT",  "NST",  "NDT",   "AEST",  "AEDT", "ACST", "ACDT", "AWST",
+    "NZST", "NZDT", "JST", "KST",  "SAST", "YEKT",  "OMST",  "KRAT", "IRKT", "YAKT", "VLAT",
+    "MAGT", "PETT", "LT",  "LST",  "LMT",  "LOCAL", "Local", "local"};
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_universal(std::string_view word) {
+  for (const char* one : {"Z", "UTC", "UT", "GMT", "utc", "gmt", "Utc"})
+    if (word == one) return true;
+  return false;
+}
+
+bool is_unclear(std::string_view word) {
+  return std::find(std::begin(kUnclear), std::end(kUnclear), word) != std::end(kUnclear);
+}
+
+struct Reader {
+  std::string_view rest;
+  bool is_iso = false;
+  bool is_behind_utc = false;
+
+  std::size_t digits(std::size_t from) const {
+    std::size_t count = 0;
+    while (from + count < rest.size() && is_digit(rest[from + count])) ++count;
+    return count;
+  }
+  int number(std::size_t from, std::size_t count) const {
+    int value = 0;
+    for (std::size_t i = 0; i < count; ++i) value = 10 * value + (rest[from + i] - '0');
+    return value;
+  }
+
+  /// An offset at the beginning of the rest. Returns false for what is none.
+  bool read_offset(TimeInName& time) {
+    const char sign = rest[0];
+    const std::size_t count = digits(1);
+    int hours = 0, minutes = 0;
+    std::size_t end = 1 + count;
+    if (count == 4) {
+      hours = number(1, 2);
+      minutes = number(3, 2);
+    } else if (count == 2 || (count == 1 && is_behind_utc)) {
+      hours = number(1, count);
+      const bool goes_on = end + 1 < rest.size() && (rest[end] == ':' || (sign == '+' && rest[end] == '-')) &&
+                           digits(end + 1) == 2;
+      if (goes_on) {
+        minutes = number(end + 1, 2);
+        end += 3;
+      } else if (sign == '-' && !is_iso && !is_behind_utc) {
+        return false;
+      }
+    } else {
+      return false;
+    }
+    const int offset = (sign == '-' ? -1 : 1) * (60 * hours + minutes);
+    if (minutes < 60 && is_zone(offset)) {
+      time.offset_minutes = offset;
+    } else {
+      // Behind a - it is the number of a picture.
+      if (sign == '-' && !is_behind_utc) return false;
+      time.unclear = std::string(rest.substr(0, end));
+    }
+    return true;
+  }
+
+  void read_half_of_day(std::string_view word, TimeInName& time) const {
+    constexpr double kHour_s = 3600.0, kHalf_s = 12.0 * kHour_s;
+    const double of_day = time.clock_s - std::floor(time.clock_s / kUtcSecondsPerDay) * kUtcSecondsPerDay;
+    const int hour = static_cast<int>(of_day / kHour_s);
+    const bool is_after_noon = word[0] == 'P' || word[0] == 'p';
+    if (hour > 12 || hour == 0) {
+      // 22 h PM is clear, 22 h AM and 0 h PM are not.
+      if (is_after_noon != (hour > 12)) time.unclear = std::to_string(hour) + " h " + std::string(word);
+      return;
+    }
+    if (is_after_noon && hour < 12) time.clock_s += kHalf_s;
+    if (!is_after_noon && hour == 12) time.clock_s -= kHalf_s;
+  }
+
+  void read(TimeInName& time) {
+    constexpr int kMostWords = 3;
+    for (int word = 0; word < kMostWords && !time.offset_minutes.has_value(); ++word) {
+      std::size_t skipped = 0;
+      while (skipped < rest.size() && skipped < 2 &&
+             std::string_view("_ .(").find(rest[skipped]) != rest.npos)
+        ++skipped;
+      rest.remove_prefix(skipped);
+      if (rest.empty()) return;
+      if ((rest[0] == '+' || rest[0] == '-') && read_offset(time)) return;
+      if (rest[0] == '-') rest.remove_prefix(1);
+      std::size_t letters = 0;
+      while (letters < rest.size() && is_letter(rest[letters])) ++letters;
+      const std::string_view text = rest.substr(0, letters);
+      rest.remove_prefix(letters);
+      if (text == "AM" || text == "PM" || text == "am" || text == "pm") {
+        read_half_of_day(text, time);
+      } else if (is_universal(text)) {
+        is_behind_utc = text != "Z";
+        if (is_behind_utc && !rest.empty() && (rest[0] == '+' || rest[0] == '-') && read_offset(time)) return;
+        time.offset_minutes = 0;
+      } else if (is_unclear(text)) {
+        time.unclear = std::string(text);
+        return;
+      } else {
+        return;
+      }
+    }
+  }
+};
+
+/// "UTC_20190301_231003"
+void read_before(std::string_view before, TimeInName& time) {
+  while (!before.empty() && std::string_view("_-. ").find(before.back()) != before.npos)
+    before.remove_suffix(1);
+  std::size_t letters = 0;
+  while (letters < before.size() && is_letter(before[before.size() - 1 - letters])) ++letters;
+  const std::string_view word = before.substr(before.size() - letters);
+  if (word.size() > 1 && is_universal(word)) time.offset_minutes = 0;
+  if (is_unclear(word)) time.unclear = std::string(word);
+}
+
+}  // namespace zone_in_name
+
 }  // namespace
 
 int days_in_month(int year, int month) {
@@ -126,6 +258,15 @@ std::optional<int> offset_minutes(const std::string& text) {
   return (text[0] == '-' ? -1 : 1) * (60 * hours + minutes);
 }
 
+bool is_zone(int minutes) { return minutes % 15 == 0 && minutes >= -12 * 60 && minutes <= 14 * 60; }
+
+std::string zone_text(int minutes) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%c%02d:%02d", minutes < 0 ? '-' : '+', std::abs(minutes) / 60,
+                std::abs(minutes) % 60);
+  return text;
+}
+
 CivilTime minutes_later(CivilTime time, int minutes) {
   const int of_day = 60 * time.hour + time.minute + minutes;
   const int days = of_day >= 0 ? of_day / 1440 : -((1439 - of_day) / 1440);
@@ -162,13 +303,31 @@ std::string in_utc(const std::string& iso) {
   return seconds ? utc_text(*seconds) : iso;
 }
 
-std::optional<double> utc_seconds_in_name(std::string_view file_name) {
+double resolution_s(std::string_view iso) {
+  const std::size_t clock = iso.find_first_of("T ");
+  if (clock == std::string_view::npos) return static_cast<double>(kUtcSecondsPerDay);
+  std::string_view time = iso.substr(clock + 1);
+  time = time.substr(0, time.find_first_of("Z+-"));
+  if (std::count(time.begin(), time.end(), ':') < 2) return 60.0;
+  const std::size_t point = time.find('.');
+  return point == std::string_view::npos ? 1.0
+                                         : std::pow(10.0, -static_cast<double>(time.size() - point - 1));
+}
+
+std::optional<TimeInName> time_in_name(std::string_view file_name) {
   for (std::size_t begin = 0; begin < file_name.size(); ++begin) {
     if (begin > 0 && is_digit(file_name[begin - 1])) continue;
     for (const bool separated : {false, true}) {
       TimeReader in{file_name, begin};
       const std::optional<double> seconds = read_moment(in, separated, "T_- ", ":-_");
-      if (seconds && !in.digit_next()) return seconds;
+      if (!seconds || in.digit_next()) continue;
+      TimeInName time;
+      time.clock_s = *seconds;
+      const bool is_iso = file_name.substr(begin, in.at - begin).find('T') != std::string_view::npos;
+      zone_in_name::Reader{file_name.substr(in.at), is_iso}.read(time);
+      if (!time.offset_minutes && time.unclear.empty())
+        zone_in_name::read_before(file_name.substr(0, begin), time);
+      return time;
     }
   }
   return std::nullopt;

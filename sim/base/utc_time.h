@@ -28,6 +28,12 @@ std::optional<CivilTime> civil_time(const std::string& iso_text);
 /// Parses "Z", "+05:30", "-0700", "+01", at most 14 hours, east positive; nothing for any other text.
 std::optional<int> offset_minutes(const std::string& text);
 
+/// True for clock minus UTC of a time zone: a multiple of 15 minutes from -12 to +14 h.
+bool is_zone(int minutes);
+
+/// "+05:30", "-07:00"
+std::string zone_text(int minutes);
+
 /// Returns the time `minutes` later, or earlier if negative; less than a month.
 CivilTime minutes_later(CivilTime time, int minutes);
 
@@ -46,10 +52,27 @@ std::optional<double> utc_seconds(std::string_view iso);
 /// unchanged.
 std::string in_utc(const std::string& iso);
 
+/// Returns the unit of the last digit of such a time, in seconds: 60 of "2015-10-07T08:23", 1 of whole
+/// seconds, 0.001 of milliseconds.
+double resolution_s(std::string_view iso);
+
+/// The time in a picture's name.
+struct TimeInName {
+  double clock_s = 0.0;               ///< as it is written, counted from 1970 as by utc_seconds()
+  std::optional<int> offset_minutes;  ///< of the zone that the name gives: Z, UTC, +0100, -05:00
+  std::string unclear;  ///< what may be a zone of unknown offset, or no time: "CET", "+0107", "22 h AM"
+
+  /// By the zone in the name; taken for UTC without one.
+  double utc_s() const { return clock_s - 60.0 * offset_minutes.value_or(0); }
+};
+
 /// Finds the first time in a picture's name: date and time as 8 and 6 digits, with at most one character (T,
 /// _, - or a blank) between, and a fraction after a full stop ("PKR_DASC_0558_20151007_082351.743"), or in
-/// ISO form with -, _ or : for the colons ("2015-10-07T08-23-51"). Nothing if there is none.
-std::optional<double> utc_seconds_in_name(std::string_view file_name);
+/// ISO form with -, _ or : for the colons ("2015-10-07T08-23-51"). Behind it may stand AM or PM and a zone,
+/// at once or after _, - or a blank: Z, UTC, GMT, "+0100", "+01:00", "+01", "-0500", "UTC+1". An offset
+/// behind - needs four digits of a zone, and two are enough in ISO form with a T: what else follows a - is a
+/// number of the picture. Nothing if there is no time.
+std::optional<TimeInName> time_in_name(std::string_view file_name);
 
 /// Returns "2015-10-07T08:23:51.743Z": to the millisecond, without a fraction of zero.
 std::string utc_text(double seconds);

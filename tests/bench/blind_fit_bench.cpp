@@ -46,7 +46,7 @@ struct Case {
 fit::Photo photographed(const scorecard::Truth& truth) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / fmt::format("vegard-blind-fit-{}.jpg", getpid());
-  std::ofstream(file, std::ios::binary) << scorecard::photograph(truth, 1).jpeg;
+  std::ofstream(file, std::ios::binary) << scorecard::photograph(truth, 1).bytes;
   fit::Photo photo = fit::read_photo(file.string(), fit::Decoding::automatic);
   std::filesystem::remove(file);
   return photo;

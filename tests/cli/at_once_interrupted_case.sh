@@ -40,3 +40,19 @@ interrupted INT 130 profile photo.ppm -o out.csv
 interrupted INT 130 mask photo.ppm --stars -o out.png
 interrupted INT 130 sdf photo.tif --threshold 0.4 -o out.exr
 interrupted INT 130 calibrate stars.csv --image photo.ppm -o out.toml
+interrupted TERM 143 brightness "$SCENES/small.toml" --set sheet.main.beams=3000000 --threads 1
+# A folder that is not finished goes with its files.
+"$VEGARD" tables -o out --threads 1 >"$stdout" 2>"$stderr" &
+job=$!
+wait_until_interruptible "$job"
+for _ in $(seq 500); do
+  compgen -G '.out.partial-*' >/dev/null && break
+  sleep 0.02
+done
+compgen -G '.out.partial-*' >/dev/null || fail "no folder was begun"
+touch "$(compgen -G '.out.partial-*')/half.csv"
+kill -TERM "$job"
+status=0
+wait "$job" || status=$?
+[[ $status -eq 143 ]] || fail "exit $status instead of 143"
+expect_only photo.ppm photo.tif stars.csv

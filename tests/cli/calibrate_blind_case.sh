@@ -3,8 +3,9 @@ source "$(dirname "$0")/case.sh"
 source "$SOURCE/tests/cli/star_field.sh"
 sky_to 0 >sky.pgm
 # Without time: the place in the sky, and a table of the stars.
-expect_exit 0 calibrate --image sky.pgm --decoding linear --stars-out stars.csv
+expect_exit 0 calibrate --image sky.pgm --decoding linear --stars-out stars.csv --overlay seen.png
 expect_stdout "Recognised"
+expect_starts seen.png 89504e47
 expect_stdout "right ascension 9"
 grep -q 'Betelgeuse,88\.' stars.csv || fail "no Betelgeuse among the stars"
 awk -F, '$1 == "Rigel" && ($2 < 78.5 || $2 > 78.8) { exit 1 }' stars.csv || fail "Rigel elsewhere"
@@ -34,6 +35,24 @@ awk 'BEGIN { srand(3); print "P2 300 200 65535"; for (p = 0; p < 60000; ++p) pri
 expect_exit 5 calibrate --image noise.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o none.toml
 expect_stdout "What would help"
 [[ ! -e none.toml ]] || fail "a camera out of noise"
+# Nor from an earlier camera, whose lens is held or not.
+for held in "" "--free rotation,centre" "--free rotation --twist 180"; do
+  # shellcheck disable=SC2086  # the words of options
+  expect_exit 5 calibrate --image noise.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z --camera camera.toml $held \
+    -o none.toml
+  [[ ! -e none.toml ]] || fail "a camera out of noise and an earlier one"
+done
+# The earlier camera with its own picture: what was held out is told, and where.
+expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z --camera camera.toml \
+  --free rotation,centre -o turned.toml --residuals turned.csv
+expect_stdout "held out"
+expect_stdout "points of light"
+grep -q '^# stars held out' turned.toml || fail "nothing held out in turned.toml"
+head -1 turned.csv | grep -q 'region,without_region_dx_px,without_region_dy_px' || fail "no regions in turned.csv"
+expect_exit 0 calibrate --image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z -o with_stars.toml \
+  --stars-out placed.csv
+grep -q '^# stars held out' placed.csv || fail "nothing held out in placed.csv"
+expect_exit 0 calibrate placed.csv --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z -o placed.toml
 # What belongs together.
 expect_exit 2 calibrate stars.csv --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z
 expect_stderr "-o CAMERA.toml"

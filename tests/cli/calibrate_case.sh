@@ -140,6 +140,21 @@ expect_stderr "crop.corr: --time"
 expect_exit 0 calibrate stars.csv -o given.toml --image sky.fits --site 65,20,100 --time 2021-01-01T20:00:00Z
 grep -q '^time_utc = "2021-01-01T20:00:00Z"' given.toml || fail "--time does not win"
 ! grep -q 'from the photograph' "$stdout" || fail "something was taken all the same"
+# One lens for two tables, an attitude for each.
+awk -F, -v OFS=, 'NR > 1 { $2 = ($2 + 40) % 360 } { print }' stars.csv >later.csv
+expect_exit 0 calibrate stars.csv later.csv --same-lens -o same.toml --size 64,48 --lens equidistant --residuals same.csv
+for file in same.toml same.2.toml; do
+  awk '/^focal_px/ && ($3 < 14.999 || $3 > 15.001) { exit 1 }' $file || fail "another scale in $file"
+done
+diff <(grep '^focal_px' same.toml) <(grep '^focal_px' same.2.toml) >/dev/null || fail "two lenses"
+[[ $(wc -l <same.csv) -eq 25 ]] || fail "not a line for every star of both"
+expect_exit 2 calibrate stars.csv later.csv -o no.toml --size 64,48
+expect_stderr "--same-lens"
+expect_exit 2 calibrate stars.csv --same-lens -o no.toml --size 64,48
+expect_stderr "--same-lens"
+# No star is left out where none is to be.
+expect_exit 0 calibrate mistaken.csv -o kept_all.toml --size 64,48 --keep-all
+expect_stdout "over 12 of 12 stars"
 # What is refused.
 expect_exit 2 calibrate -o no.toml --offset 1,2 --image stars.csv --camera camera.toml
 expect_stderr "--offset"

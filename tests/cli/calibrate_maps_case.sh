@@ -21,6 +21,9 @@ expect_exit 0 profile sky.png -o maps.csv $maps --azimuths 350,0,10 --elevation-
 expect_exit 0 profile sky.png -o camera.csv --scene "$scene" --camera camera.toml --azimuths 350,0,10 --elevation-step 5
 paste -d, <(grep -v '^#' maps.csv | tail -n +2 | cut -d, -f1,2,10) <(grep -v '^#' camera.csv | tail -n +2 | cut -d, -f1,2,10) |
   awk -F, '$1 != $4 || $2 != $5 || $3 - $6 > 3 || $6 - $3 > 3 { exit 1 } END { exit NR < 30 }' || fail "maps and camera disagree"
+# Separate maps are flipped as skymaps are: the mirror image of a mirror image is none.
+expect_exit 0 calibrate $maps -o flipped.toml --lens equisolid --skymap-flip columns
+! grep -q '^mirrored = true' flipped.toml || fail "mirrored all the same"
 # What is refused.
 refused() {  # EXIT WORDS ARGUMENTS...
   local code=$1 words=$2

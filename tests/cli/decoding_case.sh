@@ -4,7 +4,7 @@ source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/small.toml" -o photo.png
 printf 'linear,encoded\n0,0\n0.2,0.5\n1,1\n' >curve.csv
 mean() { awk -F, '!/^#/ && head++ { sum += $5 } END { print sum }' "$1"; }
-for pair in 'srgb|sRGB (8-bit PNG, as asked)' 'auto|sRGB (8-bit PNG, assumed)' 'srgb:1.3|sRGB^1.3 (8-bit PNG, as asked)' \
+for pair in 'srgb|sRGB (8-bit PNG, as asked)' 'auto|sRGB (8-bit PNG, by its PNG sRGB)' 'srgb:1.3|sRGB^1.3 (8-bit PNG, as asked)' \
   'srgb:1.3:0.8|sRGB^1.3 to 0.8 (8-bit PNG, as asked)' 'linear|linear (8-bit PNG, as asked)' \
   'gamma:2.2|gamma 2.2 (8-bit PNG, as asked)' 'curve:curve.csv|curve curve.csv, SHA-256 ' \
   'unknown|unknown, taken as sRGB (8-bit PNG, as asked)' \

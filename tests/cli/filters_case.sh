@@ -12,7 +12,7 @@ expect_exit 0 profile --line 557.7=green.pgm --line 630=red.pgm -o out.csv
 grep -q '^# r: 557.7 nm, green.pgm, sha256 [0-9a-f]\{64\}$' out.csv || fail "the filter of red is not told"
 grep -q '^# g: 630 nm, red.pgm, sha256' out.csv || fail "the filter of green is not told"
 grep -q '^# b: no file$' out.csv || fail "it is not told that blue has no file"
-grep -q '^# decoding: one file per filter: 557.7 nm linear (16-bit PGM, assumed); 630 nm ' out.csv ||
+grep -q '^# decoding: one file per filter: 557.7 nm linear (16-bit PGM, assumed; --decoding overrides); 630 nm ' out.csv ||
   fail "the decoding is not told"
 
 expect_exit 2 profile green.pgm --line 630=red.pgm -o none.csv

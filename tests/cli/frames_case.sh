@@ -33,6 +33,7 @@ expect_stdout "#3     2014-03-10T06:03:09.012345Z  0.999 s"
 expect_stdout 'site.latitude_deg = 56.35 (PGM comment "Geodetic latitude")'
 ! grep -q "site.time_utc" "$stdout" || fail "a time that is one frame's is told of all"
 expect_exit 0 describe $four#2 -o start.toml
+expect_stdout "note: | linear light is assumed; --decoding overrides"
 expect_stdout 'site.time_utc = "2014-03-10T06:03:06.012345Z" (PGM comment "Image request start")'
 grep -q '^exposure_s = 0.999  # PGM' start.toml || fail "the scene has no exposure"
 expect_exit 2 describe $four -o other.toml

@@ -113,7 +113,7 @@ refused() {  # EXIT WORDS ARGUMENTS...
 }
 refused 2 "azimuths | elevations" --skymap sky.sav --azimuth-map maps_az.fits
 refused 2 "flipped" --skymap sky.sav --skymap-flip sky
-refused 2 "no skymap" --azimuth-map maps_az.fits --skymap-flip rows
+refused 2 "no skymap" --skymap-flip rows --image sky.png
 refused 3 "azimuth" --skymap asi.cdf
 refused 3 "missing.sav" --skymap missing.sav
 refused 3 "one plane" --skymap maps_az.fits

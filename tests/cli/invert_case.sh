@@ -38,7 +38,7 @@ expect_stdout "contradict each other"
 expect_file against.json
 invert 0 --line 427.8=2300±50 --free flux --energy-kev 5
 expect_stdout "held"
-for spectrum in gaussian mono; do
+for spectrum in gaussian mono kappa; do
   invert 0 "${three[@]}" --model-error 20 --spectrum $spectrum
   expect_stdout "electrons: $spectrum"
 done
@@ -46,6 +46,27 @@ invert 0 --line 427.8=2300 --line 630.0=330 --relative-error 5 --threads 1
 cp "$stdout" one.txt
 invert 0 --line 427.8=2300±5% --line 630.0=330±5% --threads 2
 expect_same "$stdout" one.txt
+
+# A soft component: given, found, and asked for by lines that one Maxwellian does not make (6 keV and 0.3 keV, GLOW's tables: 2.6 mW m-2, of which 0.76 soft).
+invert 0 "${three[@]}" --soft-ratio 0.02 --soft-kev 0.2
+expect_stdout "a Maxwellian of 0.2 keV"
+two=(--line 427.8=584±3% --line 557.7=2504±3% --line 630.0=1159±3% --line 844.6=369±3% --tables glow)
+invert 5 "${two[@]}" -o asks.json
+expect_stdout "another spectrum | soft"
+grep -qF '"soft_ratio": 0.' asks.json || fail "the trial with a soft component is not in JSON"
+invert 0 "${two[@]}" --free energy,flux,soft
+expect_stdout "soft flux / rest"
+
+# A night: rows together, with what is not of lines copied; the same for every number of threads.
+printf 'hour,427.8,557.7,557.7_error,630.0\n8.0,2361,9838,300,348\n8.1,1180,4900,150,210\n8.2,2500,9000,280,300\n' >night.csv
+invert 0 --table night.csv --relative-error 3 -o electrons.csv --threads 1
+expect_stdout "by 3 rows"
+[[ $(grep -vc '^#' electrons.csv) -eq 4 ]] || fail "not a row for each row"
+grep -q '^hour,energy_flux_mw_m2,energy_flux_mw_m2_68_low' electrons.csv || fail "columns of the table"
+cp electrons.csv first.csv
+invert 0 --table night.csv --relative-error 3 -o electrons.csv --threads 2 --overwrite
+expect_same electrons.csv first.csv
+invert 0 --table night.csv --relative-error 3 -o exact.csv --uncertainty none
 
 # Tables of one's own, with several amounts of atomic oxygen: twice of it halves the red line of the same electrons.
 cp -r "$SOURCE/data/glow" own
@@ -71,6 +92,13 @@ refuses() {
   expect_stderr "$text"
 }
 refuses 2 "no line"
+refuses 2 "--kappa" "${three[@]}" --kappa 4
+refuses 2 "--soft-kev" "${three[@]}" --soft-kev 0.2
+refuses 2 "3 unknowns" --line 427.8=2300±50 --line 630.0=330±15 --free energy,flux,soft
+refuses 2 "--output" --table night.csv --relative-error 3
+refuses 3 "error of 427.8 nm" --table night.csv -o new.csv
+printf 'hour,blue\n8,1\n' >no_lines.csv
+refuses 3 "no_lines.csv | 427.8_error" --table no_lines.csv --relative-error 3 -o new.csv
 refuses 2 "no line | 500 nm" --line 500=1±1 --line 630.0=5±1
 refuses 2 "no line | 656.3 nm" --line 656.3=1±1 --line 630.0=5±1
 refuses 2 "brightness of 427.8 nm | -3" --line 427.8=-3±1 --line 630.0=5±1
@@ -137,6 +165,9 @@ EOF
 # Most of the pixels with light contradict the tables.
 invert 5 --map 427.8=blue.fits --map 557.7=blue.fits --map 630.0=blue.fits --relative-error 3 -o against.fits --uncertainty none
 expect_file against.fits
+invert 0 "${maps[@]}" "${errors[@]}" -o common.fits --common-physics
+invert 0 "${maps[@]}" "${errors[@]}" -o soft.fits --free energy,flux,soft
+grep -aq PLANE11 soft.fits || fail "no plane of the soft component"
 # An image of errors, and lines as a rendering has them.
 invert 0 "${maps[@]}" --relative-error 5 --error 630.0=blue.fits -o with_errors.nc
 expect_exit 0 render "$SCENES/small.toml" --lines lines.exr -o photo.png

@@ -74,6 +74,9 @@ expect_exit 2 keogram a.png b.png -o no.csv --width 200
 expect_stderr "--width"
 expect_exit 2 keogram a.png b.png -o no.csv --roi 100,0,100,100
 expect_stderr "--roi"
+expect_exit 2 keogram night.mp4 -o no.png
+expect_stderr "ffmpeg -i night.mp4"
+expect_one_message
 expect_exit 2 profile a.png b.png -o no.csv
 expect_stderr "--keogram"
 expect_exit 2 profile a.png
@@ -90,4 +93,12 @@ expect_exit 3 keogram a.png cut.png b.png -o no.csv
 expect_stderr cut.png
 expect_one_message
 expect_exit 6 keogram a.png b.png -o nowhere/no.csv
+# A full disk, in netCDF as well.
+for full in no.nc no.csv; do
+  status=0
+  (ulimit -f 4 && exec "$VEGARD" keogram a.png b.png -o "$full" >"$stdout" 2>"$stderr") || status=$?
+  [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a full disk: $full"
+  expect_one_message
+  expect_stderr "$full"
+done
 [[ -z $(find . -name '*no.*') ]] || fail "something was written"

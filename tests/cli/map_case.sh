@@ -4,13 +4,15 @@ expect_exit 0 render "$SCENES/map_light.toml" -o photo.png
 # The sensor is not calibrated: the flux is relative, and the exit code says that something is to be taken with care.
 expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out run --replicates 2 --sparsity 16 --threads 2
 for file in map.json precipitation.fits curtains.csv model.exr residual.exr report.html; do expect_file "run/$file"; done
-expect_stdout "curtains: good"
+expect_stdout "explained: good"
 expect_stdout "relative: "
 expect_starts run/precipitation.fits 53494d504c4520203d
 grep -q "^curtain,point,east_km,north_km,distance_km," run/curtains.csv || fail "another head of the table"
 grep -qF "FLUXCAL = 'relative'" run/precipitation.fits || fail "a scale that nobody knows"
-expect_exit 0 map "$SCENES/map.toml" --photo photo.png --out calibrated --replicates 2 --sparsity 16 --threads 1 \
+# With it the flux is good; the height of the border is not to be had from one station.
+expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out calibrated --replicates 2 --sparsity 16 --threads 1 \
   --set sensor.calibration_error=0.1
+expect_stdout "lower border: doubtful"
 for file in curtains.csv model.exr residual.exr; do expect_same "run/$file" "calibrated/$file"; done
 
 # An existing map stays; with --overwrite it is replaced, but nothing that is not ours.
@@ -30,10 +32,19 @@ set -m
 interrupt $!
 [[ $status -eq 130 || $status -eq 5 ]] || fail "exit $status instead of 130"
 if [[ $status -eq 130 ]]; then
-  grep -q '"interrupted": true' cut/map.json || fail "another end"
+  # Before there was a map nothing is written but the journal.
+  [[ ! -e cut/map.json ]] || grep -q '"interrupted": true' cut/map.json || fail "another end"
   expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out cut --replicates 2 --sparsity 16 --resume
 fi
 for file in precipitation.fits curtains.csv model.exr; do expect_same "run/$file" "cut/$file"; done
+
+# Of another spectrum, which is written down.
+expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out narrow --replicates 0 --sparsity 16 --spectrum gaussian \
+  --spread 0.1 --netcdf
+grep -q '"spectrum": "gaussian"' narrow/map.json || fail "no spectrum"
+grep -q '"spread": 0.1' narrow/map.json || fail "no spread"
+grep -qF "SPECTRUM= 'gaussian" narrow/precipitation.fits || fail "no spectrum in the header"
+! grep -qF "SPECTRUM=" run/precipitation.fits || fail "a spectrum in the header of a usual map"
 
 # Refusals, each in one line.
 expect_exit 2 map "$SCENES/map.toml" --out none
@@ -48,4 +59,9 @@ expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.e
 expect_stderr "the sky"
 expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --set camera.width=97 --no-metadata
 expect_stderr "97 x 64"
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --kappa 4
+expect_one_message
+expect_stderr "--kappa"
+expect_exit 2 map "$SCENES/map.toml" --photo photo.png --out none --spectrum kappa --spread 0.2
+expect_stderr "--spread"
 [[ ! -e none && ! -e none.part ]] || fail "something was left of a map that was refused"

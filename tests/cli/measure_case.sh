@@ -13,7 +13,21 @@ expect_stdout "$ vegard mask"
 expect_stdout "$ vegard border"
 grep -qF '"Trace 1: azimuths' run/measure.json || fail "another answer"
 grep -qF '"trust": "good"' run/measure.json || fail "another trust"
-expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --replicates 0 --out mapped
+expect_file run/traces.svg
+# The answer is of the claimed border, with its height in the error of the distance: truth 190 km to the north.
+python3 - run/measure.json <<'PYTHON' || fail "another answer"
+import json, sys
+found = json.load(open(sys.argv[1]))
+main = found["main_border"]
+near, far = main["distance_km_for_95_and_110_km"]
+assert abs(main["distance_km"]["value"] - 190) < 19 and near < main["distance_km"]["value"] < far
+assert main["distance_km"]["error"] > (far - near) / 12 ** 0.5 * 0.99
+assert "north" in found["answer"][0] and found["not_known"]
+PYTHON
+# A map of which nothing is certain, for want of error bars, leaves no good answer.
+expect_exit 5 measure photo.png --camera camera.toml --site 67,20 --replicates 0 --out mapped
+grep -qF '"trust": "doubtful"' mapped/measure.json || fail "a map without error bars is good"
+grep -qF '"main_curtain"' mapped/measure.json || fail "no curtain in the answer"
 for file in scene.toml mask.png map/map.json map/precipitation.fits; do expect_file "mapped/$file"; done
 expect_same run/border/border.csv mapped/border/border.csv
 
@@ -51,7 +65,8 @@ PYTHON
 # Nothing known and no stars: a report of what is lacking, not an error.
 expect_exit 5 measure photo.png --out bare
 expect_file bare/report.html
-expect_stdout "What would help"
+expect_stdout "Needed"
+expect_stdout "--camera"
 grep -qF '"trust": "unconstrained"' bare/measure.json || fail "something is told"
 
 # Place and time as calibrate takes them: with letters, in degrees and minutes, with a zone; said in one way.
@@ -83,6 +98,9 @@ expect_stdout "Its lens"
 expect_stdout "--lens field/lens.toml"
 awk '/^elevation_deg/ && ($3 < 24.5 || $3 > 25.7) { exit 1 }' field/camera.toml || fail "another elevation by the skyline"
 grep -q '^focal_px = 2[45]' field/camera.toml || fail "another lens than the stars'"
+# Up is towards the pole and 65 degrees from the equator: it looked southwards from a latitude of 65 degrees.
+awk '/^azimuth_deg/ && ($3 < 178 || $3 > 182) { exit 1 }' field/camera.toml || fail "another azimuth by stars and skyline"
+grep -qE 'latitude of 6[45]\.' "$stdout" || fail "another latitude by stars and skyline"
 
 same_by_hand field
 
@@ -99,6 +117,34 @@ echo thesis >other/thesis.tex
 expect_exit 2 measure photo.png --out other --overwrite
 expect_stderr "no measurement"
 expect_file other/thesis.tex
+# An interrupted measurement leaves a folder that a rerun takes if asked to.
+set -m # jobs of their own; else the shell has them ignore the signal
+interrupted_at() { # FOLDER FILE ARGUMENTS...
+  local folder=$1 file=$2 status=0 tries=0
+  shift 2
+  "$VEGARD" measure photo.png --camera camera.toml --site 67,20 --out "$folder" "$@" >"$stdout" 2>"$stderr" </dev/null &
+  local job=$!
+  until [[ -e $folder/$file ]]; do
+    kill -0 "$job" || fail "ended before $file was there"
+    ((++tries < 3000)) || fail "no $file"
+    sleep 0.01
+  done
+  kill -INT "$job"
+  wait "$job" || status=$?
+  [[ $status == 130 ]] || fail "exit code $status of an interrupted measurement"
+  grep -qE '"interrupted": ?true' "$folder/measure.json" || fail "the interruption is not told"
+}
+interrupted_at early measure.json
+expect_exit 2 measure photo.png --camera camera.toml --site 67,20 --no-map --out early
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --out early --overwrite
+! grep -qF '"interrupted"' early/measure.json || fail "still interrupted"
+interrupted_at resumed measure.json
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --out resumed --resume
+! grep -qF '"interrupted"' resumed/measure.json || fail "still interrupted"
+expect_exit 2 measure photo.png --camera camera.toml --site 67,20 --no-map --out resumed --resume
+expect_stderr "no interrupted measurement"
+interrupted_at late map.part --replicates 1000
+expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --out late --overwrite
 expect_exit 3 measure none.png --out none
 expect_one_message
 [[ ! -e none ]] || fail "a folder of nothing"

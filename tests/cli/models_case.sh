@@ -3,7 +3,7 @@ source "$(dirname "$0")/case.sh"
 expect_exit 0 render "$SCENES/map_light.toml" -o band.png
 map=(map "$SCENES/map.toml" --photo band.png --replicates 2 --sparsity 16)
 expect_exit 5 "${map[@]}" --out relative
-expect_exit 0 "${map[@]}" --out absolute --set sensor.calibration_error=0.1
+expect_exit 5 "${map[@]}" --out absolute --set sensor.calibration_error=0.1
 time=(--time 2014-03-10T06:05:33Z)
 
 expect_exit 0 to-gemini absolute --out prec "${time[@]}" --step-deg 0.1

@@ -45,7 +45,7 @@ expect_exit 0 render "$SCENES/map_light.toml" -o band.png
 map=(map "$SCENES/map.toml" --photo band.png --replicates 2 --sparsity 16)
 expect_exit 5 "${map[@]}" --out relative --netcdf
 expect_starts relative/precipitation.nc $kHdf5
-expect_exit 0 "${map[@]}" --out absolute --netcdf --set sensor.calibration_error=0.1
+expect_exit 5 "${map[@]}" --out absolute --netcdf --set sensor.calibration_error=0.1
 units "A map, by" absolute/precipitation.nc north east latitude longitude magnetic_latitude altitude
 expect_exit 0 to-netcdf absolute -o absolute.nc
 expect_same absolute.nc absolute/precipitation.nc

@@ -8,11 +8,18 @@ printf '# when, and of what\nframe_1.png 0\nframe_2.png 2.5\n\nframe_3.png 5\n' 
 expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o all
 expect_stdout "frame_1: good (full search)"
 expect_stdout "frame_2: good  sheet.main.energy_kev"
-for file in sequence.csv sequence.svg sequence.json frames/frame_1.json frames/frame_3/report.html; do
+for file in sequence.csv sequence.svg sequence.json physics.csv physics.json frames/frame_1.json frames/frame_3/report.html; do
   expect_file "all/$file"
 done
 [[ $(grep -c '^frame_' all/sequence.csv) -eq 3 ]] || fail "not three rows"
 grep -q '^frame_2,2.5,good,warm,' all/sequence.csv || fail "no row of the second frame"
+
+# What the frames say together of the emission tables, and each one's answer with it.
+grep -q '^frame_2,2.5,[a-z]*,sheet.main.energy_kev,keV,' all/physics.csv || fail "no energy with what others say"
+expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o all --json
+expect_stdout "all/physics.csv"
+expect_exit 0 sequence "$SCENES/fit.toml" --photos frame_1.png -o exact --set emission.uncertainty=none --reports none
+[[ ! -e exact/physics.csv ]] || fail "a picture whose tables are exact says something of them"
 
 # As if killed before the last frame was done: the others are not fitted again.
 cp -r all resumed
@@ -21,7 +28,7 @@ stamp=$(stat -c %Y.%i resumed/frames/frame_2/result.json)
 expect_exit 0 sequence "$SCENES/fit.toml" --photos list.txt -o resumed
 expect_stdout "frame_2: good (done before)"
 [[ $(stat -c %Y.%i resumed/frames/frame_2/result.json) == "$stamp" ]] || fail "a finished frame was fitted again"
-for file in sequence.csv sequence.svg sequence.json frames/frame_3.json frames/frame_3/profiles.csv; do
+for file in sequence.csv sequence.svg sequence.json physics.csv physics.json frames/frame_3.json frames/frame_3/profiles.csv; do
   expect_same "all/$file" "resumed/$file"
 done
 

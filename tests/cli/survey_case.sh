@@ -38,6 +38,49 @@ expect_stdout "8 frames of 1 database"
 [[ $(query whole.sqlite "SELECT count(*) FROM quantity WHERE name = 'sheet.main.energy_kev' AND abs(value - 3 - frame / 10.0) < 0.1") == 5 ]] ||
   fail "other energies"
 
+# A frame's number that no survey has is a damaged database, not an internal error.
+cp whole.sqlite huge.sqlite
+python3 -c 'import sqlite3
+with sqlite3.connect("huge.sqlite") as database: database.execute("UPDATE frame SET frame = frame + 4294967296")'
+expect_exit 3 survey report huge.sqlite -o huge --no-keograms
+expect_stderr "huge.sqlite: | number"
+expect_one_message
+
+# A disk without locks, as NFS without its daemon: SQLite takes that for another process.
+if command -v gcc >/dev/null; then
+  cat >nolock.c <<'C'
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+static int asked(const char* name, int file, int command, void* argument) {
+  if (command == F_SETLK || command == F_SETLKW) return errno = ENOLCK, -1;
+  int (*real)(int, int, ...) = dlsym(RTLD_NEXT, name);
+  return real(file, command, argument);
+}
+int fcntl(int file, int command, ...) {
+  va_list list;
+  va_start(list, command);
+  void* argument = va_arg(list, void*);
+  va_end(list);
+  return asked("fcntl", file, command, argument);
+}
+int fcntl64(int file, int command, ...) {
+  va_list list;
+  va_start(list, command);
+  void* argument = va_arg(list, void*);
+  va_end(list);
+  return asked("fcntl64", file, command, argument);
+}
+C
+  gcc -shared -fPIC -o nolock.so nolock.c -ldl
+  status=0
+  LD_PRELOAD=./nolock.so "$VEGARD" survey run plan.json --out unlocked >"$stdout" 2>"$stderr" || status=$?
+  [[ $status -eq 6 ]] || fail "exit $status instead of 6 on a disk without locks"
+  expect_stderr "no locks"
+fi
+
 # In two shards and by several processes.
 expect_exit 0 survey run plan.json --out two --shard 2/2
 expect_exit 5 survey merge two -o part.sqlite
@@ -121,6 +164,7 @@ expect_stdout "1 night, 1 keogram"
 for text in 'a lamp' 'there is no such file' 'href="../night/20190301_221005.png"' '<image'; do
   grep -qF -- "$text" pages/night-2019-03-01.html || fail "the night's page has no '$text'"
 done
+grep -q ',sheet.main.energy_kev,keV,' pages/night-2019-03-01-physics.csv || fail "no energy with what others say"
 grep -q '8 frames of 1 camera in 1 night' pages/index.html || fail "another first sentence"
 ! grep -qE '<script|(src|href)="http' pages/*.html || fail "a page wants something from elsewhere"
 expect_exit 2 survey report whole.sqlite -o pages

@@ -42,6 +42,7 @@ CALLS = {
     "render": Call(["render", "small.toml", "-o", "out.png", *FEW]),
     "animate": Call(["animate", "small.toml", "-o", "out/####.png", "--frames", "0:1", *FEW], free=r"out/\d+\.png"),
     "preview": Call(["preview", "small.toml", "-o", "out", "--frames", "2", "--size", "40x30"], free=r"median .*"),
+    "studio": Call("studio --no-browser --idle 0.1", free=r".*"),
     "photometry": Call(
         "photometry counts.toml stars.pgm --filter green --camera camera.toml --exposure 200"
         " --time 2000-01-01T12:00:00Z --stars-out out.csv",
@@ -125,7 +126,7 @@ def make_inputs():
     for second in (0, 10):
         shutil.copy("a.png", f"sky_20140221_1930{second:02}.png")
     made(["fit", "fit.toml", "--photo", "a.png", "--out", "run", "--max-evaluations", "3", *FEW], 4)
-    made([*MAP, "--out", "maps", "--set", "sensor.calibration_error=0.1"])
+    made([*MAP, "--out", "maps", "--set", "sensor.calibration_error=0.1"], 5)
     pathlib.Path("counts.toml").write_text(
         'name = "made"\ndark_counts = 100.0\ngain_e_per_count = 1.0\n'
         '[[filter]]\nname = "green"\nline_nm = 557.7\nwidth_nm = 2.0\nwidth_error = 0.03\n'

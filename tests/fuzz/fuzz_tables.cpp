@@ -1,6 +1,7 @@
 // Any text as one of the tables that people write. The first letter of an input chooses whose, as in
 // `readers`; the rest is the table. What is read is worked out as far as its user does it.
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -10,7 +11,7 @@
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
 #include "fit/report/netcdf/keyed_table.h"
-#include "fit/survey/filter/frame_filter.h"
+#include "fit/sky_kind/sky_model.h"
 #include "fit/survey/survey.h"
 #include "fit/survey/survey_plan.h"
 #include "sim/base/file/csv_table.h"
@@ -140,7 +141,7 @@ void mask(const std::string& text) { require(std::isfinite(sim::read_mask5(text,
 /// Not a file, but words of one and names of others.
 void moments(const std::string& text) {
   if (const auto seconds = sim::utc_seconds(text)) sim::utc_text(*seconds);
-  if (const auto seconds = sim::utc_seconds_in_name(text)) sim::utc_text(*seconds);
+  if (const auto time = sim::time_in_name(text)) sim::utc_text(time->utc_s());
   sim::offset_minutes(text);
 }
 
@@ -203,12 +204,12 @@ void air(const std::string& text) {
 }
 
 using Reader = void (*)(const std::string&);
-void sky_trees(const std::string& text) {
-  const fit::SkyTrees trees(text, "it.json");
-  for (const double value : {-1e9, 0.0, 1e9}) {
-    fit::FrameFeatures features{};
+void sky_model(const std::string& text) {
+  const fit::SkyModel model(text, "it.json");
+  for (const double value : {-1e9, 0.0, 1e9, std::numeric_limits<double>::quiet_NaN()}) {
+    fit::SkyFeatures features{};
     features.fill(value);
-    for (const double score : trees.scores(features)) require(score >= 0.0 && score <= 1.0);
+    model.scores(features);
   }
 }
 
@@ -260,7 +261,7 @@ void keyed_tables(const std::string& text) {
 constexpr Reader kReaders[] = {
     csv,    height_profile, response,        tone,      colours,       stars,     pictures,     times,
     camera, mask,           moments,         curtains,  precipitation, survey,    plan,         survey_list,
-    air,    sky_trees,      emission_tables, reactions, aida_cameras,  solutions, keyed_tables, counts};
+    air,    sky_model,      emission_tables, reactions, aida_cameras,  solutions, keyed_tables, counts};
 
 }  // namespace
 

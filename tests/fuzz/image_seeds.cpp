@@ -107,6 +107,9 @@ std::vector<std::string> fuzz_seeds(const std::string& source) {
   seeds.push_back("P5\n# a remark\n2 1\n255\nab");
   seeds.push_back("P6 1 1 65535\nabcdef");
   seeds.push_back("P3\n1 2 1000\n0 500 1000 # half\n1 2 3\n");
+  std::string keo = "$Spextube IV image file generation -1";
+  keo.resize(60, '\0');
+  seeds.push_back(keo + std::string("\2\0\1\0\2\0", 6) + "abcd");
   const std::string frames = frames_bytes();
   seeds.push_back(frames);
   seeds.push_back(gzip_stored(frames));

@@ -134,11 +134,13 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "1,9,80,3\n1,9,640,1\n",
       "sQ_erg,E0_keV,R_5577\n0.1,1,20\n0.1,10,22\n1,1,120\n1,10,110\n10,1,1100\n10,10,1000\n",
       "saltitude_km,T_K,nO,nO2,nN2\n80,200,2e9,6e13,2e14\n640,900,1e6,1e2,1e4\n",
-      "r{\"kind\": \"vegard sky trees\", \"format\": 1, \"trees\": {\"arc\": [[{\"feature\": \"green\", "
-      "\"threshold\": 0.17, "
-      "\"below\": 1, \"above\": 2}, {\"score\": -0.4}, {\"score\": 0.3}]], \"twilight\": [[{\"score\": 1}]], "
-      "\"cloud\": [], "
-      "\"moon\": [], \"lamp\": [], \"aurora\": []}}",
+      "r{\"kind\": \"vegard sky kinds\", \"format\": 2, \"questions\": {\"arc\": {\"grey\": {\"constant\": "
+      "0, "
+      "\"terms\": []}, \"colour\": {\"constant\": 1, \"terms\": [{\"feature\": \"contrast\", \"weight\": 2, "
+      "\"least\": 0, \"most\": 1, \"missing\": 0}]}, \"line\": {\"slope\": 1, \"offset\": 0}, "
+      "\"line_with_trees\": {\"slope\": 1, \"offset\": 0}, \"trees\": [[{\"feature\": "
+      "\"green\", \"threshold\": 0.2, \"missing\": \"below\", \"below\": 1, \"above\": 2}, {\"score\": -1}, "
+      "{\"score\": 1}]]}}}",
   };
 }
 

@@ -35,6 +35,9 @@ if grep -rlF -e "$source/" -e "$build/" --include='*.cmake' --include='*.h' "$pr
   fail "the files above name the folder they were built in"
 fi
 
+# The program finds its modules, and so does one that others build, below.
+(cd "$work" && run "$prefix/bin/vegard" render "$source/tests/cli/scenes/small.toml" -o installed.png)
+
 # What is not promised, or needed by what is, is not installed.
 for header in sim/base/data_folders.h sim/render/beams/kernel.h fit/search/search.h; do
   [[ -e $source/$header && ! -e $prefix/include/vegard/$header ]] || fail "$header is installed, or no more there"

@@ -48,6 +48,27 @@ def test_refuses_what_the_command_refuses(scenes, photo_file, name, value):
     assert caught.value.kind == "usage" and caught.value.key == name
 
 
+def test_takes_another_spectrum_as_the_command_does(run, scenes, photo_file, tmp_path):
+    """The same bytes as the command's, and other energies than a Maxwellian's."""
+    scene = scenes / "map.toml"
+    options = {"replicates": 0, "sparsity": 16.0, "farthest_km": 350.0}
+    ours = vegard.load(scene).map(str(photo_file), spectrum="gaussian", spread=0.3, **options)
+    ours.write(tmp_path / "python")
+    words = [word for name, value in options.items() for word in ("--" + name.replace("_", "-"), value)]
+    run("map", scene, "--photo", photo_file, "--out", tmp_path / "command", "--spectrum", "gaussian", "--spread", "0.3", *words,
+        exit_codes=(0, 5))
+    fits = "precipitation.fits"
+    assert (tmp_path / "python" / fits).read_bytes() == (tmp_path / "command" / fits).read_bytes()
+    assert b"SPECTRUM= 'gaussian" in (tmp_path / "python" / fits).read_bytes()
+
+
+@pytest.mark.parametrize("named", [{"spectrum": "warm"}, {"kappa": 3.0}, {"spectrum": "gaussian", "spread": 2.0}])
+def test_refuses_spectra_that_are_none(scenes, photo_file, named):
+    with pytest.raises(vegard.Error) as caught:
+        vegard.load(scenes / "map.toml").map(str(photo_file), **named)
+    assert caught.value.kind == "usage" and caught.value.key == list(named)[-1]
+
+
 def test_planes_are_those_of_precipitation_fits(mapped, tmp_path):
     mapped.write(tmp_path / "run")
     planes = fits_planes(tmp_path / "run" / "precipitation.fits")
@@ -85,7 +106,9 @@ def test_finds_the_band(mapped):
 
 def test_says_what_to_believe(mapped):
     quantities = {one.quantity: one for one in mapped.verdicts}
-    assert quantities["distance of the curtains"].trust == "good"
+    # One station does not know the electrons' spectrum, and with it the height: that is in the errors.
+    assert quantities["distance of the curtains"].trust in ("good", "doubtful")
+    assert quantities["height of the lower border"].trust == "doubtful"
     assert not mapped.flux_is_absolute and not mapped.interrupted
     assert mapped.chi2_per_value > 0.0
 

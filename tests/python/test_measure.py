@@ -51,6 +51,8 @@ def test_is_the_commands_measurement(measured, run, photo, camera, tmp_path):
     assert ours["answer"] == theirs["answer"] and ours["trust"] == theirs["trust"] == measured.trust == "good"
     assert [one["title"] for one in theirs["stages"]] == [one.title for one in measured.stages]
     assert json.loads(open(here + "measure.json").read()) == ours
+    assert theirs["parts"] == [{"name": p.name, "trust": p.trust, "reasons": p.reasons} for p in measured.parts]
+    assert [part.name for part in measured.parts][:2] == ["direction", "distance"]
 
 
 def test_stages_have_numbers(measured):
@@ -67,6 +69,7 @@ def test_stages_have_numbers(measured):
 
 def test_without_anything_known_says_what_would_help(photo, tmp_path):
     found = vegard.measure(photo, tmp_path / "bare")
+    assert found.not_known == json.loads(found.to_json())["not_known"]
     assert found.trust == "unconstrained" and found.camera is None and found.time is None and found.site is None
     assert any(stage.lacking for stage in found.stages)
     with pytest.raises(vegard.Error) as caught:

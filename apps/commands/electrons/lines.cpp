@@ -205,11 +205,7 @@ ExitCode run_line_sources(const LineSourcesRequest& request, bool overwrite) {
       sim::incident_flux(spectrum, all.grid, electrons.flux_mw_m2), pitch_angles_of(electrons), reactions,
       request.seconds.value_or(std::numeric_limits<double>::infinity()));
   require_balance(electrons, run.rates.budget.missing_share());
-  std::vector<sim::SourcedLine> lines = run.light.lines;
-  if (request.seconds)
-    for (sim::SourcedLine& line : lines)
-      if (line.column != "ver_5200")
-        line = sim::after_seconds(line, *request.seconds);  // N(2D) is so already
+  const std::vector<sim::SourcedLine>& lines = run.light.lines;
   const std::string words = electron_words(electrons, spectrum) + "; " + words_of_air(electrons.atmosphere);
   if (!request.output.empty()) outputs.write(request.output, sources_csv(run, lines));
   if (format != PlotFormat::none)

@@ -37,7 +37,7 @@ constexpr int kMostDraws = 2000;
 struct TablesRequest {
   std::string output, atmosphere = kDefaultAir, reactions;
   std::vector<double> oxygen = {0.5, 1.0, 2.0};
-  double dip_deg = 78.0, refinement = 0.5, seconds = 120.0;
+  double dip_deg = 78.0, refinement = 0.5, seconds = sim::kUsualSeconds;
   bool steady = false;
   int threads = 0;
   int ensemble = 0;
@@ -161,7 +161,7 @@ void add_tables_command(Program& program) {
   const Option seconds =
       command
           .option("--seconds", options->seconds,
-                  "Time since the electrons have begun to fall, for ions, thermal electrons and N(2D)")
+                  "Time since the electrons have begun to fall, for ions, thermal electrons and metastable atoms")
           .finite_range(1.0, 1e6)
           .shows_default();
   command.flag("--steady", options->steady, "The steady state of hours in place of --seconds")

@@ -16,6 +16,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/photo/direction_map_file.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
@@ -34,6 +35,7 @@ struct DirectionsRequest {
   SceneOptions scene;
   std::string output;
   double reach_deg = 60.0;
+  int threads = 0;
   bool overwrite = false;
 };
 
@@ -105,7 +107,11 @@ void run_directions(const DirectionsRequest& options) {
     say("%s: %s\n", names[0].c_str(), other.words.c_str());
     return;
   }
-  const sim::DirectionMap map = sim::direction_map(scene.camera);
+  ProgressBar bar("directions");
+  constexpr double kShareOfDirections = 0.6;  // the rest is writing
+  const sim::DirectionMap map = sim::direction_map(
+      scene.camera, options.threads, [&](double share) { bar.update(kShareOfDirections * share); });
+  bar.update(kShareOfDirections, "writing");
   if (names.size() == 1) {
     files.write(names[0], fit::encode_direction_map(map, names[0]));
   } else {
@@ -114,6 +120,7 @@ void run_directions(const DirectionsRequest& options) {
     files.write(names[1], maps.elevation);
   }
   files.commit();
+  bar.finish();
   std::size_t somewhere = 0;
   for (const float elevation : map.elevation_deg) somewhere += std::isfinite(elevation) ? 1 : 0;
   json_answer() = {{"outputs", json_names(names)},
@@ -142,6 +149,7 @@ void add_directions_command(Program& program) {
               "With .wcs: angle from the picture's middle up to which it is fitted")
       .range(1.0, 80.0)
       .shows_default();
+  add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace an output that exists");
   command.runs([options] {
     run_directions(*options);

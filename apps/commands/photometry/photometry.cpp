@@ -18,6 +18,7 @@
 #include "fit/photo/frames/picture_bytes.h"
 #include "fit/photo/photo_metadata.h"
 #include "fit/photo/rayleigh/star_photometry.h"
+#include "fit/photo/taken_time.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
@@ -77,13 +78,12 @@ sim::Scene scene_of_camera(const PhotometryRequest& options) {
 /// The middle of its exposure.
 double julian_date_of(const std::string& picture, const std::string& time, double exposure_s) {
   constexpr double kDay_s = 86400.0;
-  const std::optional<std::string> utc =
-      time.empty() ? sim::taken_utc(fit::photo_metadata(picture)) : std::optional<std::string>(time);
-  const std::optional<double> date = utc ? sim::julian_date(*utc) : std::nullopt;
+  const std::string utc = time.empty() ? fit::taken_time(fit::photo_metadata(picture)).utc : time;
+  const std::optional<double> date = sim::julian_date(utc);
   if (!date)
-    throw usage_error("--time",
-                      utc ? "'" + *utc + "' is no time" : picture + " has no time at which it was taken",
-                      "when its exposure began, in UTC: 2015-10-07T08:23:51Z");
+    throw usage_error(
+        "--time", !utc.empty() ? "'" + utc + "' is no time" : picture + " has no time at which it was taken",
+        "when its exposure began, in UTC: 2015-10-07T08:23:51Z");
   return *date + 0.5 * exposure_s / kDay_s;
 }
 
@@ -252,7 +252,7 @@ void add_photometry_command(Program& program) {
   command.option("--camera", options->camera, "Lens, pointing and site, as vegard calibrate writes them")
       .required()
       .type_name("CAMERA.toml");
-  command.option("--time", options->time, "Start of the exposure (UTC), if the picture does not give it")
+  command.option("--time", options->time, "Beginning of the exposure (UTC), if the picture does not give it")
       .type_name("TIME");
   add_site_option(command, options->site);
   command

@@ -1,4 +1,4 @@
-// Encodes frames on a disk as one movie file. The only part of the command that uses OpenCV.
+// Encodes frames on a disk as one movie file, by OpenCV in a module (movie_writer.h).
 //
 // A movie is marked as spherical, so that players show it in all directions, with Google's "Spherical Video"
 // metadata of version 1 (an XML text in a box of its own in the track) and version 2 (boxes st3d and sv3d in

@@ -4,11 +4,15 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgcodecs.hpp>  // for its flags alone: opencv_codecs.h
 #include <opencv2/imgproc.hpp>
 
+#include "fit/photo/codec/full_scale.h"
+#include "fit/photo/codec/jpeg_rows.h"
+#include "fit/photo/codec/opencv_codecs.h"
 #include "fit/photo/codec/picture_format.h"
 #include "sim/base/error.h"
+#include "sim/base/module.h"
 
 namespace vegard::fit {
 namespace {
@@ -37,6 +41,19 @@ cv::Mat upright(const cv::Mat& stored, int orientation) {
   return turned;
 }
 
+/// Of what libjpeg says of damage, OpenCV passes nothing on. Empty for colours that only OpenCV converts.
+cv::Mat decoded_jpeg(std::string_view bytes, const ImageFile& image, const std::string& file) {
+  JpegRows rows(bytes, file, JpegRows::Order::blue_first);
+  const bool turned = image.orientation >= 5;
+  if (rows.channels() == 0 || rows.width() != (turned ? image.height : image.width) ||
+      rows.height() != (turned ? image.width : image.height))
+    return {};
+  cv::Mat codes(rows.height(), rows.width(), CV_8UC(rows.channels()));
+  rows.next_rows(codes.rows, codes.data);
+  if (codes.channels() == 1) cv::cvtColor(codes, codes, cv::COLOR_GRAY2BGR);
+  return codes;
+}
+
 cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string& file) {
   // What is wrong with an image is reported by sim::Error; OpenCV would write to the terminal as well.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -49,7 +66,8 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   cv::Mat codes;
   try {
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    codes = cv::imdecode(buffer, flags);
+    if (image.format->walk == walk_jpeg) codes = decoded_jpeg(bytes, image, file);
+    if (codes.empty()) codes = sim::module_functions<OpenCvCodecs>().decode(buffer, flags);
     if (!codes.empty() && !tiff) codes = upright(codes, image.orientation);
     if (!codes.empty() && codes.channels() == 4) {
       cv::Mat alpha;
@@ -62,6 +80,8 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
       codes = colour;
     }
   } catch (const sim::Error&) {
+    throw;
+  } catch (const sim::MissingModule&) {
     throw;
   } catch (const std::exception&) {
     // OpenCV's own words name its source files and help nobody; memory may also be short.
@@ -101,6 +121,13 @@ void take_codes(const cv::Mat& mat, PictureCodes& codes) {
   }
 }
 
+/// By the colour type of its header; OpenCV may give such a file three channels.
+bool is_grey_png(std::string_view bytes) {
+  constexpr std::size_t kColourType = 25;
+  return bytes.size() > kColourType && bytes.substr(1, 3) == "PNG" &&
+         (bytes[kColourType] == 0 || bytes[kColourType] == 4);
+}
+
 }  // namespace
 
 PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, const std::string& file) {
@@ -120,7 +147,9 @@ PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, co
       break;
     case CV_16U:
       codes.white = std::numeric_limits<std::uint16_t>::max();
+      assume_light(codes, codes.channels == 1 || is_grey_png(bytes));
       take_codes<std::uint16_t>(mat, codes);
+      mark_full_scale(image.declared.converter_bits, codes);
       break;
     default:
       codes.white = 1.0;

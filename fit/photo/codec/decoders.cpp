@@ -2,8 +2,10 @@
 #include <cstdlib>
 #include <limits>
 
+#include "fit/photo/codec/full_scale.h"
 #include "fit/photo/codec/picture_format.h"
 #include "fit/photo/codec/pnm_header.h"
+#include "fit/photo/codec/sensor_mosaic.h"
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
 #include "sim/base/picture/coded_picture.h"
@@ -62,7 +64,7 @@ ImageFile walk_fits(std::string_view /*bytes*/, const std::string& /*file*/) {
   return image;
 }
 
-PictureCodes decode_fits(std::string_view bytes, const ImageFile& /*image*/, const std::string& file) {
+PictureCodes decode_fits(std::string_view bytes, const ImageFile& image, const std::string& file) {
   sim::FitsImage fits = sim::read_fits_image(bytes, file);
   const int planes = fits.image.channels();
   if (planes != 1 && planes != 3)
@@ -92,6 +94,9 @@ PictureCodes decode_fits(std::string_view bytes, const ImageFile& /*image*/, con
   }
   codes.values = std::move(fits.image.data);
   codes.words = std::move(fits.keywords);
+  mark_full_scale(image.declared.converter_bits, codes);
+  if (planes == 1)
+    if (const auto mosaic = fits_mosaic(codes.words, codes.height, file)) demosaic(*mosaic, codes);
   return codes;
 }
 
@@ -116,8 +121,9 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
   codes.channels = header.channels;
   codes.white = header.largest;
   codes.bits = image.bits;
-  // Above eight bits it is scientific cameras that write these files, and they write what they count.
-  codes.linear = header.largest > 255;
+  constexpr int kLargestOfEightBits = 255;
+  const bool are_counts = bytes.substr(0, header.data).find(kPnmOfCounts) != std::string_view::npos;
+  if (header.largest > kLargestOfEightBits) assume_light(codes, header.channels == 1 || are_counts);
   codes.kind = kind_of_codes(image);
   codes.values.resize(static_cast<std::size_t>(codes.width) * codes.height * codes.channels);
   const int size = header.largest > 255 ? 2 : 1;
@@ -137,6 +143,7 @@ PictureCodes decode_pnm(std::string_view bytes, const ImageFile& image, const st
                                    ", above the header's largest value " + std::to_string(header.largest));
     value = static_cast<float>(number);
   }
+  mark_full_scale(0, codes);
   return codes;
 }
 

@@ -28,12 +28,18 @@ struct JpegRows::Decoder {
   static void note(j_common_ptr info, int level) {
     constexpr int kWarning = -1;
     if (level != kWarning) return;
-    for (const int code : {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE})
-      if (info->err->msg_code == code) static_cast<Decoder*>(info->client_data)->damaged = true;
+    auto* const decoder = static_cast<Decoder*>(info->client_data);
+    for (const int code : {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE, JWRN_MUST_RESYNC})
+      if (info->err->msg_code == code) decoder->damaged = true;
+    // Where bytes are missing, the rest is read as other pixels, and some of it is left over. Writers fill up
+    // to a word of eight bytes.
+    constexpr int kFilling = 8;
+    if (info->err->msg_code == JWRN_EXTRANEOUS_DATA && info->err->msg_parm.i[0] > kFilling)
+      decoder->damaged = true;
   }
 
   /// False where libjpeg has given up.
-  bool start(const unsigned char* bytes, std::size_t size) {
+  bool start(const unsigned char* bytes, std::size_t size, Order order) {
     info.err = jpeg_std_error(&errors);
     errors.error_exit = leave;
     errors.output_message = be_silent;
@@ -46,7 +52,7 @@ struct JpegRows::Decoder {
     jpeg_read_header(&info, TRUE);
     const bool grey = info.jpeg_color_space == JCS_GRAYSCALE;
     if (!grey && info.jpeg_color_space != JCS_YCbCr && info.jpeg_color_space != JCS_RGB) return true;
-    info.out_color_space = grey ? JCS_GRAYSCALE : JCS_RGB;
+    info.out_color_space = grey ? JCS_GRAYSCALE : order == Order::blue_first ? JCS_EXT_BGR : JCS_RGB;
     jpeg_start_decompress(&info);
     channels = info.output_components;
     return true;
@@ -65,6 +71,13 @@ struct JpegRows::Decoder {
     return static_cast<int>(info.output_scanline - before);
   }
 
+  /// False where libjpeg has given up.
+  bool finish() {
+    if (setjmp(out) != 0) return false;
+    jpeg_finish_decompress(&info);
+    return true;
+  }
+
   sim::Error undecodable() const {
     return sim::unreadable(file, "the image cannot be decoded")
         .expected("a sound JPEG")
@@ -72,9 +85,10 @@ struct JpegRows::Decoder {
   }
 };
 
-JpegRows::JpegRows(std::string_view bytes, const std::string& file) : decoder_(std::make_unique<Decoder>()) {
+JpegRows::JpegRows(std::string_view bytes, const std::string& file, Order order)
+    : decoder_(std::make_unique<Decoder>()) {
   decoder_->file = file;
-  if (decoder_->start(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) return;
+  if (decoder_->start(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), order)) return;
   jpeg_destroy_decompress(&decoder_->info);
   throw decoder_->undecodable();
 }
@@ -88,6 +102,9 @@ int JpegRows::channels() const { return decoder_->channels; }
 int JpegRows::next_rows(int count, std::uint8_t* to) {
   const int rows = decoder_->read(count, to);
   if (rows < 0) throw decoder_->undecodable();
+  // What stands behind the last row is looked at as well.
+  if (rows > 0 && decoder_->info.output_scanline == decoder_->info.output_height && !decoder_->finish())
+    throw decoder_->undecodable();
   if (decoder_->damaged) throw sim::damaged(decoder_->file, "its compressed data are not sound");
   return rows;
 }

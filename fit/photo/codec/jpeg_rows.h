@@ -15,14 +15,16 @@ namespace vegard::fit {
 /// replaces by a guess.
 class JpegRows {
  public:
-  JpegRows(std::string_view bytes, const std::string& file);
+  enum class Order { red_first, blue_first };
+
+  JpegRows(std::string_view bytes, const std::string& file, Order order = Order::red_first);
   ~JpegRows();
   JpegRows(const JpegRows&) = delete;
   JpegRows& operator=(const JpegRows&) = delete;
 
   int width() const;
   int height() const;
-  /// 1 (grey) or 3 (red, green, blue); 0 for other colour spaces, for which next_rows() must not be called.
+  /// 1 (grey) or 3; 0 for other colour spaces, for which next_rows() must not be called.
   int channels() const;
 
   /// Decodes the next `count` rows, fewer at the picture's end, to `to`, one after the other with their

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/photo/codec/declared_light.h"
+
 namespace vegard::fit {
 
 struct PictureCodes {
@@ -26,13 +28,23 @@ struct PictureCodes {
   int bits = 8;
   bool floating = false;
   bool linear = false;                       ///< the format's usual encoding: linear light, or sRGB if false
+  bool is_light_assumed = false;             ///< `linear` is assume_light()'s
   std::array<double, 3> block_error{};       ///< as in ImageFile
   std::string kind;                          ///< "8-bit JPEG", with what else has a part in its numbers
+  DeclaredLight declared;                    ///< what the file declares about its light
   std::map<std::string, std::string> words;  ///< that came with it: FITS keywords, EXR attributes
 
   std::size_t size() const { return static_cast<std::size_t>(width) * height * channels; }
   float value(std::size_t i) const { return bytes ? static_cast<float>(bytes.get()[i]) : values[i]; }
 };
+
+/// The one rule for integers of more than eight bits in a format that shows pictures (PNG, TIFF, PGM, PPM),
+/// of a file that does not say what they are: grey ones are a camera's counts, and so light; colours have
+/// been developed for a display (and PPM is by its definition).
+inline void assume_light(PictureCodes& codes, bool is_grey) {
+  codes.linear = is_grey;
+  codes.is_light_assumed = true;
+}
 
 /// Reads any format of fit/photo/codec/picture_format.h. `file` is for messages. Throws
 /// sim::Error(unreadable_input).

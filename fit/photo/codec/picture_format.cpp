@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "fit/photo/codec/declaration_reader.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/quiet_decoder.h"
@@ -32,6 +33,7 @@ ImageFile inspect_image_file(std::string_view bytes, const std::string& file) {
     if (format.is_format != nullptr && !format.is_format(bytes)) continue;
     ImageFile image = format.walk(bytes, file);
     image.format = &format;
+    if (format.walk != walk_camera_raw) image.declared = declared_light(bytes);
     // The library that decodes FITS and raw files tells their size, and checks it.
     const bool size_is_known = image.width != 0 || image.height != 0;
     if (size_is_known || !image.size_comes_later) sim::check_pixel_limit(image.width, image.height, file);
@@ -52,6 +54,7 @@ PictureCodes picture_codes(std::string_view bytes, const std::string& file) {
   try {
     PictureCodes codes = image.format->decode(bytes, image, file);
     codes.block_error = image.block_error;
+    codes.declared = image.declared;
     return codes;
   } catch (const std::bad_alloc&) {
     throw sim::unreadable(file, "there is not enough memory for this image").hint("scale or crop it first");

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/photo/codec/declared_light.h"
 #include "fit/photo/codec/picture_codes.h"
 #include "sim/base/picture/tiff_directory.h"
 
@@ -34,6 +35,7 @@ struct ImageFile {
   /// Standard deviations, in codes of R, G and B, of the compression error that all pixels of a block have in
   /// common; 0 for lossless formats, and for those whose quantisation tables are not read.
   std::array<double, 3> block_error{};
+  DeclaredLight declared;  ///< set by inspect_image_file()
 };
 
 /// Do the bytes begin as a file of the format does?
@@ -46,8 +48,10 @@ using DecodePicture = PictureCodes(std::string_view bytes, const ImageFile& imag
 IsPicture is_heif;
 /// Camera raw files are recognised by their first bytes, or if they are TIFFs by their directories.
 IsPicture is_camera_raw;
-WalkPicture walk_jpeg, walk_png, walk_tiff, walk_exr, walk_fits, walk_pnm, walk_camera_raw, walk_heif;
-DecodePicture decode_by_opencv, decode_exr, decode_fits, decode_pnm, decode_camera_raw, decode_heif;
+WalkPicture walk_jpeg, walk_png, walk_tiff, walk_exr, walk_fits, walk_pnm, walk_camera_raw, walk_heif,
+    walk_keo;
+DecodePicture decode_by_opencv, decode_exr, decode_fits, decode_pnm, decode_camera_raw, decode_heif,
+    decode_keo;
 
 struct PictureFormat {
   const char* name;                  ///< for messages, "JPEG"
@@ -88,6 +92,7 @@ inline const std::vector<PictureFormat>& picture_formats() {
        walk_camera_raw,
        decode_camera_raw},
       {"HEIC", {".heic", ".heif"}, {}, is_heif, walk_heif, decode_heif, true},
+      {"KEO", {".img"}, {"$Spextube"sv}, nullptr, walk_keo, decode_keo},
   };
   return formats;
 }

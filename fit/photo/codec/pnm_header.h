@@ -7,6 +7,10 @@
 
 namespace vegard::fit {
 
+/// A remark in the PPM that an array of coloured numbers of 16 bits becomes
+/// (fit/photo/frames/array_frames.cpp): they are counts.
+inline constexpr std::string_view kPnmOfCounts = "# counts of an array\n";
+
 struct PnmHeader {
   long long width = 0, height = 0;
   int channels = 1;       ///< 1 for a PGM, 3 for a PPM

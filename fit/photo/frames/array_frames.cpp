@@ -1,12 +1,13 @@
 #include "fit/photo/frames/array_frames.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <utility>
 
+#include "fit/photo/codec/pnm_header.h"
 #include "sim/base/error.h"
+#include "sim/base/leap_seconds.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/text.h"
@@ -36,9 +37,42 @@ std::pair<std::string, int> numbered(const std::string& name) {
   return {name.substr(0, end), std::stoi(name.substr(end))};
 }
 
-/// The one that imagers' own files name, else the largest; of several as large, if they are numbered, all.
-std::vector<std::size_t> images_of(const sim::ArrayFile& file) {
+/// "'a' (128 x 128), 'b' ..." of all arrays that may hold images.
+std::string image_names(const sim::ArrayFile& file) {
+  constexpr int kMaxShown = 12;
+  std::string text;
+  int shown = 0;
+  for (const StoredArray& array : file.arrays()) {
+    if (!may_be_images(array)) continue;
+    if (++shown > kMaxShown) return text + " ...";
+    std::string sizes;
+    for (const std::uint64_t n : array.dims) sizes += (sizes.empty() ? "" : " x ") + std::to_string(n);
+    text += (text.empty() ? "'" : ", '") + array.name + "' (" + sizes + ")";
+  }
+  return text;
+}
+
+/// The array that is called so, or whose name ends so behind a '/'.
+std::size_t array_called(const sim::ArrayFile& file, const std::string& wanted) {
   const std::vector<StoredArray>& arrays = file.arrays();
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    if (!may_be_images(arrays[i])) continue;
+    if (arrays[i].name == wanted) return i;
+    if (sim::ends_with(arrays[i].name, "/" + wanted)) found.push_back(i);
+  }
+  if (found.size() == 1) return found.front();
+  throw sim::Error(
+      sim::ErrorKind::usage,
+      (found.empty() ? "there is no array '" : "there are several arrays '") + wanted + "' in it")
+      .file(file.name())
+      .expected("FILE#NAME, NAME one of " + image_names(file));
+}
+
+/// The one that imagers' own files name, else the largest; of several as large, if they are numbered, all.
+std::vector<std::size_t> images_of(const sim::ArrayFile& file, const std::string& wanted) {
+  const std::vector<StoredArray>& arrays = file.arrays();
+  if (!wanted.empty()) return {array_called(file, wanted)};
   std::vector<std::size_t> largest;
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     if (!may_be_images(arrays[i])) continue;
@@ -60,9 +94,11 @@ std::vector<std::size_t> images_of(const sim::ArrayFile& file) {
   if (!std::all_of(largest.begin(), largest.end(), is_like_first))
     throw sim::unreadable(file.name(), "which of its arrays is the images is not known: '" + first.name +
                                            "', '" + arrays[largest[1]].name + "' are as large")
-        .expected(
-            "one that is larger than all others, or frames that are told apart by a number behind their "
-            "name");
+        .expected("its name and which, FILE#NAME; there are " + image_names(file))
+        .hint(
+            "without a name it is one that is larger than all others, or frames that are told apart by a "
+            "number "
+            "behind their name");
   std::sort(largest.begin(), largest.end(), [&](std::size_t a, std::size_t b) {
     return numbered(arrays[a].name).second < numbered(arrays[b].name).second;
   });
@@ -97,9 +133,9 @@ Axes axes_of_images(const std::vector<std::uint64_t>& dims, const sim::ArrayFile
 
 class ArrayFrames : public FrameStore {
  public:
-  explicit ArrayFrames(std::unique_ptr<sim::ArrayFile> file)
+  ArrayFrames(std::unique_ptr<sim::ArrayFile> file, const std::string& wanted)
       : file_(std::move(file)),
-        stack_(find_images(*file_)),
+        stack_(find_images(*file_, wanted)),
         times_(array_times(*file_, stack_.arrays[0], stack_.frames)) {
     const StoredArray& array = images(0);
     for (const char* group : {"", "metadata", "metadata/file"}) add_words(group, file_words_);
@@ -155,6 +191,7 @@ class ArrayFrames : public FrameStore {
   template <typename Number, typename Place>
   std::string pnm(const std::string& block, const Place& place) const {
     std::string bytes = std::string(stack_.channels == 1 ? "P5\n" : "P6\n") +
+                        std::string(stack_.channels == 3 && sizeof(Number) > 1 ? kPnmOfCounts : "") +
                         std::to_string(stack_.width_px) + " " + std::to_string(stack_.height_px) +
                         (sizeof(Number) == 1 ? "\n255\n" : "\n65535\n");
     bytes.reserve(bytes.size() + block.size());
@@ -257,23 +294,11 @@ std::optional<ImagerTime> time_of_text(std::string text, const std::string& sour
   return time;
 }
 
-/// Days of 1972 to 2017, since 1970, from which so many seconds more were added to UTC: TAI - UTC (IERS
-/// Bulletin C).
-struct Leap {
-  int day;
-  int tai_less_utc_s;
-};
-constexpr std::array<Leap, 28> kLeaps{
-    {{730, 10},   {912, 11},   {1096, 12},  {1461, 13},  {1826, 14},  {2191, 15},  {2557, 16},
-     {2922, 17},  {3287, 18},  {3652, 19},  {4199, 20},  {4564, 21},  {4929, 22},  {5660, 23},
-     {6574, 24},  {7305, 25},  {7670, 26},  {8217, 27},  {8582, 28},  {8947, 29},  {9496, 30},
-     {10043, 31}, {10592, 32}, {13149, 33}, {14245, 34}, {15522, 35}, {16617, 36}, {17167, 37}}};
-
 }  // namespace
 
-ImageStack find_images(const sim::ArrayFile& file) {
+ImageStack find_images(const sim::ArrayFile& file, const std::string& wanted) {
   ImageStack stack;
-  stack.arrays = images_of(file);
+  stack.arrays = images_of(file, wanted);
   const StoredArray& array = file.arrays()[stack.arrays[0]];
   const int dims = static_cast<int>(array.dims.size());
   std::vector<std::uint64_t> lengths = array.dims;
@@ -309,8 +334,8 @@ ImageStack find_images(const sim::ArrayFile& file) {
   return stack;
 }
 
-std::unique_ptr<FrameStore> array_frames(std::unique_ptr<sim::ArrayFile> file) {
-  return std::make_unique<ArrayFrames>(std::move(file));
+std::unique_ptr<FrameStore> array_frames(std::unique_ptr<sim::ArrayFile> file, const std::string& wanted) {
+  return std::make_unique<ArrayFrames>(std::move(file), wanted);
 }
 
 std::optional<double> cdf_epoch_seconds(double milliseconds) {
@@ -320,12 +345,9 @@ std::optional<double> cdf_epoch_seconds(double milliseconds) {
 
 std::optional<double> tt2000_seconds(std::int64_t nanoseconds) {
   // J2000 is 2000-01-01T12:00:00 of terrestrial time, which is 32.184 s before TAI.
-  constexpr double kJ2000_s = 946728000.0, kTtLessTai_s = 32.184, kNanoseconds = 1e-9;
-  const double tai_s = static_cast<double>(nanoseconds) * kNanoseconds + kJ2000_s - kTtLessTai_s;
-  double utc_s = tai_s - kLeaps.front().tai_less_utc_s;
-  for (const Leap& leap : kLeaps)
-    if (tai_s - leap.tai_less_utc_s >= leap.day * kDay_s) utc_s = tai_s - leap.tai_less_utc_s;
-  return in_range(utc_s);
+  constexpr double kJ2000_s = 946728000.0, kNanoseconds = 1e-9;
+  return in_range(
+      sim::utc_of_tai(static_cast<double>(nanoseconds) * kNanoseconds + kJ2000_s - sim::kTtLessTai_s));
 }
 
 bool has_times(const sim::ArrayFile& file, std::size_t images, std::uint64_t frames) {

@@ -38,9 +38,12 @@ struct ImageStack {
 /// length 3 is that of the colours, otherwise the shorter of the first and the last is that of the frames.
 /// (MATLAB's arrays have MATLAB's order of dimensions.) Throws sim::Error(unreadable_input) if there are no
 /// images, several arrays of the same size, or more frames or pixels than the limits of frame_store.h allow.
-ImageStack find_images(const sim::ArrayFile& file);
+/// `wanted`: the name of the array that is meant, whole or what stands behind its last '/'; empty: by the
+/// rules above.
+ImageStack find_images(const sim::ArrayFile& file, const std::string& wanted = {});
 
-std::unique_ptr<FrameStore> array_frames(std::unique_ptr<sim::ArrayFile> file);
+std::unique_ptr<FrameStore> array_frames(std::unique_ptr<sim::ArrayFile> file,
+                                         const std::string& wanted = {});
 
 /// True if an array other than `images` may hold the times of `frames` frames: it has as many texts or
 /// numbers, and its name or its type indicates times.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fit/photo/frames/frame_store.h"
+#include "fit/photo/frames/store_kinds.h"
 #include "sim/base/error.h"
 #include "sim/base/picture/pixel_limit.h"
 #include "sim/base/text.h"
@@ -197,7 +198,7 @@ FrameIndex frame_index(const std::string& file) {
 
 bool is_frame_file(const std::string& file) {
   try {
-    sim::ByteStream stream(file);
+    sim::ByteStream stream(path_of_frames(file));
     return is_frame_kind(stream.look(kKindBytes)) || has_frame_store(file);
   } catch (const sim::Error&) {
     return false;

@@ -183,9 +183,20 @@ std::optional<ImagerName> imager_name(const std::string& file_name) {
       R"((\d{8})_(\d{6})_(\d{6})_([a-z0-9]{3,5})_([a-z][a-z0-9-]*)_(\d{1,6})ms_([a-z0-9-]+)\.png)");
   static const std::regex kFrames(
       R"((\d{8})_(\d{2}(?:\d{2})?)_([a-z0-9]{3,5})_([a-z][a-z0-9-]*)_([a-z0-9-]+)\.(?:pgm(?:\.gz)?|h5|png\.tar))");
+  static const std::regex kKeo(R"(([A-Z]\d{4}[A-Z0-9]*)_(\d{4}-\d{2}-\d{2})_(\d{2})-(\d{2})-(\d{2})\.img)");
   if (file_name.size() > kLongestName) return std::nullopt;
   std::smatch part;
   ImagerName found;
+  if (std::regex_match(file_name, part, kKeo)) {
+    found.utc = part[2].str() + "T" + part[3].str() + ":" + part[4].str() + ":" + part[5].str() + "Z";
+    const auto taken_s = sim::utc_seconds(found.utc);
+    if (!taken_s) return std::nullopt;
+    found.begin_s = *taken_s;
+    found.imager = part[1];
+    // The line in ångström behind the wheel's letter: W8446B18.
+    found.mode = found.imager.substr(1, 3) + "." + found.imager.substr(4, 1) + " nm";
+    return found;
+  }
   if (std::regex_match(file_name, part, kPicture)) {
     found.utc = iso_of_digits(part[1], part[2]) + "." + part[3].str() + "Z";
     found.site = part[4];
@@ -213,7 +224,7 @@ std::optional<ImagerName> imager_name(const std::string& file_name) {
 void add_imager_name(const std::string& file_name, sim::PictureMetadata& metadata) {
   const auto name = imager_name(file_name);
   if (!name) return;
-  if (!metadata.site) metadata.site = name->site;
+  if (!metadata.site && !name->site.empty()) metadata.site = name->site;
   if (!metadata.imager) metadata.imager = name->imager;
   if (!metadata.mode) metadata.mode = name->mode;
   constexpr const char* kSource = "the file's name";

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "fit/photo/frames/store_kinds.h"
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
 #include "sim/base/file/input_file.h"
@@ -103,7 +104,8 @@ Chosen go_through(const FrameName& wanted) {
 PictureBytes read_picture_bytes(const std::string& name) {
   const FrameName wanted = frame_name(name);
   // A file that cannot be opened is reported as for any picture.
-  const bool is_readable = sim::why_no_input(wanted.file).empty();
+  const std::string path = path_of_frames(wanted.file);
+  const bool is_readable = sim::why_no_input(path).empty();
   if (!is_readable || !is_frame_file(wanted.file)) {
     PictureBytes picture;
     picture.name = wanted.file;
@@ -126,7 +128,7 @@ PictureBytes read_picture_bytes(const std::string& name) {
     if (!wanted.is_chosen()) throw no_frame_chosen(chosen.heads, wanted.file);
     picture.name = name_of_frame(wanted.file, picture.frame->number);
   } else if (!chosen.is_plain) {
-    picture.file_sha256 = sim::sha256_of_file(wanted.file);
+    picture.file_sha256 = sim::sha256_of_file(path);
   } else {
     picture.bytes = bytes_of_file(wanted.file);
   }

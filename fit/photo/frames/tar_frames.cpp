@@ -36,6 +36,11 @@ class TarFrames : public FrameStore {
     for (const sim::TarEntry& entry : tar_.entries())
       if (const std::string plain = small_file_name(entry.name); is_png_name(plain))
         frames_.push_back({entry, imager_name(plain)});
+    for (const std::string& link : tar_.links())
+      if (is_png_name(small_file_name(link)))
+        throw sim::unreadable(name, "'" + link + "' in it is a link to another file, not a picture")
+            .expected("files alone")
+            .hint("make it anew: tar --dereference --hard-dereference");
     if (frames_.empty())
       throw sim::unreadable(name, "there is no PNG in this tar").expected("PNGs, as TREx's *.png.tar");
     if (frames_.size() > static_cast<std::size_t>(kMaxFrames))

@@ -1,25 +1,16 @@
 #include "fit/photo/mask/mask_picture.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "fit/photo/codec/opencv_codecs.h"
 #include "sim/base/number/quantile.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::fit {
 namespace {
-
-std::string png(const cv::Mat& picture) {
-  std::vector<unsigned char> file;
-  const bool encoded = cv::imencode(".png", picture, file);
-  assert(encoded);
-  static_cast<void>(encoded);
-  return {reinterpret_cast<const char*>(file.data()), file.size()};
-}
 
 /// 1 for a picture that fills its range; else what brings all but the brightest two hundredth into it.
 float brightening(const Photo& photo) {
@@ -43,7 +34,7 @@ std::string mask_png(const PixelSet& left_out) {
   cv::Mat picture(left_out.height, left_out.width, CV_8U);
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x) picture.at<std::uint8_t>(y, x) = left_out.at(x, y) ? 0 : 255;
-  return png(picture);
+  return encoded_png(picture);
 }
 
 std::string shown_mask_png(const Photo& photo, const std::vector<MaskPart>& parts) {
@@ -59,7 +50,7 @@ std::string shown_mask_png(const Photo& photo, const std::vector<MaskPart>& part
         picture.at<cv::Vec3b>(y, x)[2 - c] = static_cast<std::uint8_t>(std::lround(code));
       }
     }
-  return png(picture);
+  return encoded_png(picture);
 }
 
 }  // namespace vegard::fit

@@ -2,14 +2,17 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "fit/photo/pointing/star_check.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dense_solvers.h"
+#include "sim/base/parallel.h"
 #include "sim/scene/table/parameter_id.h"
 
 namespace vegard::fit {
@@ -58,33 +61,17 @@ std::vector<SceneNumber> scene_numbers(const SkyCamera& camera, const Frame& fra
   return all;
 }
 
-void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) {
-  const int k = static_cast<int>(free.size()), n = 2 * calibration.used();
-  StarSet used;
-  double sum = 0.0;
-  for (const StarResidual& one : calibration.residuals) {
-    used.push_back(one.used);
-    if (one.used) sum += one.dx_px * one.dx_px + one.dy_px * one.dy_px;
-  }
-  calibration.sigma_px = n > k ? std::sqrt(sum / (n - k)) : 0.0;
-  const Eigen::MatrixXd jacobian = place_jacobian(calibration.camera, free, calibration.stars, used);
-  // The triangle of a QR decomposition, of columns of length 1, is used because J'J would lose half of the
-  // digits.
-  const Eigen::RowVectorXd lengths = jacobian.colwise().norm();
-  const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd triangle = sim::upper_triangle(scaled);
-  const Eigen::MatrixXd inverse =
-      triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(k, k));
-  const Eigen::MatrixXd root = calibration.sigma_px * (lengths.cwiseInverse().asDiagonal() * inverse);
-  // The rows are all of the calibration's numbers; those of numbers held fixed are 0.
-  Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(lens_numbers, k);
-  for (int j = 0; j < k; ++j) roots.row(free[j]) = root.row(j);
-
+/// Sets all standard errors and correlations by the roots of the covariance. A number is free if it depends
+/// on one that was fitted.
+void take_roots(const Eigen::MatrixXd& roots, Calibration& calibration) {
+  calibration.number_roots = roots;
+  calibration.estimates.clear();
   std::vector<Eigen::RowVectorXd> free_rows;
   for (const SceneNumber& number :
        scene_numbers(calibration.camera, calibration.frame, calibration.pointing)) {
     CameraEstimate estimate{sim::parameter_with(number.role), number.value, 0.0, false};
-    for (const LensNumber one : free) estimate.free = estimate.free || number.by_number[one] != 0.0;
+    for (int one = 0; one < lens_numbers; ++one)
+      estimate.free = estimate.free || (number.by_number[one] != 0.0 && calibration.is_free[one]);
     if (estimate.free) {
       free_rows.push_back(number.by_number * roots);
       estimate.sigma = free_rows.back().norm();
@@ -109,7 +96,148 @@ std::string number_text(const char* format, double a, double b = 0.0) {
   return text;
 }
 
-void tell_warnings(Calibration& calibration) {
+/// The errors by the Jacobian of the stars in use.
+void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) {
+  const int k = static_cast<int>(free.size()), n = 2 * calibration.used();
+  StarSet used;
+  double sum = 0.0;
+  for (const StarResidual& one : calibration.residuals) {
+    used.push_back(one.used);
+    if (one.used) sum += one.dx_px * one.dx_px + one.dy_px * one.dy_px;
+  }
+  calibration.sigma_px = n > k ? std::sqrt(sum / (n - k)) : 0.0;
+  const Eigen::MatrixXd root =
+      root_of_inverse(place_jacobian(calibration.camera, free, calibration.stars, used));
+  // The rows are all of the calibration's numbers; those of numbers held fixed are 0.
+  Eigen::MatrixXd roots = Eigen::MatrixXd::Zero(lens_numbers, k);
+  for (int j = 0; j < k; ++j) roots.row(free[j]) = root.row(j);
+  set_errors(calibration, roots, free);
+}
+
+/// Computes the residual of each star in a fit without it. Each fit is its own, so that threads share them.
+void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
+  StarSet used;
+  for (const StarResidual& one : calibration.residuals) used.push_back(one.used);
+  sim::parallel_for(used.size(), 0, [&](std::size_t i, int) {
+    StarResidual& one = calibration.residuals[i];
+    if (!one.used) return;
+    StarSet others = used;
+    others[i] = 0;
+    const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, others);
+    const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
+    one.without_dx_px = left[0];
+    one.without_dy_px = left[1];
+  });
+  double sum = 0.0;
+  for (const StarResidual& one : calibration.residuals)
+    if (one.used) sum += one.without_dx_px * one.without_dx_px + one.without_dy_px * one.without_dy_px;
+  calibration.without_rms_px = std::sqrt(sum / calibration.used());
+}
+
+/// Computes the residual of each star in a fit without its ninth of the picture.
+void leave_regions_out(Calibration& calibration, const std::vector<LensNumber>& free) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  std::array<StarSet, kPictureNinths> others;
+  for (StarSet& set : others)
+    for (const StarResidual& one : calibration.residuals) set.push_back(one.used);
+  std::vector<int> ninths;
+  for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
+    ninths.push_back(ninth_of(calibration.frame, calibration.stars[i].x_px, calibration.stars[i].y_px));
+    others[static_cast<std::size_t>(ninths.back())][i] = 0;
+  }
+  const int k = static_cast<int>(free.size());
+  sim::parallel_for(kPictureNinths, 0, [&](std::size_t ninth, int) {
+    const bool enough = 2 * count(others[ninth]) >= k + 4;
+    CameraFit fit;
+    if (enough) fit = fit_camera(calibration.camera, free, calibration.stars, others[ninth]);
+    for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
+      StarResidual& one = calibration.residuals[i];
+      if (ninths[i] != static_cast<int>(ninth)) continue;
+      one.without_region_dx_px = one.without_region_dy_px = kUnknown;
+      if (!enough || !fit.good || !one.used) continue;
+      const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
+      if (!left.allFinite()) continue;
+      one.without_region_dx_px = left[0];
+      one.without_region_dy_px = left[1];
+    }
+  });
+}
+
+/// Throws if lenses fit the stars, but each only because of single stars.
+void refuse_unheld(const LensChoice& choice, const std::string& name) {
+  const LensCandidate* best = nullptr;
+  for (const LensCandidate& one : choice.candidates)
+    if (!one.is_held && (best == nullptr || one.without_rms_px < best->without_rms_px)) best = &one;
+  if (best == nullptr) return;
+  throw sim::unreadable(
+      name, number_text("the stars do not hold the lens: they are %.2f px off, but each by a fit without it "
+                        "%.2f px",
+                        best->rms_px, best->without_rms_px))
+      .expected("more stars, or a lens of fewer numbers")
+      .hint("some may have wrong names; --camera with --free rotation fits a known lens to few stars");
+}
+
+}  // namespace
+
+const char* words_of(CalibrationEvidence evidence) {
+  return evidence == CalibrationEvidence::stars ? "stars" : "points of the maps";
+}
+
+std::string words_of(const MapAgreement& agreement) {
+  std::string words = "all " + std::to_string(agreement.pixels) + " pixels: rms " +
+                      sim::short_number(agreement.rms_px, 3) + " px, the largest " +
+                      sim::short_number(agreement.largest_px, 3) + " px at (" +
+                      std::to_string(agreement.largest_x) + ", " + std::to_string(agreement.largest_y) + ")";
+  if (agreement.without_image > 0)
+    words += "; of " + std::to_string(agreement.without_image) + " more the lens has no image";
+  return words;
+}
+
+int Calibration::used() const {
+  return static_cast<int>(
+      std::count_if(residuals.begin(), residuals.end(), [](const StarResidual& one) { return one.used; }));
+}
+
+void set_residuals(Calibration& calibration, const StarSet& used) {
+  calibration.pointing = pointing_of(calibration.camera);
+  calibration.residuals.clear();
+  const std::vector<Eigen::Vector2d> left = residuals(calibration.camera, calibration.stars);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
+    const StarSighting& star = calibration.stars[i];
+    StarResidual one;
+    one.dx_px = one.without_dx_px = one.without_region_dx_px = left[i][0];
+    one.dy_px = one.without_dy_px = one.without_region_dy_px = left[i][1];
+    one.used = used[i] != 0;
+    if (one.used) sum += left[i].squaredNorm();
+    const double along = calibration.camera.camera_from_enu.row(2).dot(
+        Eigen::RowVector3d(star.enu[0], star.enu[1], star.enu[2]));
+    one.off_axis_deg = std::acos(std::clamp(along, -1.0, 1.0)) * kDegrees;
+    one.from_centre_px = std::hypot(star.x_px - calibration.camera.numbers[centre_x_number],
+                                    star.y_px - calibration.camera.numbers[centre_y_number]);
+    calibration.residuals.push_back(one);
+  }
+  calibration.rms_px = calibration.without_rms_px = std::sqrt(sum / std::max(1, calibration.used()));
+}
+
+Eigen::MatrixXd root_of_inverse(const Eigen::MatrixXd& jacobian) {
+  // The triangle of a QR decomposition, of columns of length 1, is used because J'J would lose half of the
+  // digits.
+  const Eigen::RowVectorXd lengths = jacobian.colwise().norm();
+  const Eigen::MatrixXd scaled = jacobian * lengths.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd triangle = sim::upper_triangle(scaled);
+  const Eigen::MatrixXd inverse = triangle.triangularView<Eigen::Upper>().solve(
+      Eigen::MatrixXd::Identity(jacobian.cols(), jacobian.cols()));
+  return lengths.cwiseInverse().asDiagonal() * inverse;
+}
+
+void set_errors(Calibration& calibration, const Eigen::MatrixXd& unit_roots,
+                const std::vector<LensNumber>& free) {
+  for (const LensNumber one : free) calibration.is_free[one] = true;
+  take_roots(calibration.sigma_px * unit_roots, calibration);
+}
+
+void set_warnings(Calibration& calibration) {
   std::vector<const CameraEstimate*> free;
   for (const CameraEstimate& estimate : calibration.estimates)
     if (estimate.free) free.push_back(&estimate);
@@ -141,46 +269,6 @@ void tell_warnings(Calibration& calibration) {
             : "more than a third of the points were left out: no lens that is known here made these maps");
 }
 
-/// Computes the residual of each star in a fit without it.
-void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
-  StarSet used;
-  for (const StarResidual& one : calibration.residuals) used.push_back(one.used);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    StarResidual& one = calibration.residuals[i];
-    if (!one.used) continue;
-    used[i] = 0;
-    const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, used);
-    used[i] = 1;
-    const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
-    one.without_dx_px = left[0];
-    one.without_dy_px = left[1];
-    sum += left.squaredNorm();
-  }
-  calibration.without_rms_px = std::sqrt(sum / calibration.used());
-}
-
-}  // namespace
-
-const char* words_of(CalibrationEvidence evidence) {
-  return evidence == CalibrationEvidence::stars ? "stars" : "points of the maps";
-}
-
-std::string words_of(const MapAgreement& agreement) {
-  std::string words = "all " + std::to_string(agreement.pixels) + " pixels: rms " +
-                      sim::short_number(agreement.rms_px, 3) + " px, the largest " +
-                      sim::short_number(agreement.largest_px, 3) + " px at (" +
-                      std::to_string(agreement.largest_x) + ", " + std::to_string(agreement.largest_y) + ")";
-  if (agreement.without_image > 0)
-    words += "; of " + std::to_string(agreement.without_image) + " more the lens has no image";
-  return words;
-}
-
-int Calibration::used() const {
-  return static_cast<int>(
-      std::count_if(residuals.begin(), residuals.end(), [](const StarResidual& one) { return one.used; }));
-}
-
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
                       const Frame& frame, const std::string& name, CalibrationEvidence evidence) {
   std::size_t fewest = settings.only.size();
@@ -189,12 +277,15 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
     for (const LensForm& form : lens_forms()) {
       if (settings.model && form.model != *settings.model) continue;
       if (settings.form && words_of(form) != words_of(*settings.form)) continue;
-      fewest = std::min(fewest, free_numbers(form, settings.centre_free).size());
+      const auto n = static_cast<int>(stars.size());
+      const bool may_hold = n >= kFewestStars && n <= kVeryFewStars && form.radial == 0;
+      fewest = std::min(fewest, free_numbers(form, settings.centre_free && !may_hold).size());
     }
   }
   check_stars(stars, static_cast<int>(fewest), name, words_of(evidence));
   const LensChoice choice = choose_lens(settings, stars, frame);
   if (choice.chosen < 0) {
+    refuse_unheld(choice, name);
     throw sim::unreadable(
         name, std::string("no lens brings the ") + words_of(evidence) + " to where they were seen")
         .hint(evidence == CalibrationEvidence::stars
@@ -211,28 +302,28 @@ Calibration calibrate(const LensSettings& settings, const std::vector<StarSighti
   calibration.form = chosen.form;
   calibration.frame = frame;
   calibration.stars = stars;
-  calibration.rms_px = calibration.without_rms_px = chosen.rms_px;
-  calibration.pointing = pointing_of(calibration.camera);
-  const std::vector<Eigen::Vector2d> left = residuals(calibration.camera, stars);
-  for (std::size_t i = 0; i < stars.size(); ++i) {
-    StarResidual one;
-    one.dx_px = left[i][0];
-    one.dy_px = left[i][1];
-    one.without_dx_px = one.dx_px;
-    one.without_dy_px = one.dy_px;
-    one.used = choice.used[i] != 0;
-    const auto& enu = stars[i].enu;
-    const double along =
-        calibration.camera.camera_from_enu.row(2).dot(Eigen::RowVector3d(enu[0], enu[1], enu[2]));
-    one.off_axis_deg = std::acos(std::clamp(along, -1.0, 1.0)) * kDegrees;
-    one.from_centre_px = std::hypot(stars[i].x_px - calibration.camera.numbers[centre_x_number],
-                                    stars[i].y_px - calibration.camera.numbers[centre_y_number]);
-    calibration.residuals.push_back(one);
-  }
+  set_residuals(calibration, choice.used);
   tell_errors(calibration, chosen.free);
-  if (evidence == CalibrationEvidence::stars) leave_out(calibration, chosen.free);
-  tell_warnings(calibration);
+  if (evidence == CalibrationEvidence::stars) {
+    leave_out(calibration, chosen.free);
+    leave_regions_out(calibration, chosen.free);
+  }
+  set_warnings(calibration);
   return calibration;
+}
+
+void add_time_error(Calibration& calibration, double latitude_deg, double turn_deg) {
+  const bool is_turning = calibration.is_free[turn_about_right] && calibration.is_free[turn_about_down] &&
+                          calibration.is_free[turn_about_forward];
+  if (!is_turning || !(turn_deg > 0.0)) return;
+  const double latitude = latitude_deg * sim::kRadiansPerDegree;
+  const Eigen::Vector3d pole(0.0, std::cos(latitude), std::sin(latitude));
+  Eigen::MatrixXd roots = calibration.number_roots;
+  roots.conservativeResize(Eigen::NoChange, roots.cols() + 1);
+  roots.col(roots.cols() - 1).setZero();
+  roots.col(roots.cols() - 1).head<3>() =
+      calibration.camera.camera_from_enu * pole * (turn_deg * sim::kRadiansPerDegree);
+  take_roots(roots, calibration);
 }
 
 }  // namespace vegard::fit

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct CameraEstimate {
 struct StarResidual {
   double dx_px = 0.0, dy_px = 0.0;                  ///< observed minus computed
   double without_dx_px = 0.0, without_dy_px = 0.0;  ///< the residual of a fit without this star
+  /// The same without all stars of its ninth of the picture ; NaN: the others are too few.
+  double without_region_dx_px = 0.0, without_region_dy_px = 0.0;
   double off_axis_deg = 0.0;
   double from_centre_px = 0.0;
   bool used = false;
@@ -51,6 +54,13 @@ struct MapAgreement {
 /// Returns "all 3000 pixels: rms 0.01 px, the largest 0.04 px at (12, 300)".
 std::string words_of(const MapAgreement& agreement);
 
+/// How many of a picture's points of light are stars.
+struct ExplainedPoints {
+  int points = 0, stars = 0;
+  double by_chance = 0.0;  ///< expected number of those stars that are none
+  double faintest = 0.0;   ///< limiting magnitude of the catalogue
+};
+
 struct Calibration {
   SkyCamera camera;
   Frame frame;
@@ -64,17 +74,36 @@ struct Calibration {
   double without_rms_px = 0.0;
   double sigma_px = 0.0;  ///< standard deviation of one coordinate: sqrt(sum / (2 N - k))
   CalibrationEvidence evidence = CalibrationEvidence::stars;
-  std::optional<MapAgreement> maps;  ///< for a calibration by maps
+  std::optional<MapAgreement> maps;          ///< for a calibration by maps
+  std::optional<ExplainedPoints> explained;  ///< if the picture is known, with time and site
   Pointing pointing;
   std::vector<CameraEstimate> estimates;
   Eigen::MatrixXd correlation;           ///< correlations of the free estimates, in their order
   double line_of_sight_sigma_deg = 0.0;  ///< standard deviation of the axis's direction along the larger of
                                          ///< its error ellipse's axes; 0 if it was held fixed
-  double twist_sigma_deg = 0.0;       ///< standard deviation of the turn about the axis
-  std::vector<std::string> warnings;  ///< numbers that the stars hardly distinguish, and the like
+  double twist_sigma_deg = 0.0;          ///< standard deviation of the turn about the axis
+  double horizon_elevation_deg = 0.0;    ///< of the observer, above which the sky is
+  std::array<bool, lens_numbers> is_free{};  ///< by LensNumber: it was fitted
+  Eigen::MatrixXd number_roots;              ///< R with a row for each LensNumber: their covariance is R R'
+  std::vector<std::string> warnings;         ///< numbers that the stars hardly distinguish, and the like
 
   int used() const;
 };
+
+/// Sets what follows from the camera, the stars and those of them that are used: the pointing, the residuals
+/// (those of fits without stars likewise, until they are made) and their rms.
+void set_residuals(Calibration& calibration, const StarSet& used);
+
+/// Returns R with (J' J)^-1 = R R', for a Jacobian J whose columns are independent.
+Eigen::MatrixXd root_of_inverse(const Eigen::MatrixXd& jacobian);
+
+/// Sets the numbers of the scene with error bars and correlations, by sigma_px and by `unit_roots`
+/// (number_roots of residuals of 1 px); `free`: the numbers that were fitted.
+void set_errors(Calibration& calibration, const Eigen::MatrixXd& unit_roots,
+                const std::vector<LensNumber>& free);
+
+/// Appends the warnings that follow from the numbers.
+void set_warnings(Calibration& calibration);
 
 /// Calibrates a camera. For maps, no fits without each point are made. Throws sim::Error(unreadable_input)
 /// about the file `name` if there are too few stars, if all are in one point or on one line of the picture or
@@ -82,5 +111,10 @@ struct Calibration {
 Calibration calibrate(const LensSettings& settings, const std::vector<StarSighting>& stars,
                       const Frame& frame, const std::string& name,
                       CalibrationEvidence evidence = CalibrationEvidence::stars);
+
+/// Adds the error of the time at which the stars stood in these directions: it turns the camera by `turn_deg`
+/// about the celestial pole, whose altitude is the latitude. All standard errors and correlations contain it
+/// then. Nothing changes if the rotation was held fixed.
+void add_time_error(Calibration& calibration, double latitude_deg, double turn_deg);
 
 }  // namespace vegard::fit

@@ -5,9 +5,15 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include <fmt/format.h>
+
+#include "fit/photo/pointing/direction_error.h"
+#include "fit/photo/pointing/held_out.h"
+#include "fit/photo/pointing/star_check.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/version.h"
 #include "sim/view/camera/camera.h"
+#include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {
 namespace {
@@ -31,12 +37,20 @@ std::string lens_words(const LensCandidate& candidate) {
   return words_of(candidate.form) + (candidate.fit.camera.mirrored ? ", mirrored" : "");
 }
 
+/// ",upper left,0.12,-0.3,1" and a line break.
+std::string held_out_cells(const Calibration& calibration, std::size_t star) {
+  const StarResidual& one = calibration.residuals[star];
+  return "," + region_name(calibration.frame, calibration.stars[star].x_px, calibration.stars[star].y_px) +
+         "," + sim::csv_number(one.without_region_dx_px) + "," + sim::csv_number(one.without_region_dy_px) +
+         (one.used ? ",1\n" : ",0\n");
+}
+
 }  // namespace
 
 std::string residuals_csv(const Calibration& calibration) {
   std::string csv =
       "star,azimuth_deg,elevation_deg,magnitude,x_px,y_px,dx_px,dy_px,without_dx_px,without_dy_px,off_axis_"
-      "deg,from_centre_px,used\n";
+      "deg,from_centre_px,region,without_region_dx_px,without_region_dy_px,used\n";
   for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
     const StarSighting& star = calibration.stars[i];
     const StarResidual& one = calibration.residuals[i];
@@ -46,7 +60,29 @@ std::string residuals_csv(const Calibration& calibration) {
          {direction.azimuth_deg, direction.elevation_deg, star.magnitude, star.x_px, star.y_px, one.dx_px,
           one.dy_px, one.without_dx_px, one.without_dy_px, one.off_axis_deg, one.from_centre_px})
       csv += "," + sim::csv_number(value);
-    csv += one.used ? ",1\n" : ",0\n";
+    csv += held_out_cells(calibration, i);
+  }
+  return csv;
+}
+
+std::string stars_csv(const Calibration& calibration) {
+  std::string csv;
+  for (const std::string& words : {held_out_line(calibration), explained_line(calibration)})
+    if (!words.empty()) csv += sim::csv_comment(words);
+  csv +=
+      "name,ra_deg,dec_deg,magnitude,x_px,y_px,dx_px,dy_px,without_dx_px,without_dy_px,region,"
+      "without_region_dx_px,without_region_dy_px,used\n";
+  for (std::size_t i = 0; i < calibration.stars.size(); ++i) {
+    const StarSighting& star = calibration.stars[i];
+    const sim::BrightStar* known = sim::find_bright_star(star.name);
+    if (known == nullptr) continue;
+    const StarResidual& one = calibration.residuals[i];
+    csv += sim::csv_cell(star.name) +
+           fmt::format(",{:.4f},{:.4f},{:.2f},{:.3f},{:.3f}", known->place.j2000.right_ascension_deg,
+                       known->place.j2000.declination_deg, star.magnitude, star.x_px, star.y_px);
+    for (const double value : {one.dx_px, one.dy_px, one.without_dx_px, one.without_dy_px})
+      csv += "," + sim::csv_number(value);
+    csv += held_out_cells(calibration, i);
   }
   return csv;
 }
@@ -58,6 +94,14 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
   json[stars ? "stars_from" : "maps_from"] = origin.stars;
   if (!origin.image.empty()) json["picture"] = origin.image;
   if (!origin.site.time_utc.empty()) json["time_utc"] = origin.site.time_utc;
+  if (origin.instant) {
+    json["exposure_begins_utc"] = origin.instant->begin_utc;
+    json["time_from"] = origin.instant->source;
+    json["middle_after_s"] =
+        origin.instant->middle_after_s ? json_number(*origin.instant->middle_after_s) : Json(nullptr);
+    json["time_error_s"] = json_number(origin.instant->error_s);
+    json["time_error_turn_deg"] = json_number(origin.instant->turn_error_deg());
+  }
   if (!origin.from_photograph.empty()) json["from_photograph"] = origin.from_photograph;
   json["lens"] = words_of(calibration.form);
   json["mirrored"] = calibration.camera.mirrored;
@@ -72,9 +116,27 @@ std::string calibration_json(const Calibration& calibration, const CalibrationOr
                     {"rms_px", json_number(calibration.maps->rms_px)},
                     {"largest_px", json_number(calibration.maps->largest_px)},
                     {"largest_at", {calibration.maps->largest_x, calibration.maps->largest_y}}};
+  if (stars) {
+    json["regions"] = Json::array();
+    for (const RegionHeldOut& one : regions_held_out(calibration))
+      json["regions"].push_back({{"region", one.name},
+                                 {"stars", one.stars},
+                                 {"rms_without_each_star_px", json_number(one.without_rms_px)},
+                                 {"rms_without_the_region_px", json_number(one.without_region_rms_px)}});
+  }
+  if (calibration.explained)
+    json["points_of_light"] = {{"found", calibration.explained->points},
+                               {"stars", calibration.explained->stars},
+                               {"by_chance", json_number(calibration.explained->by_chance)},
+                               {"faintest_magnitude", json_number(calibration.explained->faintest)}};
   json["sigma_px"] = json_number(calibration.sigma_px);
   json["axis_sigma_deg"] = json_number(calibration.line_of_sight_sigma_deg);
   json["turn_sigma_deg"] = json_number(calibration.twist_sigma_deg);
+  const DirectionErrors errors = direction_errors(calibration);
+  json["direction_error_deg"] = {{"typical", json_number(errors.typical_deg)},
+                                 {"worst", json_number(errors.worst_deg)},
+                                 {"worst_at_px", {errors.worst_x_px, errors.worst_y_px}},
+                                 {"other_lenses", errors.opinions}};
   json["numbers"] = Json::array();
   for (const CameraEstimate& estimate : calibration.estimates) {
     json["numbers"].push_back({{"key", "camera." + estimate.key()},

@@ -11,6 +11,11 @@ namespace vegard::fit {
 /// was used.
 std::string residuals_csv(const Calibration& calibration);
 
+/// Returns the stars with right ascension and declination, their residuals by fits with and without them, and
+/// what is held out in comments: a table that `vegard calibrate` reads. Stars that data/stars does not have
+/// are left out.
+std::string stars_csv(const Calibration& calibration);
+
 /// Returns the lenses compared, the numbers with error bars and correlations, the stars and the warnings.
 std::string calibration_json(const Calibration& calibration, const CalibrationOrigin& origin);
 

@@ -12,7 +12,7 @@ std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double ju
   std::vector<StarSighting> sky;
   const double min_up = std::sin(min_elevation_deg * sim::kRadiansPerDegree);
   const double near = std::cos(apart_deg * sim::kRadiansPerDegree);
-  for (const sim::BrightStar& star : sim::bright_stars()) {
+  for (const sim::BrightStar& star : sim::catalogue_stars()) {
     if (star.magnitude > faintest) break;
     StarSighting one;
     one.enu = sim::direction_of_star(star.place, observer, julian_date);

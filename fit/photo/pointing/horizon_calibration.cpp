@@ -228,6 +228,16 @@ ErrorBar degrees(double radians, double sigma_radians) {
   return {radians / kRadiansPerDegree, sigma_radians / kRadiansPerDegree};
 }
 
+void add_relief(const HorizonProblem& p, double focal_px, HorizonCalibration& result) {
+  if (!(p.relief_deg > 0.0)) return;
+  const auto [a, b] = farthest(p.points);
+  const double apart = std::acos(std::clamp(ray(p, a, focal_px).dot(ray(p, b, focal_px)), -1.0, 1.0));
+  result.elevation_deg.sigma = std::hypot(result.elevation_deg.sigma, p.relief_deg);
+  result.roll_deg.sigma =
+      std::hypot(result.roll_deg.sigma,
+                 std::atan(std::sqrt(2.0) * p.relief_deg * kRadiansPerDegree / apart) / kRadiansPerDegree);
+}
+
 }  // namespace
 
 double horizon_dip_deg(double observer_km, double layer_km) {
@@ -268,6 +278,7 @@ HorizonCalibration calibrate_horizon(const HorizonProblem& p) {
     sigma[free[i]] = std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
   result.elevation_deg = degrees(found.numbers[kHorizonElevation], sigma[kHorizonElevation]);
   result.roll_deg = degrees(found.numbers[kRoll], sigma[kRoll]);
+  add_relief(p, std::exp(found.numbers[kLogFocal]), result);
   result.dip_deg = degrees(found.numbers[kDip], sigma[kDip]);
   const double focal_px = std::exp(found.numbers[kLogFocal]);
   result.hfov_deg.value = hfov_of_focal_deg(focal_px, p.width_px);

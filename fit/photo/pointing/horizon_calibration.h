@@ -24,14 +24,21 @@ struct PixelPoint {
   double x_px = 0.0, y_px = 0.0;  ///< the centre of the first pixel is at (0.5, 0.5)
 };
 
+/// What skylines are above (or, seen from a hill, below) the horizon: hills and trees rise by one to three
+/// degrees. The figure is a guess and no measurement.
+inline constexpr double kSkylineRelief_deg = 2.0;
+
 struct HorizonProblem {
   int width_px = 0, height_px = 0;
   std::vector<PixelPoint> points;
   std::optional<double>
       hfov_deg;  ///< field of view of a pinhole with its axis in the middle; none: to be found
   double dip_deg = 0.0;
-  bool free_dip = false;          ///< true if the dip is fitted as well, starting at dip_deg
-  double point_error_px = 1.0;    ///< standard deviation of a point across the horizon
+  bool free_dip = false;        ///< true if the dip is fitted as well, starting at dip_deg
+  double point_error_px = 1.0;  ///< standard deviation of a point across the horizon
+  /// Standard deviation of the elevation of what forms the line: 0 for the sea's horizon, kSkylineRelief_deg
+  /// for a skyline of hills and trees, of which nothing is known.
+  double relief_deg = 0.0;
   std::optional<PixelPoint> sky;  ///< a point above the horizon; none: the picture's top is above it
 };
 
@@ -40,6 +47,8 @@ struct ErrorBar {
   double sigma = 0.0;  ///< 0 for a given number
 };
 
+/// The error bars contain the points' errors and the relief. The mean of the relief moves the elevation, and
+/// its difference between the ends of the line turns the roll, as if the two ends were independent.
 struct HorizonCalibration {
   ErrorBar elevation_deg, roll_deg, hfov_deg, dip_deg;
   /// The error of a point from which the error bars follow: the stated one, or the scatter of the points

@@ -80,14 +80,15 @@ double agreement(const SkyCamera& camera, const Frame& frame, const std::vector<
 
 constexpr double kMaxCameras = 2e6;  // some minutes
 
+/// `cameras` gets the number of those that were compared.
 SkyCamera searched(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,
-                   const PointGrid& grid, const IdentificationSettings& settings) {
+                   const PointGrid& grid, const IdentificationSettings& settings, double& cameras) {
   SkyCamera best = rough;
   double most = agreement(rough, frame, sky, settings.first_magnitude + 1.0, grid);
   const int twists = static_cast<int>(settings.twist_deg / kTwistStep_deg);
   const int shifts = static_cast<int>(std::ceil(settings.shift_px / kSearchWidth_px));
   const int scales = static_cast<int>(std::ceil(settings.scale_share / kScaleStep));
-  const double cameras = (2.0 * twists + 1.0) * (2.0 * scales + 1.0) * std::pow(2.0 * shifts + 1.0, 2);
+  cameras = (2.0 * twists + 1.0) * (2.0 * scales + 1.0) * std::pow(2.0 * shifts + 1.0, 2);
   if (cameras > kMaxCameras)
     throw sim::Error(sim::ErrorKind::usage,
                      "they ask for " + sim::short_number(cameras, 2) + " cameras to be tried")
@@ -171,16 +172,22 @@ double chance_matches(const SkyCamera& camera, const Frame& frame, const std::ve
 
 }  // namespace
 
-bool is_trustworthy(const Identification& found) {
-  const auto n = static_cast<double>(found.stars.size());
-  return n >= 0.2 * found.in_frame && n >= 5.0 + 3.0 * found.by_chance;
+bool is_trustworthy(const Identification& found) { return is_no_chance(found.agreement); }
+
+double faintest_for_field(const SkyCamera& camera, const Frame& frame, const std::vector<StarSighting>& sky,
+                          double faintest, int enough) {
+  const std::vector<ExpectedStar> seen = expected_stars(camera, frame, sky);
+  if (seen.empty()) return faintest;
+  const std::size_t last = std::min(seen.size(), static_cast<std::size_t>(enough)) - 1;
+  return std::max(faintest, sky[static_cast<std::size_t>(seen[last].star)].magnitude);
 }
 
 Identification identify(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,
                         const std::vector<FoundStar>& points, const IdentificationSettings& settings) {
   const PointGrid grid(points, frame);
   Identification found;
-  found.camera = searched(rough, frame, sky, grid, settings);
+  double cameras = 1.0;
+  found.camera = searched(rough, frame, sky, grid, settings, cameras);
   for (int round = 0; round <= settings.rounds; ++round) {
     const double part = static_cast<double>(round) / settings.rounds;
     const double radius =
@@ -196,6 +203,10 @@ Identification identify(const SkyCamera& rough, const Frame& frame, const std::v
                         found.in_frame);
   found.by_chance =
       chance_matches(found.camera, frame, sky, points, settings.faintest, settings.last_radius_px);
+  // Every round's stars were others: the fits were drawn to points in as many ways again.
+  found.agreement = agreement_against_chance(
+      found.camera, frame, sky, points, PointCells(points, frame, points.size()),
+      static_cast<double>(settings.free.size()), cameras * (settings.rounds + 1.0), settings.pixels);
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fit/photo/pointing/camera_fit.h"
+#include "fit/photo/pointing/chance_agreement.h"
 #include "fit/photo/pointing/star_finder.h"
 
 namespace vegard::fit {
@@ -23,6 +24,7 @@ struct IdentificationSettings {
   double scale_share = 0.0;  ///< largest relative error of focal_px
   int rounds = 5;
   std::vector<LensNumber> free;  ///< the numbers that are fitted
+  SkyPixels pixels;              ///< where the picture shows sky
 };
 
 struct Identification {
@@ -31,11 +33,16 @@ struct Identification {
   int in_frame = 0;                 ///< number of the catalogue's stars that should be seen
   double by_chance = 0.0;           ///< expected number of stars with a point as near among points at random
   double last_radius_px = 0.0;
+  ChanceAgreement agreement;  ///< the count that chance explains least, after so long a search
 };
 
-/// True if more stars were recognised than a search through many cameras finds among points at random: a
-/// fifth of those that should be seen, and five more than three times those by chance.
+/// True if the search would find so many stars among points at random less than once in 10^8 times.
 bool is_trustworthy(const Identification& found);
+
+/// Returns the magnitude to which stars are looked for: `faintest`, or as much deeper as a narrow field needs
+/// to show `enough` stars of `sky`, the brightest first.
+double faintest_for_field(const SkyCamera& camera, const Frame& frame, const std::vector<StarSighting>& sky,
+                          double faintest, int enough = 30);
 
 /// Identifies the stars of `sky` (catalogue_sky(), the brightest first) among the points.
 Identification identify(const SkyCamera& rough, const Frame& frame, const std::vector<StarSighting>& sky,

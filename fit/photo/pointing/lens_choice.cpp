@@ -1,6 +1,7 @@
 #include "fit/photo/pointing/lens_choice.h"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,29 +20,6 @@ constexpr double kExact_px2 = 1e-18;  // of RSS / n: noise-free stars must not m
 constexpr double kWorstCondition = 1e-7;
 constexpr const char* kBeaten = "a lens with fewer numbers foretells each star from the others better";
 
-double criterion(double sum_of_squares, int residuals, int numbers) {
-  return residuals * std::log(std::max(sum_of_squares / residuals, kExact_px2)) +
-         numbers * std::log(residuals);
-}
-
-/// True if the stars determine the numbers, by the singular values of the Jacobian with columns of length 1.
-bool determined(const SkyCamera& camera, const std::vector<LensNumber>& free,
-                const std::vector<StarSighting>& stars, const StarSet& used) {
-  Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
-  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-    const double length = jacobian.col(j).norm();
-    if (!(length > 0.0) || !std::isfinite(length)) return false;
-    jacobian.col(j) /= length;
-  }
-  const Eigen::VectorXd values = sim::singular_values(jacobian);
-  return values[values.size() - 1] > kWorstCondition * values[0];
-}
-
-std::string count_objection(int residuals, int numbers) {
-  if (residuals >= numbers + 4 && 2 * residuals >= 3 * numbers) return {};
-  return "too few stars for " + std::to_string(numbers) + " numbers";
-}
-
 class Chooser {
  public:
   Chooser(const LensSettings& settings, const std::vector<StarSighting>& stars, const Frame& frame)
@@ -53,14 +31,14 @@ class Chooser {
     if (reference < 0) return choice_;
     const LensCandidate& best = choice_.candidates[reference];
     const std::vector<Eigen::Vector2d> left = residuals(best.fit.camera, stars_);
-    choice_.used = stars_kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
+    choice_.used = kept(left, robust_sigma_px(left, {}, static_cast<int>(best.free.size())));
     for (int round = 0; round < kLensMaxRounds; ++round) {
       fit_plainly();
       if (choice_.chosen < 0) return choice_;
       const LensCandidate& chosen = choice_.candidates[choice_.chosen];
       const std::vector<Eigen::Vector2d> now = residuals(chosen.fit.camera, stars_);
       const StarSet next =
-          stars_kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
+          kept(now, robust_sigma_px(now, choice_.used, static_cast<int>(chosen.free.size())));
       if (next == choice_.used) return choice_;
       choice_.used = next;
     }
@@ -70,6 +48,18 @@ class Chooser {
   }
 
  private:
+  /// All stars where none is to be left out, or where the others would be too few for every lens.
+  StarSet kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) const {
+    const StarSet all(stars_.size(), 1);
+    if (settings_.keeps_all) return all;
+    StarSet set = stars_kept(left, sigma_px);
+    const int n = 2 * count(set);
+    const bool enough = std::any_of(
+        choice_.candidates.begin(), choice_.candidates.end(),
+        [&](const auto& one) { return count_objection(n, static_cast<int>(one.free.size())).empty(); });
+    return enough ? set : all;
+  }
+
   SkyCamera centred() const {
     SkyCamera camera;
     camera.numbers[centre_x_number] = 0.5 * frame_.width_px;
@@ -99,7 +89,19 @@ class Chooser {
       drop_other_terms(candidate);
       if (!candidate.fit.good) candidate.objection = "no star comes out near its place";
       choice_.candidates.push_back(candidate);
+      if (settings_.centre_free && static_cast<int>(stars_.size()) <= kVeryFewStars && is_plain(form))
+        choice_.candidates.push_back(with_centre_held(candidate));
     }
+  }
+
+  static bool is_plain(const LensForm& form) { return form.radial == 0 && !form.decentring && !form.aspect; }
+
+  LensCandidate with_centre_held(LensCandidate candidate) const {
+    const SkyCamera middle = centred();
+    candidate.free = free_numbers(candidate.form, false);
+    candidate.fit.camera.numbers[centre_x_number] = middle.numbers[centre_x_number];
+    candidate.fit.camera.numbers[centre_y_number] = middle.numbers[centre_y_number];
+    return candidate;
   }
 
   /// The start may have terms that this form has not.
@@ -164,7 +166,7 @@ class Chooser {
       if (!std::isfinite(sigma)) continue;
       // Robust scales of lenses with many numbers are too small: half of the stars can be drawn to nothing.
       if (k > static_cast<int>(fewest) + 2) continue;
-      const double value = criterion(sigma * sigma * (n - k), n, k);
+      const double value = lens_criterion(sigma * sigma * (n - k), n, k);
       if (value < least) {
         least = value;
         best = static_cast<int>(c);
@@ -175,7 +177,6 @@ class Chooser {
 
   void fit_plainly() {
     const int stars = count(choice_.used), n = 2 * stars;
-    double least = std::numeric_limits<double>::infinity();
     for (LensCandidate& candidate : choice_.candidates) {
       if (candidate.objection == "no star comes out near its place") continue;
       const int k = static_cast<int>(candidate.free.size());
@@ -187,45 +188,18 @@ class Chooser {
         continue;
       }
       candidate.fit = fit;
-      if (!determined(candidate.fit.camera, candidate.free, stars_, choice_.used)) {
+      if (!are_determined(place_jacobian(candidate.fit.camera, candidate.free, stars_, choice_.used))) {
         candidate.objection = "the stars do not tell its numbers apart";
         continue;
       }
       candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / stars);
       candidate.without_rms_px =
           left_one_out_rms_px(candidate.fit.camera, candidate.free, stars_, choice_.used);
-      candidate.bic = criterion(candidate.fit.sum_of_squares, n, k);
+      candidate.bic = lens_criterion(candidate.fit.sum_of_squares, n, k);
+      candidate.is_held = is_held_by_stars(stars, k, candidate.rms_px, candidate.without_rms_px);
+      if (!candidate.is_held) candidate.objection = "single stars hold its numbers";
     }
-    object_to_foretelling();
-    for (const LensCandidate& candidate : choice_.candidates)
-      if (candidate.objection.empty()) least = std::min(least, candidate.bic);
-    choice_.chosen = -1;
-    for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
-      const LensCandidate& candidate = choice_.candidates[c];
-      if (!candidate.objection.empty() || candidate.bic > least + kWorthAMention) continue;
-      if (choice_.chosen >= 0) {
-        const LensCandidate& before = choice_.candidates[choice_.chosen];
-        if (candidate.free.size() > before.free.size()) continue;
-        if (candidate.free.size() == before.free.size() && candidate.bic >= before.bic) continue;
-      }
-      choice_.chosen = static_cast<int>(c);
-    }
-  }
-
-  /// To every lens than which one of fewer numbers foretells stars better.
-  void object_to_foretelling() {
-    constexpr double kExactly_px = 1e-9;  // below it all lenses are right, and rounding would decide
-    std::vector<std::string> objections;
-    for (const LensCandidate& one : choice_.candidates) {
-      const bool beaten =
-          one.objection.empty() &&
-          std::any_of(choice_.candidates.begin(), choice_.candidates.end(), [&](const LensCandidate& other) {
-            return other.objection.empty() && other.free.size() < one.free.size() &&
-                   one.without_rms_px > std::max(other.without_rms_px, kExactly_px);
-          });
-      objections.push_back(beaten ? kBeaten : one.objection);
-    }
-    for (std::size_t c = 0; c < objections.size(); ++c) choice_.candidates[c].objection = objections[c];
+    choice_.chosen = preferred_lens(choice_.candidates);
   }
 
   const LensSettings& settings_;
@@ -234,7 +208,67 @@ class Chooser {
   LensChoice choice_;
 };
 
+/// To every lens than which one of fewer numbers foretells stars better.
+void object_to_foretelling(std::vector<LensCandidate>& candidates) {
+  constexpr double kExactly_px = 1e-9;  // below it all lenses are right, and rounding would decide
+  std::vector<std::string> objections;
+  for (const LensCandidate& one : candidates) {
+    const bool beaten = one.objection.empty() &&
+                        std::any_of(candidates.begin(), candidates.end(), [&](const LensCandidate& other) {
+                          return other.objection.empty() && other.free.size() < one.free.size() &&
+                                 one.without_rms_px > std::max(other.without_rms_px, kExactly_px);
+                        });
+    objections.push_back(beaten ? kBeaten : one.objection);
+  }
+  for (std::size_t c = 0; c < objections.size(); ++c) candidates[c].objection = objections[c];
+}
+
 }  // namespace
+
+double lens_criterion(double sum_of_squares, int residuals, int numbers) {
+  return residuals * std::log(std::max(sum_of_squares / residuals, kExact_px2)) +
+         numbers * std::log(residuals);
+}
+
+bool are_determined(Eigen::MatrixXd jacobian) {
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    const double length = jacobian.col(j).norm();
+    if (!(length > 0.0) || !std::isfinite(length)) return false;
+    jacobian.col(j) /= length;
+  }
+  const Eigen::VectorXd values = sim::singular_values(jacobian);
+  return values[values.size() - 1] > kWorstCondition * values[0];
+}
+
+std::string count_objection(int residuals, int numbers) {
+  if (residuals >= numbers + 4 && 2 * residuals >= 3 * numbers) return {};
+  return "too few stars for " + std::to_string(numbers) + " numbers";
+}
+
+int preferred_lens(std::vector<LensCandidate>& candidates) {
+  object_to_foretelling(candidates);
+  double least = std::numeric_limits<double>::infinity();
+  for (const LensCandidate& candidate : candidates)
+    if (candidate.objection.empty()) least = std::min(least, candidate.bic);
+  int chosen = -1;
+  for (std::size_t c = 0; c < candidates.size(); ++c) {
+    const LensCandidate& candidate = candidates[c];
+    if (!candidate.objection.empty() || candidate.bic > least + kWorthAMention) continue;
+    if (chosen >= 0) {
+      const LensCandidate& before = candidates[static_cast<std::size_t>(chosen)];
+      if (candidate.free.size() > before.free.size()) continue;
+      if (candidate.free.size() == before.free.size() && candidate.bic >= before.bic) continue;
+    }
+    chosen = static_cast<int>(c);
+  }
+  return chosen;
+}
+
+bool is_held_by_stars(int stars, int numbers, double rms_px, double without_rms_px) {
+  if (stars >= kManyStars || without_rms_px <= kHeld_px) return true;
+  const double share_left = 1.0 - static_cast<double>(numbers) / (2.0 * stars);
+  return without_rms_px * share_left <= kHeldTimes * rms_px;
+}
 
 double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& used, int free_numbers) {
   std::vector<double> distances;

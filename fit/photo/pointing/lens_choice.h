@@ -12,12 +12,17 @@
 // The residual of a fit without star i is (I - H_ii)^-1 r_i (Cook and Weisberg, Residuals and Influence in
 // Regression, 1982, 2.2), with its residual r_i and its block of the hat matrix H = J (J' J)^-1 J'.
 //
+// Of k numbers fitted to n residuals, a residual is (1 - k / n) of that of a fit without its star, if all
+// stars weigh alike. Where few stars are kHeldTimes as far off, and by more than a pixel, some number hangs
+// on a single star, and a lens with wrong names could pass as well: such a lens takes no part.
+//
 // Outliers: first every lens is fitted with Cauchy's loss, which limits the influence of a mistaken star.
 // Stars with residuals above 5 robust standard deviations (of one coordinate: the median distance
 // over 1.1774, corrected for the numbers fitted) are rejected. Then the lens is chosen by plain least squares
 // with the others, and all stars, also the rejected ones, are tested again under it until the set does not
-// change. For fewer than twenty stars, whose scatter is not known well, none is rejected for less than a
-// pixel, and at most a fifth of them, the farthest.
+// change. No more are rejected than leave enough for the simplest lens. For fewer than twenty stars, whose
+// scatter is not known well, none is rejected for less than a pixel, and at most a fifth of them, the
+// farthest.
 #pragma once
 
 #include <optional>
@@ -33,6 +38,11 @@ inline constexpr double kRejectionSigmas = 5.0;
 /// The least residual for which a star is rejected, and the same for fewer stars than kManyStars.
 inline constexpr double kMinRejection_px = 0.02, kFewMin_px = 1.0;
 inline constexpr int kManyStars = 20;
+/// From the first number of stars to the second, lenses without terms are also tried with their centre in the middle of the picture.
+inline constexpr int kFewestStars = 5, kVeryFewStars = 7;
+/// Of fewer stars than kManyStars: how many times farther off than by the count of its numbers a star may be
+/// by a fit without it, and from how many pixels on that counts.
+inline constexpr double kHeldTimes = 3.0, kHeld_px = 1.0;
 /// The largest share of few stars that may be rejected.
 inline constexpr double kFewLeftOut = 0.2;
 
@@ -44,7 +54,24 @@ struct LensCandidate {
   double without_rms_px = 0.0;  ///< the same of the leave-one-out residuals
   double bic = 0.0;
   std::string objection;  ///< why it takes no part; empty if it takes part
+  bool is_held = true;    ///< whether it would be much the same without any one of the stars
 };
+
+/// True unless few stars are much farther off by fits without them (see above).
+bool is_held_by_stars(int stars, int numbers, double rms_px, double without_rms_px);
+
+/// Objects to every lens than which one of fewer numbers foretells stars better, and returns the index of the
+/// one that BIC prefers among those without objection; -1: there is none.
+int preferred_lens(std::vector<LensCandidate>& candidates);
+
+/// Returns the objection to a lens whose numbers are too many for the residuals; empty if they are not.
+std::string count_objection(int residuals, int numbers);
+
+/// Returns Schwarz's criterion, BIC.
+double lens_criterion(double sum_of_squares, int residuals, int numbers);
+
+/// True if the columns of a Jacobian determine the numbers, by its singular values once they have length 1.
+bool are_determined(Eigen::MatrixXd jacobian);
 
 struct LensChoice {
   std::vector<LensCandidate> candidates;
@@ -58,6 +85,7 @@ struct LensSettings {
   std::optional<LensForm> form;         ///< only this lens
   bool centre_free = true;              ///< false: the centre is the frame's middle, or that of `start`
   std::optional<SkyCamera> start;       ///< where lenses of its model start; others find their own start
+  bool keeps_all = false;               ///< true: no star is left out
   std::vector<LensNumber> only;  ///< the free numbers of `start`, whose lens is kept; empty: choose a lens
 };
 

@@ -2,10 +2,13 @@
 
 #include <cmath>
 
+#include "fit/photo/pointing/direction_error.h"
+#include "fit/photo/pointing/held_out.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/version.h"
+#include "sim/scene/file/closing_line.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::fit {
@@ -99,8 +102,11 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
           std::to_string(calibration.used()) + " of " + std::to_string(calibration.stars.size()) +
           (stars ? " used\n" : " points used\n");
   if (!origin.image.empty()) text += "# picture: " + in_one_line(origin.image) + "\n";
+  if (origin.same_lens > 1)
+    text += "# its lens is that of " + std::to_string(origin.same_lens) + " pictures together\n";
   for (const std::string& words : origin.from_photograph)
     text += "# from the photograph: " + in_one_line(words) + "\n";
+  if (origin.instant) text += "# " + in_one_line(words_of(*origin.instant)) + "\n";
   text += "# lens: " + words_of(calibration.form) +
           (calibration.candidates.size() > 1
                ? ", by BIC from " + std::to_string(calibration.candidates.size()) + " lenses\n"
@@ -109,9 +115,12 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
       "# rms " + sim::short_number(calibration.rms_px, 4) + " px (sqrt of the mean of dx^2 + dy^2)" +
       (stars ? ", each star by a fit without it " + sim::short_number(calibration.without_rms_px, 4) + " px\n"
              : "\n");
+  if (stars) text += "# " + held_out_line(calibration) + "\n";
+  if (const std::string points = explained_line(calibration); !points.empty()) text += "# " + points + "\n";
   if (calibration.maps) text += "# " + words_of(*calibration.maps) + "\n";
   text += "# the axis is known to " + sim::short_number(calibration.line_of_sight_sigma_deg, 2) +
           " deg, the turn about it to " + sim::short_number(calibration.twist_sigma_deg, 2) + " deg\n";
+  text += "# " + words_of(direction_errors(calibration)) + "\n";
   for (const std::string& warning : calibration.warnings) text += "# " + in_one_line(warning) + "\n";
   text += "# Behind each number that was fitted: its standard deviation.\n\n";
   if (origin.site_known) {
@@ -134,7 +143,7 @@ std::string camera_toml(const Calibration& calibration, const CalibrationOrigin&
                  estimate.free ? "± " + sim::short_number(estimate.sigma, 2) : "held");
   }
   if (calibration.camera.mirrored) text += line("mirrored", "true");
-  return text;
+  return sim::with_closing_line(text);
 }
 
 }  // namespace vegard::fit

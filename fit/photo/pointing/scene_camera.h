@@ -1,10 +1,12 @@
 // Converts a calibration's camera to that of a scene, and back.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fit/photo/pointing/calibration.h"
+#include "fit/photo/star_instant.h"
 #include "sim/scene/structs/site.h"
 
 namespace vegard::fit {
@@ -20,8 +22,10 @@ sim::Camera scene_camera_of(const Calibration& calibration);
 struct CalibrationOrigin {
   std::string stars;  ///< the table, picture or maps from which the stars come, without folders
   std::string image;
+  int same_lens = 1;  ///< number of pictures that the lens was fitted to
   bool site_known = false;
-  sim::Site site;  ///< with time_utc, if it is known
+  sim::Site site;                      ///< with time_utc, if it is known: the instant of the stars
+  std::optional<StarInstant> instant;  ///< if directions were computed from the time
   /// The facts that come from the picture's metadata (fact_text() of fit/photo/photo_facts.h).
   std::vector<std::string> from_photograph;
 };

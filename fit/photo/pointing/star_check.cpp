@@ -1,6 +1,8 @@
 #include "fit/photo/pointing/star_check.h"
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim/base/error.h"
@@ -65,6 +67,19 @@ void check_star_places(const std::vector<StarSighting>& stars, const Frame& fram
             "is the table another picture's, or this one's before it was made smaller? --offset is for a "
             "table of a crop");
   }
+}
+
+int ninth_of(const Frame& frame, double x_px, double y_px) {
+  const auto third = [](double place, int length) {
+    return std::clamp(static_cast<int>(3.0 * place / std::max(length, 1)), 0, 2);
+  };
+  return 3 * third(y_px, frame.height_px) + third(x_px, frame.width_px);
+}
+
+std::string region_name(const Frame& frame, double x_px, double y_px) {
+  constexpr std::array<const char*, kPictureNinths> kNames = {
+      "upper left", "top", "upper right", "left", "middle", "right", "lower left", "bottom", "lower right"};
+  return kNames[static_cast<std::size_t>(ninth_of(frame, x_px, y_px))];
 }
 
 bool only_in_first_quarter(const std::vector<StarSighting>& stars, const Frame& frame) {

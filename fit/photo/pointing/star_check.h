@@ -18,6 +18,14 @@ void check_stars(const std::vector<StarSighting>& stars, int free_numbers, const
 /// outside of the picture: the table belongs to another picture, or to another size of this one.
 void check_star_places(const std::vector<StarSighting>& stars, const Frame& frame, const std::string& name);
 
+/// The number of parts that a picture is divided into, three by three.
+inline constexpr int kPictureNinths = 9;
+
+/// Returns the ninth of the picture that contains a place, from the upper left on by rows, and its name:
+/// "upper left", "middle".
+int ninth_of(const Frame& frame, double x_px, double y_px);
+std::string region_name(const Frame& frame, double x_px, double y_px);
+
 /// True if there are at least six stars and all are in the picture's upper left quarter, as those of a
 /// smaller version or a crop of the picture are. Of tables with six stars all over the picture, one in four
 /// thousand is so.

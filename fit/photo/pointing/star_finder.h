@@ -3,8 +3,9 @@
 // Each is a local maximum of the luminance, smoothed by a little, that stands out of the ring around it
 // (radii 4 to 7 px) by several of that ring's robust standard deviations. Its place is the fixed point of
 // Gaussian-weighted moments (the weight as wide as a star usually is, 1.2 px), whose error follows from the
-// ring's noise. A slope s per pixel of the background shifts a star of height A by about 5.8 s / A px. Arcs,
-// clouds and the horizon give points too; the identification decides which of them are stars.
+// ring's noise. Where the ring slopes by more than its noise, as in twilight, both are taken about the plane
+// through it; a slope s per pixel that is left shifts a star of height A by about 5.8 s / A px. Arcs, clouds
+// and the horizon give points too; the identification decides which of them are stars.
 #pragma once
 
 #include <vector>

@@ -13,6 +13,7 @@ struct StarSighting {
   double x_px = 0.0, y_px = 0.0;  ///< the centre of the picture's first pixel is at (0.5, 0.5)
   double magnitude = std::numeric_limits<double>::quiet_NaN();  ///< V, if it is known
   int line = 0;                                                 ///< line in its table
+  bool is_direction_given = false;  ///< its table says its azimuth: no time was needed for it
 };
 
 /// The size of the picture. `known` is false if it was only estimated from the places of the stars.

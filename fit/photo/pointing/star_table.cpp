@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
@@ -18,14 +19,18 @@ namespace {
 
 class Reader {
  public:
-  Reader(const std::string& name, const SkyOfPicture& sky, double first_pixel)
-      : name_(name), sky_(sky), shift_px_(0.5 - first_pixel) {}
+  Reader(const std::string& name, const SkyOfPicture& sky, double first_pixel, bool ra_is_hours = false)
+      : name_(name), sky_(sky), shift_px_(0.5 - first_pixel), ra_is_hours_(ra_is_hours) {}
 
   std::vector<StarSighting> read(const std::string& text) {
     std::size_t begin = sim::starts_with(text, "\xef\xbb\xbf") ? 3 : 0;
     for (; begin < text.size(); ++line_) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
-      cells_ = cells_of(text.substr(begin, end - begin));
+      const std::string line = text.substr(begin, end - begin);
+      if (line.find('\0') != std::string::npos)
+        throw bad_line("there are bytes of zero in it").expected("text").hint("was the file cut or damaged?");
+      if (columns_.empty() && line[0] != '#') separator_ = sim::table_separator(line);
+      cells_ = cells_of(line);
       begin = end + 1;
       if (cells_.size() == 1 && cells_[0].empty()) continue;
       if (!cells_[0].empty() && cells_[0][0] == '#') continue;
@@ -39,13 +44,13 @@ class Reader {
   }
 
  private:
-  static std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells_of(const std::string& line) const {
     std::vector<std::string> cells(1);
     bool quoted = false;
     for (const char c : line) {
       if (c == '"')
         quoted = !quoted;
-      else if (c == ',' && !quoted)
+      else if (c == separator_ && !quoted)
         cells.emplace_back();
       else
         cells.back() += c;
@@ -62,10 +67,14 @@ class Reader {
 
   void header() {
     for (std::size_t i = 0; i < cells_.size(); ++i)
-      if (!columns_.emplace(cells_[i], i).second)
+      if (!columns_.emplace(sim::lowered(cells_[i]), i).second)
         throw bad_line("two columns are called '" + cells_[i] + "'").expected("one of each");
     if (!has("x_px") || !has("y_px"))
-      throw bad_line("no columns x_px and y_px").expected("where each star was seen");
+      throw bad_line("no columns x_px and y_px")
+          .expected(
+              "where each star was seen; names of columns in the first line, with commas, semicolons or "
+              "tabs between")
+          .hint("the first line has " + sim::joined(cells_));
     if (has("azimuth_deg") && (has("elevation_deg") || has("zenith_deg"))) return;
     if ((has("ra_deg") || has("ra_hours")) && has("dec_deg")) return require_sky(sky_, name_);
     if (has("star")) return require_sky(sky_, name_);
@@ -76,7 +85,7 @@ class Reader {
   const std::string& text(const char* column) const { return cells_[columns_.at(column)]; }
 
   double number(const char* column, double least, double most) const {
-    std::string cell = text(column);
+    std::string cell = sim::with_decimal_point(text(column), separator_);
     if (!cell.empty() && cell[0] == '+') cell.erase(0, 1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -106,9 +115,12 @@ class Reader {
           sim::kRadiansPerDegree;
       star.enu = {std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
                   std::sin(elevation)};
+      star.is_direction_given = true;
     } else if (has("dec_deg")) {
       sim::CataloguePlace place;
-      place.j2000 = {has("ra_deg") ? number("ra_deg", 0, 360) : 15.0 * number("ra_hours", 0, 24),
+      const bool is_hours = ra_is_hours_ || !has("ra_deg");
+      const char* const column = has("ra_deg") ? "ra_deg" : "ra_hours";
+      place.j2000 = {is_hours ? 15.0 * number(column, 0, 24) : number(column, 0, 360),
                      number("dec_deg", -90, 90)};
       star.enu = sim::direction_of_star(place, *sky_.observer, *sky_.julian_date);
     } else {
@@ -138,6 +150,8 @@ class Reader {
   const std::string& name_;
   const SkyOfPicture& sky_;
   double shift_px_;
+  bool ra_is_hours_;  ///< also of ra_deg
+  char separator_ = ',';
   int line_ = 1;
   std::map<std::string, std::size_t> columns_;
   std::vector<std::string> cells_;
@@ -167,6 +181,18 @@ std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPi
   const std::string text = sim::input_bytes(file, "a table of stars");
   if (is_fits_table(text)) return solved_field(text, file, sky, first_pixel.value_or(1.0));
   return parse_star_table(text, file, sky, first_pixel.value_or(0.5));
+}
+
+std::optional<std::vector<StarSighting>> stars_with_hours(const std::string& file, const SkyOfPicture& sky,
+                                                          std::optional<double> first_pixel) {
+  const std::string text = sim::input_bytes(file, "a table of stars");
+  if (is_fits_table(text) || sim::lowered(text.substr(0, text.find("dec_deg"))).find("ra_deg") == text.npos)
+    return std::nullopt;
+  try {
+    return Reader(file, sky, first_pixel.value_or(0.5), true).read(text);
+  } catch (const sim::Error&) {
+    return std::nullopt;
+  }
 }
 
 bool is_fits_table(std::string_view bytes) { return bytes.substr(0, 9) == "SIMPLE  ="; }

@@ -1,8 +1,9 @@
 // Reads tables of recognised stars.
 //
-// A table that a user writes is comma-separated, with the names of columns in the first line and one star per
-// line; blank lines and lines that begin with # are skipped. Every star has x_px and y_px, and its direction
-// in one of these forms:
+// A table that a user writes is separated by commas, or by semicolons or tabs and then perhaps with decimal
+// commas, with the names of columns in the first line, in small letters or capitals, and one star per line;
+// blank lines and lines that begin with # are skipped. Every star has x_px and y_px, and its direction in one
+// of these forms:
 //   azimuth_deg and elevation_deg, or azimuth_deg and zenith_deg: as seen, with the air's refraction
 //   ra_deg (or ra_hours) and dec_deg: J2000; needs time and site
 //   star: a name, designation, "HIP 91262" or "HD 172167" of data/stars; needs time and site
@@ -41,6 +42,11 @@ std::vector<StarSighting> read_star_table(const std::string& file, const SkyOfPi
                                           std::optional<double> first_pixel = {});
 std::vector<StarSighting> parse_star_table(const std::string& text, const std::string& name,
                                            const SkyOfPicture& sky, double first_pixel = 0.5);
+
+/// Reads a table with the numbers in ra_deg taken for hours. Returns nothing if there is no such column, or a
+/// number in it is above 24.
+std::optional<std::vector<StarSighting>> stars_with_hours(const std::string& file, const SkyOfPicture& sky,
+                                                          std::optional<double> first_pixel = {});
 
 /// True for bytes that begin as a FITS file does, unlike any table of text.
 bool is_fits_table(std::string_view bytes);

@@ -15,6 +15,7 @@
 #include "sim/base/number/quantile.h"
 #include "sim/base/picture/fits_io.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/text.h"
 #include "sim/base/version.h"
 
 namespace vegard::fit {
@@ -40,6 +41,21 @@ std::optional<double> exposure_in(const std::map<std::string, std::string>& word
   return std::nullopt;
 }
 
+/// Refuses numbers that are declared to be something else than a camera's counts: brightnesses, rates,
+/// electrons.
+void require_counts(const std::map<std::string, std::string>& words, const std::string& name) {
+  const auto found = words.find("BUNIT");
+  if (found == words.end()) return;
+  const std::string unit = sim::lowered(sim::trimmed(found->second));
+  for (const char* counts : {"", "adu", "adus", "ct", "count", "counts", "cts", "dn", "adu/pixel", "dn/pixel",
+                             "count/pixel", "counts/pixel", "adu pixel-1", "none"})
+    if (unit == counts) return;
+  throw sim::unreadable(name, "BUNIT is '" + found->second + "'")
+      .key("BUNIT")
+      .expected("counts: ADU, DN or count")
+      .hint("the camera's factor is that of raw counts; correct or remove BUNIT if they are such");
+}
+
 int channel_number(const std::string& channel) { return channel == "red" ? 0 : channel == "green" ? 1 : 2; }
 
 FileCounts file_counts(const std::string& name, const std::string& channel) {
@@ -48,6 +64,7 @@ FileCounts file_counts(const std::string& name, const std::string& channel) {
     throw sim::unreadable(name, "its numbers are no counts: they were bent and packed for the eye")
         .expected("FITS, PGM, TIFF, PNG or an imager's frame");
   const PictureCodes codes = picture_codes(picture.bytes, name);
+  require_counts(codes.words, name);
   int from = 0;
   if (codes.channels == 3) {
     if (channel.empty()) {
@@ -161,7 +178,8 @@ RayleighPicture rayleigh_picture(const CountPicture& counts, const RayleighFilte
   const std::string line = fmt::format("{:.0f}", 10.0 * filter.band.line_nm);
   RayleighPicture picture;
   picture.image = sim::Image(counts.rate.width, counts.rate.height, {"rayleigh." + line, "error." + line});
-  picture.scale_error = std::hypot(factor.error / factor.value, filter.flat_error);
+  // Of a factor without an error the scale's is unknown, however well the flat field is known.
+  if (factor.error > 0.0) picture.scale_error = std::hypot(factor.error / factor.value, filter.flat_error);
   const double dark = filter.dark_error_counts / counts.exposure_s;
   std::vector<float> known;
   for (std::size_t i = 0; i < counts.rate.data.size(); ++i) {
@@ -186,36 +204,38 @@ RayleighPicture rayleigh_picture(const CountPicture& counts, const RayleighFilte
 std::string encode_rayleigh_fits(const RayleighPicture& picture, const RayleighFilter& filter,
                                  const RayleighCamera& camera, const std::string& photo, double exposure_s,
                                  const std::string& name) {
-  const std::vector<sim::FitsKeyword> keywords = {
+  std::vector<sim::FitsKeyword> keywords = {
       {"BUNIT", std::string("R"), "rayleigh, of both planes"},
       {"PLANE1", std::string("brightness; ") + kBelowAir, ""},
       {"PLANE2", "standard error of a pixel by itself: " + noise_words(filter), ""},
-      {"SCALEERR", picture.scale_error, "relative error of the scale, of all pixels alike"},
       {"RAYCOUNT", filter.factor->value, "rayleighs of a count per second"},
-      {"RAYERR", filter.factor->error, "standard error of that"},
       {"WAVELEN", filter.band.line_nm, "line, nm"},
       {"FILTER", filter.name, ""},
       {"EXPTIME", exposure_s, "s"},
       {"CAMERA", camera.name, ""},
       {"PHOTO", photo, ""},
       {"ORIGIN", "vegard " + sim::version(), ""}};
+  if (picture.scale_error > 0.0) {
+    keywords.push_back({"SCALEERR", picture.scale_error, "relative error of the scale, of all pixels alike"});
+    keywords.push_back({"RAYERR", filter.factor->error, "standard error of RAYCOUNT"});
+  }
   return sim::encode_fits(picture.image, keywords, name);
 }
 
 std::string encode_rayleigh_exr(const RayleighPicture& picture, const RayleighFilter& filter,
                                 const RayleighCamera& camera, const std::string& photo, double exposure_s,
                                 const std::string& name) {
-  const sim::ImageAttributes attributes = {
+  sim::ImageAttributes attributes = {
       {"version", sim::version()},
       {"photograph", photo},
       {"camera", camera.name},
       {"filter", filter.name},
       {"exposure_s", fmt::format("{:g}", exposure_s)},
       {"rayleigh_per_count_s", fmt::format("{:g}", filter.factor->value)},
-      {"scale_error", fmt::format("{:g}", picture.scale_error)},
       {"units", std::string("rayleigh.*: rayleighs, ") + kBelowAir +
                     "; error.*: standard error of a pixel by itself, " + noise_words(filter) +
                     "; scale_error: relative, of all pixels alike"}};
+  if (picture.scale_error > 0.0) attributes["scale_error"] = fmt::format("{:g}", picture.scale_error);
   return sim::encode_exr({&picture.image}, attributes, name);
 }
 

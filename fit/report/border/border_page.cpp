@@ -21,6 +21,7 @@ constexpr int kBorderPanel_px = 520;  // of border.svg
 constexpr int kPagePanel_px = 390;    // two fit side by side on the page
 constexpr Colour kBorderAltitudeInk[4] = {{200, 60, 30}, {220, 140, 20}, {20, 130, 90}, {40, 90, 180}};
 constexpr Colour kBorderPeakInk{150, 158, 168}, kBorderGridInk{190, 196, 204};
+constexpr Colour kBorderDoubtInk{170, 170, 170};  // of traces that are not claimed
 constexpr Colour kBorderTraceInk[6] = {{255, 60, 60},  {255, 170, 0},  {60, 220, 255},
                                        {255, 90, 230}, {190, 255, 60}, {150, 160, 255}};
 
@@ -75,7 +76,11 @@ Series border_line(const std::string& label, Colour colour, Mark mark, double wi
   return line;
 }
 
-std::string trace_label(std::size_t index) { return "trace " + std::to_string(index + 1); }
+/// A claimed trace has a colour and a place in the legend; the others are thin, grey and dashed.
+Series border_trace_line(const Border& border, std::size_t trace) {
+  if (!border.traces[trace].is_claimed()) return border_line("", kBorderDoubtInk, Mark::dashed_line, 0.6);
+  return border_line("trace " + std::to_string(trace + 1), border_trace_ink(trace), Mark::line, 1.2);
+}
 
 Panel border_photo_panel(const Border& border, const Photo& photo, const sim::Scene& scene) {
   const sim::Image& image = photo.linear;
@@ -107,13 +112,16 @@ Panel border_photo_panel(const Border& border, const Photo& photo, const sim::Sc
   for (const double s : sum) panel.raster.rgb.push_back(border_code(s, 0.8 * dark, white));
   const sim::CameraView<double> view = sim::camera_view(scene.camera);
   for (std::size_t t = 0; t < border.traces.size(); ++t) {
-    Series line = border_line(trace_label(t), border_trace_ink(t), Mark::line, 1.2);
+    Series line = border_trace_line(border, t);
     double before = sim::kNaN;
     for (const BorderPoint& p : border.traces[t].points) {
       double enu[3], x = sim::kNaN, y = sim::kNaN;
       sim::enu_of_direction({p.azimuth_deg, p.elevation_deg}, enu);
       if (!p.measured() || !sim::pixel_of_enu(view, enu, x, y)) x = y = sim::kNaN;
-      if (std::abs(std::remainder(p.azimuth_deg - before, 360.0)) > 4.5 * border.cells.azimuth_step_deg) {
+      // High up a degree of azimuth is short.
+      const double apart = std::abs(std::remainder(p.azimuth_deg - before, 360.0)) *
+                           (p.measured() ? std::cos(p.elevation_deg * sim::kRadiansPerDegree) : 1.0);
+      if (apart > 4.5 * border.cells.azimuth_step_deg) {
         line.x.push_back(sim::kNaN);
         line.y.push_back(sim::kNaN);
       }
@@ -168,7 +176,7 @@ Panel border_sky_panel(const Border& border) {
                                static_cast<std::uint8_t>(std::isfinite(v) ? code / 2 : 60)});
     }
   for (std::size_t t = 0; t < border.traces.size(); ++t) {
-    Series line = border_line(trace_label(t), border_trace_ink(t), Mark::line, 1.2);
+    Series line = border_trace_line(border, t);
     Series peak = border_line("", kBorderPeakInk, Mark::points, 1.6);
     for (const BorderPoint& p : border.traces[t].points) {
       const double x = drawn_border_azimuth(p.azimuth_deg, first);
@@ -183,7 +191,7 @@ Panel border_sky_panel(const Border& border) {
       peak.x.push_back(x);
       peak.y.push_back(p.peak_elevation_deg);
     }
-    panel.series.push_back(std::move(peak));
+    if (border.traces[t].is_claimed()) panel.series.push_back(std::move(peak));
     if (border.traces[t].measured > 0) panel.series.push_back(std::move(line));
   }
   return panel;
@@ -245,7 +253,8 @@ Panel border_map_panel(const Border& border, const sim::Scene& scene) {
   panel.y.label = "north (km)";
   double reach = 50.0;
   std::vector<Series> lines;
-  for (std::size_t t = 0; t < border.traces.size(); ++t)
+  const auto claimed = static_cast<std::size_t>(border.measured);  // they come first
+  for (std::size_t t = 0; t < claimed; ++t)
     for (std::size_t h = 0; h < kBorderAltitudesKm.size(); ++h) {
       Series line = border_line(t == 0 ? fmt::format("{:.0f} km", kBorderAltitudesKm[h]) : std::string(),
                                 kBorderAltitudeInk[h], Mark::line, 1.4);
@@ -287,7 +296,7 @@ std::string border_table(const Border& border, const sim::Scene& scene) {
   std::string html =
       "<table>\n<tr><th>trace</th><th>azimuth (°)</th><th>border (°)</th><th>peak (°)</th><th>distance (km) "
       "at 95</th><th>100</th><th>105</th><th>110 km</th></tr>\n";
-  for (std::size_t t = 0; t < border.traces.size(); ++t) {
+  for (std::size_t t = 0; t < static_cast<std::size_t>(border.measured); ++t) {
     const std::vector<BorderPoint>& points = border.traces[t].points;
     double last = sim::kNaN;
     for (const BorderPoint& p : points) {
@@ -342,6 +351,9 @@ std::string border_sentence(const Border& border, std::size_t trace, const sim::
                        trace + 1, t.points.front().azimuth_deg, t.points.back().azimuth_deg,
                        border_limit_name(t.points.front().limit));
   const BorderSummary s = border_summary(t, scene);
+  if (!t.is_claimed())
+    return fmt::format("Trace {}: azimuths {:.0f} to {:.0f}°, elevations {:.1f} to {:.1f}°: not claimed ({})",
+                       trace + 1, s.from_azimuth_deg, s.to_azimuth_deg, s.lowest_deg, s.highest_deg, t.doubt);
   return fmt::format(
       "Trace {}: azimuths {:.0f} to {:.0f}°, elevations {:.1f} to {:.1f}°; nearest {:.0f} ± {:.0f} km away "
       "at azimuth {:.0f}° if the border is 105 km high ({:.0f} to {:.0f} km for 95 to 110 km)",
@@ -367,16 +379,12 @@ std::string border_svg(const Border& border, const Photo& photo, const sim::Scen
 
 std::string border_answer(const Border& border, const sim::Scene& scene) {
   if (border.measured == 0) return "No lower border of the light could be measured.";
-  BorderSummary nearest = border_summary(border.traces[0], scene);  // those that are measured come first
-  for (int t = 1; t < border.measured; ++t) {
-    const BorderSummary s = border_summary(border.traces[static_cast<std::size_t>(t)], scene);
-    if (s.highest_deg > nearest.highest_deg) nearest = s;
-  }
+  const BorderSummary best = border_summary(border.traces[0], scene);  // the most probable and longest
   return fmt::format(
       "The nearest point of {} is {:.0f} ± {:.0f} km away, at azimuth {:.0f}°, if the border is 105 km high.",
       border.measured == 1 ? std::string("the lower border")
-                           : fmt::format("{} lower borders", border.measured),
-      nearest.distance_km[2], nearest.distance_error_km[2], nearest.nearest_azimuth_deg);
+                           : fmt::format("the clearest of {} lower borders", border.measured),
+      best.distance_km[2], best.distance_error_km[2], best.nearest_azimuth_deg);
 }
 
 std::string border_page(const Border& border, const Photo& photo, const sim::Scene& scene,
@@ -402,12 +410,12 @@ std::string border_page(const Border& border, const Photo& photo, const sim::Sce
           "</div></section>\n";
   html +=
       "<section><h2>The traces</h2>\n<p>The border is where the light has fallen to half of its peak, "
-      "above the sky beneath.</p>\n";
+      "above the sky beneath. Grey dashed lines are not claimed to be aurora.</p>\n";
   for (std::size_t t = 0; t < border.traces.size(); ++t)
     html += "<p>" + sim::html_text(border_sentence(border, t, scene)) + ".</p>\n";
   for (const std::string& note : border.notes) html += "<p>" + sim::html_text(note) + "</p>\n";
   html += "</section>\n";
-  if (!border.traces.empty())
+  if (border.measured > 0)
     html +=
         "<section><h2>Elevations and distances</h2>\n<p>Every 5° of azimuth; all of them are in border.csv. "
         "Errors of distances are those of the elevation alone.</p>\n" +

@@ -54,7 +54,7 @@ std::string border_csv(const Border& border, const sim::Scene& scene) {
     csv += fmt::format(
         ",distance_{0:.0f}km_km,distance_error_{0:.0f}km_km,latitude_{0:.0f}km_deg,longitude_{0:.0f}km_deg",
         h);
-  csv += "\n";
+  csv += ",aurora_probability,doubt\n";
   const bool is_known = is_border_place_known(scene);
   for (std::size_t t = 0; t < border.traces.size(); ++t)
     for (const BorderPoint& p : border.traces[t].points) {
@@ -70,6 +70,7 @@ std::string border_csv(const Border& border, const sim::Scene& scene) {
                border_cell(is_known ? place.latitude_deg : sim::kNaN) +
                border_cell(is_known ? place.longitude_deg : sim::kNaN);
       }
+      csv += border_cell(border.traces[t].aurora_probability) + "," + sim::csv_cell(border.traces[t].doubt);
       csv += "\n";
     }
   return csv;
@@ -97,6 +98,9 @@ std::string border_json(const Border& border, const sim::Scene& scene, const Bor
     }
     json["traces"].push_back({{"points", trace.points.size()},
                               {"measured", trace.measured},
+                              {"claimed", trace.is_claimed()},
+                              {"aurora_probability", trace.aurora_probability},
+                              {"doubt", trace.doubt},
                               {"from_azimuth_deg", s.from_azimuth_deg},
                               {"to_azimuth_deg", s.to_azimuth_deg},
                               {"lowest_elevation_deg", s.lowest_deg},

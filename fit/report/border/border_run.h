@@ -37,7 +37,8 @@ BorderSummary border_summary(const BorderTrace& trace, const sim::Scene& scene);
 /// km high (219 to 267 km for 95 to 110 km)". Why not, of one that is not given.
 std::string border_sentence(const Border& border, std::size_t trace, const sim::Scene& scene);
 
-/// The answer in one sentence: where the nearest point of the measured borders is, or that there is none.
+/// The answer in one sentence: where the nearest point of the most probable border is, or that none is
+/// claimed.
 std::string border_answer(const Border& border, const sim::Scene& scene);
 
 /// The photograph with the traces, elevation against azimuth, and the map for the four altitudes.

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "fit/answer/tables_correction.h"
 #include "sim/base/file/netcdf_dataset.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/picture/fits_io.h"
@@ -26,8 +27,9 @@ struct UnknownWords {
 };
 constexpr UnknownWords kUnknownWords[kColumnUnknowns] = {{"E0 (keV)", "energy_kev"},
                                                          {"energy flux (mW m⁻²)", "energy_flux_mw_m2"},
-                                                         {"oxygen factor", "oxygen_factor"}};
-constexpr std::size_t kShownOrder[kColumnUnknowns] = {kLnFlux, kLnEnergy, kLnOxygen};
+                                                         {"oxygen factor", "oxygen_factor"},
+                                                         {"soft flux / rest", "soft_ratio"}};
+constexpr std::size_t kShownOrder[kColumnUnknowns] = {kLnFlux, kLnEnergy, kLnOxygen, kLnSoft};
 
 std::string column_interval_text(const OpenInterval& interval) {
   if (interval.lower && interval.upper)
@@ -54,7 +56,7 @@ std::string solution_text(const ColumnInversion& inversion, const ColumnSolution
   std::string text = padded("", 24) + padded("value", 11) + padded("68 %", 20) + "95 %\n";
   for (const std::size_t k : kShownOrder) {
     const ColumnEstimate& e = solution.of[k];
-    if (!e.is_free && k == kLnOxygen && e.value == 1.0) continue;
+    if (!e.is_free && (k == kLnOxygen || k == kLnSoft) && e.value == 1.0) continue;
     text += "  " + padded(kUnknownWords[k].words, 22) + padded(fmt::format("{:.4g}", e.value), 11);
     text += e.is_free
                 ? padded(column_interval_text(e.interval68), 20) + column_interval_text(e.interval95) + "\n"
@@ -73,10 +75,11 @@ Json interval_json(const OpenInterval& interval) {
           interval.upper ? Json(*interval.upper) : Json(nullptr)};
 }
 
-Json solution_json(const ColumnSolution& solution) {
+Json solution_json(const ColumnSolution& solution, bool has_soft) {
   Json json;
   for (const std::size_t k : kShownOrder) {
     const ColumnEstimate& e = solution.of[k];
+    if (k == kLnSoft && !has_soft) continue;
     Json one = {{"value", e.value}, {"free", e.is_free}};
     if (e.is_free) {
       one["sigma_ln"] = e.sigma_ln;
@@ -120,11 +123,15 @@ constexpr std::array<MapPlane, 9> kPlanes = {
      {"chi2", "chi2 of the brightnesses", "1", &ColumnMaps::chi2},
      {"consistency", "probability of so large a chi2 by chance; exp(-chi2/2) without a degree of freedom",
       "1", &ColumnMaps::consistency}}};
+/// Behind the quality, where there is a soft component.
+constexpr std::array<MapPlane, 2> kSoftPlanes = {
+    {{"soft_ratio", "energy flux of the soft component over that of the rest", "1", &ColumnMaps::soft_ratio},
+     {"ln_soft_error", "standard error of the logarithm of soft_ratio", "1", &ColumnMaps::ln_soft_error}}};
 
-constexpr std::array<ColumnVerdict, 7> kQualities = {
+constexpr std::array<ColumnVerdict, 8> kQualities = {
     ColumnVerdict::well_constrained, ColumnVerdict::loosely_constrained, ColumnVerdict::one_sided,
     ColumnVerdict::two_solutions,    ColumnVerdict::contradiction,       ColumnVerdict::no_light,
-    ColumnVerdict::not_measured};
+    ColumnVerdict::not_measured,     ColumnVerdict::other_spectrum};
 
 std::string quality_words() {
   std::string words;
@@ -256,14 +263,16 @@ Series line_series(const ColumnChi2& chi2, const ColumnInversion& inversion, std
   series.colour = line_ink(inversion.lines_nm[line]);
   series.mark = Mark::dashed_line;
   const ColumnModel& model = chi2.model();
-  const double ln_oxygen = std::log(inversion.solutions.front().of[kLnOxygen].value);
+  const ColumnSolution& best = inversion.solutions.front();
+  const double ln_oxygen = std::log(best.of[kLnOxygen].value), ln_soft = std::log(best.of[kLnSoft].value);
   const double wanted = std::log(inversion.data.rayleigh[line]);
   for (int column = 0; column < kAcross; ++column) {
     const double ln_energy = grid.ln_energy(column);
     double ln_flux = 0.0;
     for (int round = 0; round < 20; ++round)
-      ln_flux = std::clamp(ln_flux + wanted - model.at(line, {ln_energy, ln_flux, ln_oxygen}).ln_rayleigh,
-                           model.least(kLnFlux), model.most(kLnFlux));
+      ln_flux =
+          std::clamp(ln_flux + wanted - model.at(line, {ln_energy, ln_flux, ln_oxygen, ln_soft}).ln_rayleigh,
+                     model.least(kLnFlux), model.most(kLnFlux));
     const bool inside = ln_flux > grid.flux.least && ln_flux < grid.flux.most;
     series.x.push_back(grid.energy.shown(ln_energy));
     series.y.push_back(inside ? grid.flux.shown(ln_flux) : sim::kNaN);
@@ -288,7 +297,9 @@ void put_limits(const UnknownAxis& unknown, Axis& axis) {
 }  // namespace
 
 std::string inversion_text(const ColumnInversion& inversion, const InversionFacts& facts) {
-  std::string text = fmt::format("electrons: {}, tables {}\n", facts.spectrum, facts.tables);
+  std::string text = fmt::format(
+      "electrons: {}{}, tables {}\n", facts.spectrum,
+      facts.soft_kev > 0.0 ? fmt::format(" and a Maxwellian of {:g} keV", facts.soft_kev) : "", facts.tables);
   for (std::size_t s = 0; s < inversion.solutions.size(); ++s) {
     const ColumnSolution& solution = inversion.solutions[s];
     if (inversion.solutions.size() > 1)
@@ -311,11 +322,14 @@ std::string inversion_text(const ColumnInversion& inversion, const InversionFact
                             best.correlation(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)));
   text += fmt::format("verdict: {}; {}\n", column_verdict_name(inversion.verdict), inversion.reason);
   for (const std::string& words : inversion.degeneracies) text += words + "\n";
+  for (const SpectrumTrial& trial : inversion.spectra)
+    text += fmt::format("with {}: chi² {:.3g}, E0 {:.3g} keV, energy flux {:.3g} mW m⁻²\n", trial.words,
+                        trial.chi2, trial.energy_kev, trial.energy_flux_mw_m2);
   for (std::size_t l = 0; l < best.corrections.size(); ++l) {
     const LineCorrection& line = best.corrections[l];
-    text += fmt::format(
-        "{:.1f} nm: these data ask for {:.2f} ± {:.2f} of the tables' light, which is known to {:.0f} %\n",
-        inversion.lines_nm[l], line.factor, line.factor * line.ln_sigma, 100.0 * line.ln_sigma_of_tables);
+    text += correction_words(fmt::format("{:.1f} nm", inversion.lines_nm[l]), line.factor, line.ln_sigma,
+                             line.ln_sigma_of_tables) +
+            "\n";
   }
   if (facts.model_error == 0.0 && best.corrections.empty())
     text += "errors of the tables are not in this: see --model-error\n";
@@ -327,6 +341,7 @@ std::string inversion_json(const ColumnInversion& inversion, const InversionFact
   json["kind"] = "vegard invert";
   json["version"] = sim::version();
   json["spectrum"] = facts.spectrum;
+  if (facts.soft_kev > 0.0) json["soft_kev"] = facts.soft_kev;
   json["tables"] = facts.tables;
   json["model_error"] = facts.model_error;
   json["uncertainty"] = facts.uncertainty;
@@ -340,28 +355,39 @@ std::string inversion_json(const ColumnInversion& inversion, const InversionFact
   json["degrees_of_freedom"] = inversion.degrees_of_freedom;
   json["chance"] = inversion.degrees_of_freedom > 0 ? Json(inversion.p_value) : Json(nullptr);
   json["degeneracies"] = inversion.degeneracies;
+  json["spectra"] = Json::array();
+  for (const SpectrumTrial& trial : inversion.spectra)
+    json["spectra"].push_back({{"words", trial.words},
+                               {"chi2", trial.chi2},
+                               {"energy_kev", trial.energy_kev},
+                               {"energy_flux_mw_m2", trial.energy_flux_mw_m2},
+                               {"soft_ratio", trial.soft_ratio ? Json(*trial.soft_ratio) : Json(nullptr)}});
   json["solutions"] = Json::array();
   for (const ColumnSolution& solution : inversion.solutions)
-    json["solutions"].push_back(solution_json(solution));
+    json["solutions"].push_back(solution_json(solution, facts.soft_kev > 0.0));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string encode_column_maps(const ColumnMaps& maps, const InversionFacts& facts, const std::string& name) {
+  const std::vector<float> quality(maps.quality.begin(), maps.quality.end());
   std::vector<std::string> names;
-  for (const MapPlane& plane : kPlanes) names.emplace_back(plane.name);
-  names.emplace_back("quality");
-  sim::Image image(static_cast<int>(maps.width), static_cast<int>(maps.height), names);
-  const std::size_t channels = names.size(), pixels = maps.width * maps.height;
-  for (std::size_t i = 0; i < pixels; ++i) {
-    for (std::size_t p = 0; p < kPlanes.size(); ++p)
-      image.data[i * channels + p] = (maps.*kPlanes[p].values)[i];
-    image.data[i * channels + kPlanes.size()] = maps.quality[i];
-  }
+  std::vector<const std::vector<float>*> planes;
   std::vector<sim::FitsKeyword> keywords;
-  for (std::size_t p = 0; p < kPlanes.size(); ++p)
-    keywords.push_back(
-        {fmt::format("PLANE{}", p + 1), fmt::format("{}, {}", kPlanes[p].long_name, kPlanes[p].unit), ""});
-  keywords.push_back({fmt::format("PLANE{}", channels), "quality: " + quality_words(), ""});
+  const auto add = [&](const std::string& plane, const std::string& words, const std::vector<float>& values) {
+    names.push_back(plane);
+    planes.push_back(&values);
+    keywords.push_back({fmt::format("PLANE{}", names.size()), words, ""});
+  };
+  const auto add_plane = [&](const MapPlane& plane) {
+    add(plane.name, fmt::format("{}, {}", plane.long_name, plane.unit), maps.*plane.values);
+  };
+  for (const MapPlane& plane : kPlanes) add_plane(plane);
+  add("quality", "quality: " + quality_words(), quality);
+  if (facts.soft_kev > 0.0)
+    for (const MapPlane& plane : kSoftPlanes) add_plane(plane);
+  sim::Image image(static_cast<int>(maps.width), static_cast<int>(maps.height), names);
+  for (std::size_t i = 0; i < maps.width * maps.height; ++i)
+    for (std::size_t p = 0; p < planes.size(); ++p) image.data[i * planes.size() + p] = (*planes[p])[i];
   keywords.push_back({"SPECTRUM", facts.spectrum, "of the electrons"});
   keywords.push_back({"TABLES", facts.tables, "emission tables"});
   keywords.push_back({"MODELERR", facts.model_error, "error of the tables, share of a line"});
@@ -378,10 +404,13 @@ void write_column_maps_netcdf(const ColumnMaps& maps, const InversionFacts& fact
   dataset.attribute("comment", "rows from the top of the line maps down");
   dataset.dimension("y", maps.height);
   dataset.dimension("x", maps.width);
-  for (const MapPlane& p : kPlanes) {
+  const auto add = [&](const MapPlane& p) {
     const std::vector<float>& values = maps.*p.values;
     dataset.real(p.name, p.long_name, p.unit, {"y", "x"}, std::vector<double>(values.begin(), values.end()));
-  }
+  };
+  for (const MapPlane& plane : kPlanes) add(plane);
+  if (facts.soft_kev > 0.0)
+    for (const MapPlane& plane : kSoftPlanes) add(plane);
   std::vector<std::string> words;
   for (const ColumnVerdict verdict : kQualities) words.emplace_back(column_verdict_name(verdict));
   dataset.flags("quality", "quality of a pixel", words, {"y", "x"},
@@ -397,20 +426,23 @@ std::string column_maps_text(const ColumnMaps& maps) {
     text +=
         fmt::format("  {:>9}  {}\n", counts[static_cast<std::size_t>(verdict)], column_verdict_name(verdict));
   if (most_contradict(maps))
-    text += "verdict: most of the pixels with light contradict the tables, so that the others are doubtful\n";
+    text +=
+        "verdict: most of the pixels with light contradict the tables or ask for another spectrum, so that "
+        "the "
+        "others are doubtful\n";
   return text;
 }
 
 Plot inversion_plot(const ColumnChi2& chi2, const ColumnInversion& inversion, const std::string& note) {
   const ColumnModel& model = chi2.model();
-  const double ln_oxygen = std::log(inversion.solutions.front().of[kLnOxygen].value);
+  const ColumnSolution& best = inversion.solutions.front();
+  const ColumnFreedom others = {false, false, chi2.free()[kLnOxygen], chi2.free()[kLnSoft]};
   ChiGrid grid{unknown_axis(model, inversion, kLnEnergy), unknown_axis(model, inversion, kLnFlux), {}};
   for (int row = 0; row < kDown; ++row)
     for (int column = 0; column < kAcross; ++column) {
-      const ColumnPoint point = {grid.ln_energy(column), grid.ln_flux(row), ln_oxygen};
-      grid.value.push_back(chi2.free()[kLnOxygen]
-                               ? chi2.descend(inversion.data, point, {false, false, true}).chi2
-                               : chi2.at(inversion.data, point));
+      const ColumnPoint point = {grid.ln_energy(column), grid.ln_flux(row),
+                                 std::log(best.of[kLnOxygen].value), std::log(best.of[kLnSoft].value)};
+      grid.value.push_back(chi2.descend(inversion.data, point, others).chi2);
     }
   Panel panel;
   panel.x.label = "characteristic energy E0 (keV)";

@@ -77,7 +77,9 @@ void add_planes(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
       .with("ancillary_variables", "energy_flux_sigma energy_flux_error");
   plane("energy_flux_sigma", "standard error of energy_flux", flux_unit, flux_sigma);
   plane("energy_flux_error", "relative standard error of energy_flux", "1", map.relative_flux_error);
-  plane("energy", "characteristic energy E0 of Maxwellian electrons", "keV", map.energy_kev)
+  const std::string electrons =
+      map.spectrum == "maxwellian" ? "Maxwellian electrons" : "electrons of the spectrum " + map.spectrum;
+  plane("energy", "characteristic energy E0 of " + electrons, "keV", map.energy_kev)
       .with("ancillary_variables", "energy_sigma ln_energy_error");
   plane("energy_sigma", "standard error of energy", "keV", energy_sigma);
   plane("ln_energy_error", "standard error of the logarithm of energy", "1", map.ln_energy_error);

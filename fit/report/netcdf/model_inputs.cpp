@@ -57,6 +57,12 @@ double energy_of_the_dark(const GeographicMap& map) {
   return *middle;
 }
 
+/// How many cells no picture constrains.
+std::size_t unknown_cells(const GeographicMap& map) {
+  return static_cast<std::size_t>(std::count_if(map.energy_flux_mw_m2.begin(), map.energy_flux_mw_m2.end(),
+                                                [](double flux) { return !std::isfinite(flux); }));
+}
+
 std::string source_words() { return "vegard " + sim::version(); }
 
 NetcdfDataset gemini_frame(const ModelInputs& inputs, std::size_t which) {
@@ -68,14 +74,19 @@ NetcdfDataset gemini_frame(const ModelInputs& inputs, std::size_t which) {
   constexpr double kElectronVolts = 1000.0;
   const double dark_ev = kElectronVolts * energy_of_the_dark(map);
   std::vector<double> flux, energy;
+  std::vector<int> known;
   for (std::size_t i = 0; i < inputs.grid.cells(); ++i) {
-    flux.push_back(std::isfinite(map.energy_flux_mw_m2[i]) ? map.energy_flux_mw_m2[i] : 0.0);
+    // GEMINI interpolates all cells and needs a number in each: what is unknown says so beside it.
+    known.push_back(std::isfinite(map.energy_flux_mw_m2[i]) ? 1 : 0);
+    flux.push_back(known.back() != 0 ? map.energy_flux_mw_m2[i] : 0.0);
     energy.push_back(std::isfinite(map.energy_kev[i]) ? kElectronVolts * map.energy_kev[i] : dark_ev);
   }
   frame.real("mlat", "magnetic latitude", "degree", {"mlat"}, inputs.grid.latitude_deg);
   frame.real("mlon", "magnetic longitude", "degree", {"mlon"}, inputs.grid.longitude_deg);
   // The last dimension runs fastest, as the first does in Fortran: (llon, llat) there.
   frame.real("Qp", "total energy flux", "mW m-2", {"mlat", "mlon"}, flux);
+  frame.whole("known", "1 where a picture tells the energy flux, 0 where Qp stands for what is unknown", "1",
+              {"mlat", "mlon"}, known);
   frame.real("E0p", "characteristic energy of Maxwellian electrons", "eV", {"mlat", "mlon"}, energy);
   return frame;
 }
@@ -89,7 +100,8 @@ std::string gemini_json(const ModelInputs& inputs) {
     json["maps"].push_back({{"map", inputs.names[i]},
                             {"time", sim::utc_text(inputs.times_s[i])},
                             {"file", gemini_file_name(inputs.times_s[i])},
-                            {"dark_energy_ev", 1000.0 * energy_of_the_dark(inputs.maps[i])}});
+                            {"dark_energy_ev", 1000.0 * energy_of_the_dark(inputs.maps[i])},
+                            {"unknown_cells", unknown_cells(inputs.maps[i])}});
   json["frame"] = "centred dipole, pole at colatitude 11 degrees and longitude 289 degrees";
   json["longitudes"] = inputs.grid.longitude_deg.size();
   json["latitudes"] = inputs.grid.latitude_deg.size();
@@ -130,6 +142,9 @@ ModelInputs model_inputs(const std::vector<std::string>& directories, EarthFrame
           directory, "its energy flux is right up to a factor only, since the sensor is not calibrated")
           .expected("a map with FLUXCAL = 'absolute'")
           .hint("--flux-factor F says that factor, if it is known from elsewhere");
+    if (one.map.spectrum != "maxwellian")
+      throw sim::unreadable(directory, "its electrons have the spectrum " + one.map.spectrum)
+          .expected("a map of Maxwellian electrons, whose energies these models take");
     if (flux_factor > 0.0) scale_flux(one.map, flux_factor);
     dated.push_back(std::move(one));
   }

@@ -179,9 +179,15 @@ class TableWriter {
     if (is_place && by.back() == "channel") by.pop_back();
     if (is_count(column)) {
       const Meaning meaning = *meaning_of(column);
+      const std::vector<double> numbers = keyed_.numbers(column, by);
       std::vector<int> counts;
-      for (const double count : keyed_.numbers(column, by))
-        counts.push_back(std::isfinite(count) ? static_cast<int>(std::clamp(count, 0.0, 2e9)) : 0);
+      for (const double count : numbers)
+        if (std::isfinite(count)) counts.push_back(static_cast<int>(std::clamp(count, 0.0, 2e9)));
+      // Whole numbers have no value for what is unknown.
+      if (counts.size() < numbers.size()) {
+        dataset_.real(name, meaning.long_name, meaning.unit, dimensions(by), numbers);
+        return;
+      }
       dataset_.whole(name, meaning.long_name, meaning.unit, dimensions(by), counts);
       return;
     }

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string_view>
 
+#include "fit/photo/codec/opencv_codecs.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/plot/plot_canvas.h"
 
@@ -116,9 +116,7 @@ class PngCanvas : public PlotCanvas {
   std::string png() const {
     cv::Mat small;
     cv::resize(whole_, small, whole_.size() / kPngFiner, 0, 0, cv::INTER_AREA);
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", small, bytes);
-    return {bytes.begin(), bytes.end()};
+    return encoded_png(small);
   }
 
  private:

@@ -1,5 +1,7 @@
 #include "fit/report/table/result_json.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,7 @@
 
 #include "fit/answer/result_numbers.h"
 #include "fit/report/table/curtain_steps_table.h"
+#include "fit/report/table/mode_information_json.h"
 #include "fit/version.h"
 #include "sim/base/version.h"
 #include "sim/scene/table/parameter_table.h"
@@ -22,6 +25,11 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
 Json words(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+void put_by_mode(const std::vector<double>& by_mode, Json& json) {
+  if (by_mode.empty()) return;
+  for (const double change : by_mode) json["by_mode"].push_back(number(change));
+}
 
 Json parameter(const FittedParameter& p) {
   Json json;
@@ -43,6 +51,8 @@ Json parameter(const FittedParameter& p) {
   json["at_limit"] = p.at_limit;
   json["moved"] = p.moved;
   json["moved_sigma"] = number(p.moved_sigma);
+  json["by_bands"] = number(p.by_bands);
+  put_by_mode(p.by_mode, json);
   return json;
 }
 
@@ -149,6 +159,17 @@ Json chain(const FitResult& result) {
   return json;
 }
 
+/// By wavelength.
+Json tables_json(const FitResult& result) {
+  Json json = Json::object();
+  for (const TablesCorrection& c : result.tables)
+    json[fmt::format("{:.1f}", c.wavelength_nm)] = {{"over_nm", c.over_nm},
+                                                    {"factor", number(c.factor)},
+                                                    {"ln_sigma", number(c.ln_sigma)},
+                                                    {"ln_sigma_of_tables", number(c.ln_sigma_of_tables)}};
+  return json;
+}
+
 Json transfer_curve_json(const FittedTransferCurve& c) {
   Json json;
   json["words"] = c.words;
@@ -231,7 +252,7 @@ std::string result_json(const FitResult& result) {
   else
     json["solved"] = result.photos.empty() ? Json::array() : solved_numbers(result.photos.front());
   json["derived"] = Json::array();
-  for (const DerivedNumber& d : result.derived)
+  for (const DerivedNumber& d : result.derived) {
     json["derived"].push_back({{"name", d.name},
                                {"value", number(d.value)},
                                {"sigma", number(d.sigma)},
@@ -241,6 +262,10 @@ std::string result_json(const FitResult& result) {
                                {"why_no_sigma", words(d.why_no_sigma)},
                                {"trust", trust_name(d.trust)},
                                {"trust_reason", words(d.trust_reason)}});
+    put_by_mode(d.by_mode, json["derived"].back());
+  }
+  if (!result.tables.empty()) json["tables"] = tables_json(result);
+  if (!result.physics.modes.empty()) json["physics"] = mode_information_json(result.physics);
   if (result.transfer_curve) json["curve"] = transfer_curve_json(*result.transfer_curve);
   json["correlation"] = matrix_rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;

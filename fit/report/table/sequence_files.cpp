@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "fit/report/table/mode_information_json.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
@@ -15,7 +16,6 @@ using Json = nlohmann::ordered_json;
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-/// What one wants to see of a sequence at a glance.
 bool is_plotted(const std::string& name) {
   return contains(name, ".energy_kev") || contains(name, ".energy_flux_mw_m2") ||
          name.compare(0, 8, "distance") == 0 || name.compare(0, 12, "lower border") == 0;
@@ -24,6 +24,11 @@ bool is_plotted(const std::string& name) {
 double number_or_nan(const Json& json) { return json.is_null() ? sim::kNaN : json.get<double>(); }
 
 }  // namespace
+
+bool is_main_number(const std::string& name) {
+  return is_plotted(name) || contains(name, "electron energy of the ") ||
+         contains(name, "characteristic energy E0 of the ");
+}
 
 const SequenceNumber* find_number(const SequenceRow& row, const std::string& name) {
   for (const SequenceNumber& number : row.numbers)
@@ -122,11 +127,16 @@ std::string sequence_row_json(const SequenceRow& row) {
   json["chi2_per_dof"] = row.chi2_per_dof;
   json["values"] = row.values;
   json["numbers"] = Json::array();
-  for (const SequenceNumber& n : row.numbers)
+  for (const SequenceNumber& n : row.numbers) {
     json["numbers"].push_back({{"name", n.name},
                                {"unit", n.unit},
                                {"value", n.value},
                                {"sigma", n.sigma ? Json(*n.sigma) : Json(nullptr)}});
+    if (n.by_mode.empty()) continue;
+    json["numbers"].back()["by_mode"] = n.by_mode;
+    json["numbers"].back()["relative"] = n.relative;
+  }
+  if (!row.physics.modes.empty()) json["physics"] = mode_information_json(row.physics);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -147,8 +157,13 @@ SequenceRow sequence_row_of(const std::string& text, const std::string& file) {
     for (const Json& n : json.at("numbers")) {
       SequenceNumber number{n.at("name"), n.at("unit"), number_or_nan(n.at("value")), {}};
       if (!n.at("sigma").is_null()) number.sigma = n.at("sigma").get<double>();
+      if (n.contains("by_mode")) {
+        number.by_mode = n.at("by_mode").get<std::vector<double>>();
+        number.relative = n.at("relative").get<bool>();
+      }
       row.numbers.push_back(number);
     }
+    if (json.contains("physics")) row.physics = mode_information_of(json.at("physics"));
     return row;
   } catch (const Json::exception&) {
     throw sim::Error(sim::ErrorKind::unreadable_input, "is no row of a sequence")

@@ -13,6 +13,10 @@ namespace vegard::fit {
 /// The number of this name in a row; null if it has none.
 const SequenceNumber* find_number(const SequenceRow& row, const std::string& name);
 
+/// Whether a number is one of those that one wants to see of a frame at a glance: of an energy, energy flux,
+/// distance or lower border.
+bool is_main_number(const std::string& name);
+
 /// The numbers of all rows, each once, in the order of their first appearance: a frame that failed may lack
 /// some.
 std::vector<SequenceNumber> sequence_numbers(const std::vector<SequenceRow>& rows);

@@ -80,7 +80,8 @@ std::string profile_notes(const FitResult& result) {
   if (result.profile_intervals.empty()) return {};
   std::string html = note(
       "Profile likelihood: how far a parameter can go, with all others fitted again, until \u03c7\u00b2 over "
-      "the inflation squared has risen by 1 (68\u00a0%) and by 4 (95\u00a0%).");
+      "the inflation squared has risen by 1 (68\u00a0%) and by 4 (95\u00a0%). The scatter of the bands, by "
+      "which the fit\u2019s own error bars are widened, is not in it.");
   for (const ProfiledInterval& p : result.profile_intervals) {
     const std::string path = "<code>" + sim::html_text(result.parameters[p.parameter].path) + "</code>: ";
     if (p.found_better)

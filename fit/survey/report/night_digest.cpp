@@ -1,11 +1,15 @@
 #include "fit/survey/report/night_digest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "fit/border/border_distance.h"
+#include "fit/survey/survey_physics.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/quantile.h"
@@ -48,9 +52,33 @@ void add_failure(const std::string& reason, const FrameAnswer& answer, Failures&
 
 bool is_believed(const WorkAnswer& work) { return work.verdict == "good" || work.verdict == "doubtful"; }
 
+/// Returns the brightest trace; none if one of its angles is missing.
+std::optional<BorderAtTime> border_of(double time_s, const WorkAnswer& work) {
+  BorderAtTime border;
+  border.time_s = time_s;
+  border.sigma_deg = sim::kNaN;
+  border.is_good = work.verdict == "good";
+  const std::array<std::pair<const char*, double*>, 5> angles = {
+      {{"from azimuth", &border.from_azimuth_deg},
+       {"to azimuth", &border.to_azimuth_deg},
+       {"nearest azimuth", &border.highest_azimuth_deg},
+       {"lowest elevation", &border.lowest_deg},
+       {"highest elevation", &border.highest_deg}}};
+  std::size_t known = 0;
+  for (const SurveyQuantity& q : work.quantities)
+    for (const auto& [name, angle] : angles) {
+      if (q.item != 1 || q.name != name || !q.value) continue;
+      *angle = *q.value;
+      if (angle == &border.highest_deg) border.sigma_deg = q.sigma.value_or(sim::kNaN);
+      ++known;
+    }
+  return known == angles.size() ? std::optional(border) : std::nullopt;
+}
+
 class NightReading {
  public:
-  NightReading(NightDigest& digest, const SiteOfBlock& site) : digest_(digest), site_(site) {}
+  NightReading(NightDigest& digest, const SiteOfBlock& site, const std::string& database)
+      : digest_(digest), site_(site), database_(database) {}
 
   void take(const FrameAnswer& answer) {
     if (digest_.frames == 0) digest_.first_s = digest_.last_s = answer.time_s;
@@ -71,6 +99,7 @@ class NightReading {
         add_failure(std::string(survey_work_name(work.work)) + " " + work.verdict + ": " +
                         without_numbers(work.words.value_or("no reason is given")),
                     answer, digest_.failures);
+      if (work.physics) digest_.fits.push_back({answer.file, answer.time_s, frame_of_night(work, database_)});
       if (is_believed(work)) follow(answer, work);
     }
   }
@@ -83,6 +112,9 @@ class NightReading {
  private:
   void follow(const FrameAnswer& answer, const WorkAnswer& work) {
     const bool is_good = work.verdict == "good";
+    if (work.work == SurveyWork::border)
+      if (const std::optional<BorderAtTime> border = border_of(answer.time_s, work))
+        digest_.borders.push_back(*border);
     std::map<std::string, EnergyAndFlux> by_owner;
     std::map<FollowedKind, double> first;
     for (const SurveyQuantity& q : work.quantities) {
@@ -116,6 +148,7 @@ class NightReading {
 
   NightDigest& digest_;
   const SiteOfBlock& site_;
+  const std::string& database_;
   std::map<std::tuple<FollowedKind, std::string, std::string>, FollowedSeries> series_;
 };
 
@@ -137,7 +170,7 @@ void add_to_ranges(int frame, std::vector<FrameRange>& ranges) {
 NightDigest digest_night(const SurveyReader& reader, const CameraNight& night, const SiteOfBlock& site) {
   NightDigest digest;
   digest.camera = night.camera;
-  NightReading reading(digest, site);
+  NightReading reading(digest, site, reader.name());
   for (const FrameRange& range : night.ranges)
     reader.frames(range.first, range.end, [&](const FrameAnswer& answer) { reading.take(answer); });
   reading.finish();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/shared_physics.h"
 #include "fit/survey/sqlite_file.h"
 #include "fit/survey/survey_motion.h"
 #include "fit/survey/survey_results.h"
@@ -86,6 +87,16 @@ struct EnergyAndFlux {
   bool is_good = false;
 };
 
+/// The brightest trace of a border at a time: between two azimuths, eastwards from the first, and where it is
+/// highest.
+struct BorderAtTime {
+  double time_s = 0.0;
+  double from_azimuth_deg = 0.0, to_azimuth_deg = 0.0, highest_azimuth_deg = 0.0;
+  double lowest_deg = 0.0, highest_deg = 0.0;
+  double sigma_deg = 0.0;  ///< of the highest elevation; NaN if unknown
+  bool is_good = false;    ///< the work's verdict is good; else it is doubtful
+};
+
 /// The latitude of a curtain at a time.
 struct LatitudeAtTime {
   double time_s = 0.0, latitude_deg = 0.0;
@@ -95,6 +106,13 @@ struct LatitudeAtTime {
 struct JumpedNumber {
   std::string name, kind;  ///< "distance of the main sheet"; "outlier", "break"
   double time_s = 0.0, value = 0.0;
+};
+
+/// A fit that says something of the emission tables.
+struct FitOfNight {
+  std::string file;
+  double time_s = 0.0;
+  FrameOfNight answer;
 };
 
 struct NightDigest {
@@ -109,6 +127,8 @@ struct NightDigest {
   std::vector<EnergyAndFlux> energies;
   std::string why_no_flux;  ///< the fits' reason, if none has a flux
   std::vector<LatitudeAtTime> latitudes;
+  std::vector<BorderAtTime> borders;  ///< those of which all angles are known, in the order of time
+  std::vector<FitOfNight> fits;
   Failures failures;
   std::vector<JumpedNumber> jumps;  ///< empty if the survey was not smoothed
   bool is_smoothed = false;

@@ -9,6 +9,7 @@
 #include "fit/photo/region.h"
 #include "fit/report/keogram_plot.h"
 #include "sim/base/error.h"
+#include "sim/base/number/constants.h"
 #include "sim/view/camera/direction_map.h"
 
 namespace vegard::fit {
@@ -77,8 +78,15 @@ NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night,
   int calibration = -1;
   for (const ChosenFrame& one : chosen) {
     try {
-      const PlannedBlock& block = plan.blocks.at(static_cast<std::size_t>(one.block));
-      const PlannedFrame& planned = block.frames.at(static_cast<std::size_t>(one.frame - block.first_frame));
+      const auto block_number = static_cast<std::size_t>(one.block);
+      const int first =
+          block_number < plan.blocks.size() ? plan.blocks[block_number].first_frame : one.frame + 1;
+      if (one.frame < first ||
+          static_cast<std::size_t>(one.frame - first) >= plan.blocks[block_number].frames.size())
+        throw sim::Error(sim::ErrorKind::unreadable_input,
+                         "frame " + std::to_string(one.frame) + " of the database is not in the plan");
+      const PlannedBlock& block = plan.blocks[block_number];
+      const PlannedFrame& planned = block.frames[static_cast<std::size_t>(one.frame - first)];
       const SurveyEye& eye = eyes.of(block.camera, block.calibration);
       Photo photo = read_photo_of(series.read(plan.place(planned.file)), eye.decoding, &eye.scene);
       if (!eye.mask.empty()) apply_mask(photo, eye.mask);
@@ -102,6 +110,29 @@ NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night,
   return made;
 }
 
+std::optional<double> crossing_deg(const BorderAtTime& border, const KeogramLine& line) {
+  if (!line.of_directions) return std::nullopt;
+  const auto eastwards = [](double from_deg, double to_deg) {
+    const double turn = std::fmod(to_deg - from_deg, 360.0);
+    return turn < 0.0 ? turn + 360.0 : turn;
+  };
+  const double range_deg = eastwards(border.from_azimuth_deg, border.to_azimuth_deg);
+  std::optional<double> crossing;
+  double nearest_deg = 90.0;  // a great circle is below the horizon beyond a quarter turn from its top
+  for (const bool beyond_zenith : {false, true}) {
+    const double azimuth_deg = line.azimuth_deg + (beyond_zenith ? 180.0 : 0.0);
+    const double off_deg = std::abs(std::remainder(azimuth_deg - border.highest_azimuth_deg, 360.0));
+    if (eastwards(border.from_azimuth_deg, azimuth_deg) > range_deg || off_deg >= nearest_deg) continue;
+    nearest_deg = off_deg;
+    const double slope = std::tan(border.highest_deg * sim::kRadiansPerDegree);
+    const double elevation_deg =
+        std::max(border.lowest_deg,
+                 std::atan(slope * std::cos(off_deg * sim::kRadiansPerDegree)) / sim::kRadiansPerDegree);
+    crossing = beyond_zenith ? 180.0 - elevation_deg : elevation_deg;
+  }
+  return crossing;
+}
+
 Plot keogram_with_border(const Keogram& keogram, const NightDigest& digest, const ShownSpan& span) {
   Plot plot = keogram_plot(keogram);
   plot.title.clear();
@@ -112,10 +143,13 @@ Plot keogram_with_border(const Keogram& keogram, const NightDigest& digest, cons
   panel.x = time_axis(span, "");
   if (!keogram.line.of_directions) return plot;
   constexpr Colour kOverLight{255, 140, 60};
-  for (const FollowedSeries& series : digest.series)
-    if (series.kind == FollowedKind::border)
-      for (Series& shown : series_of(series, span, "lower border, where it is highest", kOverLight))
-        panel.series.push_back(std::move(shown));
+  FollowedSeries crossings;
+  crossings.work = SurveyWork::border;
+  crossings.kind = FollowedKind::border;
+  for (const BorderAtTime& border : digest.borders)
+    if (const std::optional<double> angle = crossing_deg(border, keogram.line))
+      crossings.points.push_back({border.time_s, *angle, border.sigma_deg, border.is_good});
+  panel.series = series_of(crossings, span, "lower border, where it crosses this plane", kOverLight);
   return plot;
 }
 

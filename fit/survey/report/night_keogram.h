@@ -35,7 +35,14 @@ struct NightKeogram {
 NightKeogram night_keogram(const SurveyReader& reader, const CameraNight& night, const SurveyFrames& frames,
                            int most);
 
-/// Plots the keogram with the border over it, for the same span of time as the other plots of the page.
+/// Returns where a border crosses the keogram's plane, as an angle on the keogram's axis: the elevation at
+/// the azimuth at which the axis begins, or 180 degrees minus the elevation beyond the zenith. Between its
+/// two azimuths the border is taken for the great circle that is highest where the border is; it is not
+/// continued beyond them. None if the border does not reach the plane, or the keogram's positions are rows.
+std::optional<double> crossing_deg(const BorderAtTime& border, const KeogramLine& line);
+
+/// Plots the keogram with the border over it where the border crosses the keogram's plane, for the same span
+/// of time as the other plots of the page.
 Plot keogram_with_border(const Keogram& keogram, const NightDigest& digest, const ShownSpan& span);
 
 }  // namespace vegard::fit

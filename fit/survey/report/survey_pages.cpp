@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "fit/report/report_style.h"
+#include "fit/report/table/shared_physics_files.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/shown_text.h"
@@ -214,6 +215,35 @@ std::string flux_words(bool is_measured, const std::string& why_none) {
   return "No frame has an energy flux" + (why_none.empty() ? "." : ": " + why_none + ".");
 }
 
+/// Returns what the night's fits say together of the emission tables; empty if they say nothing.
+std::string physics_section(const ShownNight& night) {
+  if (!night.physics) return {};
+  std::string html;
+  for (const std::string& sentence : asked_of_tables(*night.physics))
+    html += "<li>" + sim::html_text(sentence) + "</li>\n";
+  if (!html.empty()) html = "<ul>\n" + html + "</ul>\n";
+  std::string rows;
+  for (const SharedMean& mean : night.physics->means)
+    rows += "<tr><td>" + sim::html_text(mean.name) + "</td><td class=\"number\">" +
+            sim::number_with_error(mean.value, mean.sigma()) + "\u00a0" + sim::html_text(mean.unit) +
+            "</td><td class=\"number\">" + sim::short_number(mean.sigma_own, 2) +
+            "</td><td class=\"number\">" + sim::short_number(mean.sigma_common, 2) +
+            "</td><td class=\"number\">" + sim::short_number(mean.scatter, 2) + "</td><td class=\"number\">" +
+            std::to_string(mean.frames) + "</td></tr>\n";
+  if (!rows.empty())
+    html +=
+        "<table><thead><tr><th>Mean of the night</th><th class=\"number\">Value \u00b1 \u03c3</th>"
+        "<th class=\"number\">Own</th><th class=\"number\">In common</th><th class=\"number\">Scatter</th>"
+        "<th class=\"number\">Frames</th></tr></thead>\n<tbody>\n" +
+        rows + "</tbody></table>\n";
+  html +=
+      "<p class=\"soft\">The part of an error that is in common to all frames does not become smaller in "
+      "a mean. Each frame's answers with what the others say: <a href=\"" +
+      night.physics_file + "\">" + night.physics_file + "</a>.</p>\n";
+  return page_section("What the night asks of the emission tables", shared_physics_words(*night.physics),
+                      html);
+}
+
 }  // namespace
 
 std::string night_file_name(const std::string& night) { return "night-" + night + ".html"; }
@@ -281,6 +311,7 @@ std::string night_page(const SurveyFacts& facts, const ShownNight& night, const 
   html += page_section("Energy against energy flux", flux_words(!energies.empty(), why_no_flux),
                        "<div class=\"plots\">" + shown_plot(energy_plot(energies)) +
                            shown_plot(latitudes.plot(facts.first_hour)) + "</div>\n");
+  html += physics_section(night);
   html += page_section("What could not be measured", "Frames and works by their reason.",
                        failure_table(failures, link));
   return html + page_end(facts);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,11 @@ struct ShownCamera {
 };
 
 struct ShownNight {
-  std::string name, file;            ///< "2019-03-01", "night-2019-03-01.html"
-  std::string before, after;         ///< names of the neighbours; empty: there is none
-  std::vector<ShownCamera> cameras;  ///< by their names
+  std::string name, file;                ///< "2019-03-01", "night-2019-03-01.html"
+  std::string before, after;             ///< names of the neighbours; empty: there is none
+  std::vector<ShownCamera> cameras;      ///< by their names
+  std::optional<SharedPhysics> physics;  ///< of all cameras' fits together; none for fewer than two fits
+  std::string physics_file;              ///< the table of their answers, beside the page
 };
 
 /// Returns the link to a frame's file, relative to the pages' folder; empty: none.

@@ -7,12 +7,15 @@
 #include <system_error>
 #include <utility>
 
+#include "fit/report/table/shared_physics_files.h"
 #include "fit/survey/report/survey_pages.h"
 #include "sim/base/error.h"
+#include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_directory.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/structs/line_of.h"
 
 namespace vegard::fit {
@@ -20,11 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kIndex = "index.html";
+constexpr const char *kIndex = "index.html", *kPhysicsEnd = "-physics.csv";
 constexpr std::size_t kMaxIndexBytes = 256u << 20;
 
 bool is_night_file(const std::string& name) {
-  return name.rfind("night-", 0) == 0 && name.size() > 5 && name.substr(name.size() - 5) == ".html";
+  const auto ends_with = [&](const std::string& end) {
+    return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+  };
+  return name.rfind("night-", 0) == 0 && (ends_with(".html") || ends_with(kPhysicsEnd));
 }
 
 sim::KnownFolder look_at_report(const std::string& directory) {
@@ -36,6 +42,22 @@ sim::KnownFolder look_at_report(const std::string& directory) {
     known.objection = "its index.html is none that vegard wrote";
   known.has = [](const std::string& name) { return name == kIndex || is_night_file(name); };
   return known;
+}
+
+/// Takes the fits of all cameras of a night together, and writes the table of their answers.
+void add_physics(const sim::WholeDirectory& whole, ShownNight& night) {
+  std::vector<FrameOfNight> fits;
+  NamesOfFrames names{"camera,file,time_utc", {}};
+  for (const ShownCamera& camera : night.cameras)
+    for (const FitOfNight& fit : camera.digest.fits) {
+      fits.push_back(fit.answer);
+      names.rows.push_back(sim::csv_cell(camera.digest.camera) + "," + sim::csv_cell(fit.file) + "," +
+                           sim::utc_text(fit.time_s));
+    }
+  if (fits.size() < 2) return;
+  night.physics = share_physics(fits);
+  night.physics_file = "night-" + night.name + kPhysicsEnd;
+  sim::write_whole(whole.file(night.physics_file), shared_physics_csv(*night.physics, names));
 }
 
 /// The scenes of a plan's blocks, each read once.
@@ -186,6 +208,7 @@ SurveyReport write_survey_report(const SqliteFile& database, const std::string& 
         if (report.why_no_keogram.empty()) report.why_no_keogram = made.why_none;
       }
     }
+    add_physics(whole, shown);
     sim::write_whole(whole.file(shown.file), night_page(facts, shown, link));
     sum.nights.push_back(row_of_night(shown));
     std::vector<const NightDigest*> digests;

@@ -14,8 +14,8 @@
 namespace vegard::sim {
 namespace {
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells = split(line, ',');
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
+  std::vector<std::string_view> cells = split(line, separator);
   for (std::string_view& cell : cells) cell = trimmed(cell);
   return cells;
 }
@@ -28,13 +28,13 @@ std::optional<double> number_in(std::string_view cell) {
   return number;
 }
 
-void read_header(std::string_view line, int line_number, CsvTable& table) {
-  for (const std::string_view cell : cells_of(line)) {
+void read_header(std::string_view line, int line_number, char separator, CsvTable& table) {
+  for (const std::string_view cell : cells_of(line, separator)) {
     if (cell.empty())
       throw unreadable(table.name, "a column without a name")
           .line(line_number)
           .expected("names in the first line");
-    if (table.has(cell))
+    if (std::find(table.columns.begin(), table.columns.end(), cell) != table.columns.end())
       throw unreadable(table.name, "two columns are called '" + std::string(cell) + "'")
           .line(line_number)
           .expected("a name of its own for each column");
@@ -61,21 +61,26 @@ bool read_plain_row(std::string_view line, std::vector<double>& row) {
   return false;
 }
 
-void read_row(std::string_view line, int line_number, CsvTable& table, std::vector<double>& row) {
+void read_row(std::string_view line, int line_number, char separator, CsvTable& table,
+              std::vector<double>& row) {
   row.resize(table.columns.size());
-  if (read_plain_row(line, row)) {
+  if (separator == ',' && read_plain_row(line, row)) {
     for (std::size_t c = 0; c < row.size(); ++c) table.numbers[c].push_back(row[c]);
     table.lines.push_back(line_number);
     return;
   }
-  const std::vector<std::string_view> cells = cells_of(line);
+  const std::vector<std::string_view> cells = cells_of(line, separator);
   if (cells.size() != table.columns.size())
     throw unreadable(table.name, std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") +
                                      " for " + std::to_string(table.columns.size()) + " columns")
         .line(line_number)
-        .expected("a number for each column, with commas between");
+        .expected(std::string("a number for each column, with ") +
+                  (separator == ';'    ? "semicolons"
+                   : separator == '\t' ? "tabs"
+                                       : "commas") +
+                  " between");
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    const std::optional<double> number = number_in(cells[c]);
+    const std::optional<double> number = number_in(with_decimal_point(cells[c], separator));
     if (!number)
       throw unreadable(table.name,
                        "'" + std::string(cells[c]) + "' in column '" + table.columns[c] + "' is no number")
@@ -86,18 +91,46 @@ void read_row(std::string_view line, int line_number, CsvTable& table, std::vect
   table.lines.push_back(line_number);
 }
 
+/// The index of a column; the number of columns if there is none.
+std::size_t find_column(const std::vector<std::string>& columns, std::string_view name) {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found != columns.end()) return static_cast<std::size_t>(found - columns.begin());
+  const std::string small = lowered(name);
+  std::size_t index = columns.size();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (lowered(columns[i]) != small) continue;
+    if (index != columns.size()) return columns.size();
+    index = i;
+  }
+  return index;
+}
+
 }  // namespace
 
+char table_separator(std::string_view names) {
+  for (const char separator : {',', ';', '\t'})
+    if (names.find(separator) != std::string_view::npos) return separator;
+  return ',';
+}
+
+std::string with_decimal_point(std::string_view cell, char separator) {
+  std::string text(cell);
+  if (separator == ',' || std::count(text.begin(), text.end(), ',') != 1 || text.find('.') != text.npos)
+    return text;
+  text[text.find(',')] = '.';
+  return text;
+}
+
 bool CsvTable::has(std::string_view column_name) const {
-  return std::find(columns.begin(), columns.end(), column_name) != columns.end();
+  return find_column(columns, column_name) != columns.size();
 }
 
 const std::vector<double>& CsvTable::column(std::string_view column_name) const {
-  const auto found = std::find(columns.begin(), columns.end(), column_name);
-  if (found == columns.end())
+  const std::size_t found = find_column(columns, column_name);
+  if (found == columns.size())
     throw unreadable(name, "there is no column '" + std::string(column_name) + "'")
         .expected("that column; it has " + joined(columns));
-  return numbers[static_cast<std::size_t>(found - columns.begin())];
+  return numbers[found];
 }
 
 Error CsvTable::bad_row(std::size_t row, const std::string& problem) const {
@@ -134,6 +167,7 @@ CsvTable read_csv_table(std::string_view text, const std::string& name) {
   CsvTable table;
   table.name = name;
   int line_number = 0;
+  char separator = ',';
   std::vector<double> row;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -141,10 +175,12 @@ CsvTable read_csv_table(std::string_view text, const std::string& name) {
     text.remove_prefix(std::min(end + 1, text.size()));
     ++line_number;
     if (line.empty() || line.front() == '#') continue;
-    if (table.columns.empty())
-      read_header(line, line_number, table);
-    else
-      read_row(line, line_number, table, row);
+    if (table.columns.empty()) {
+      separator = table_separator(line);
+      read_header(line, line_number, separator, table);
+    } else {
+      read_row(line, line_number, separator, table, row);
+    }
   }
   if (table.columns.empty())
     throw unreadable(name, "is empty").expected("a line of column names, then numbers");
@@ -156,8 +192,11 @@ CsvTable read_csv_table(std::string_view text, const std::string& name) {
 CsvTable embedded_csv_table(const std::string& name) { return read_csv_table(embedded_table(name), name); }
 
 std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
+  // A spreadsheet would take such a text for a formula and compute it; an apostrophe says that it is text.
+  const bool is_formula =
+      !text.empty() && std::string_view("=+-@\t\r").find(text[0]) != std::string_view::npos;
+  if (!is_formula && text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = is_formula ? "\"'" : "\"";
   for (const char c : text) {
     if (c == '"') quoted += '"';
     quoted += c;

@@ -1,8 +1,10 @@
 #include "sim/base/file/durable_rename.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
+#include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -38,6 +40,37 @@ struct UnfinishedPlace {
 std::array<UnfinishedPlace, 64> unfinished;
 std::mutex keeping;  // of whoever keeps and forgets; a handler does without
 static_assert(std::atomic<PlaceState>::is_always_lock_free);
+
+/// Deletes all that is in a folder. Calls nothing that a signal handler may not call.
+void delete_files_in(int folder) noexcept {
+  alignas(struct dirent64) char block[4096];
+  // What is deleted may move the rest: until nothing is found.
+  constexpr int kMostRounds = 1000;
+  bool has_deleted = true;
+  for (int round = 0; round < kMostRounds && has_deleted; ++round) {
+    has_deleted = false;
+    if (::lseek(folder, 0, SEEK_SET) != 0) return;
+    for (long got = 0; (got = ::syscall(SYS_getdents64, folder, block, sizeof block)) > 0;)
+      for (long at = 0; at < got;) {
+        const auto* const entry = reinterpret_cast<const struct dirent64*>(block + at);
+        at += entry->d_reclen;
+        const char* const name = entry->d_name;
+        const bool is_folder_itself =
+            name[0] == '.' && (name[1] == '\0' || (name[1] == '.' && name[2] == '\0'));
+        if (is_folder_itself) continue;
+        bool is_gone = ::unlinkat(folder, name, 0) == 0 || ::unlinkat(folder, name, AT_REMOVEDIR) == 0;
+        if (!is_gone && (errno == ENOTEMPTY || errno == EEXIST)) {
+          const int inner = ::openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+          if (inner >= 0) {
+            delete_files_in(inner);
+            ::close(inner);
+            is_gone = ::unlinkat(folder, name, AT_REMOVEDIR) == 0;
+          }
+        }
+        has_deleted = has_deleted || is_gone;
+      }
+  }
+}
 
 bool passes(UnfinishedPlace& place, PlaceState from, PlaceState to) {
   return place.state.compare_exchange_strong(from, to);
@@ -138,7 +171,12 @@ void forget_unfinished(const std::string& path) {
 
 void delete_unfinished_files() noexcept {
   for (UnfinishedPlace& place : unfinished)
-    if (passes(place, PlaceState::kept, PlaceState::being_deleted)) ::unlink(place.path);
+    if (passes(place, PlaceState::kept, PlaceState::being_deleted) && ::unlink(place.path) != 0 &&
+        (errno == EISDIR || errno == EPERM)) {
+      const int folder = ::open(place.path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+      if (folder >= 0) delete_files_in(folder);
+      ::rmdir(place.path);
+    }
 }
 
 bool is_alive(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
@@ -152,6 +190,10 @@ PartialLock::PartialLock(int descriptor) : descriptor_(descriptor) {
 PartialLock& PartialLock::operator=(PartialLock&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   return *this;
+}
+
+void PartialLock::delete_content() noexcept {
+  if (descriptor_ >= 0) delete_files_in(descriptor_);
 }
 
 void PartialLock::release() {

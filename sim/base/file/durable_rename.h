@@ -31,14 +31,15 @@ struct Partial {
 /// Returns nothing for any other name.
 std::optional<Partial> partial_of(const std::string& name);
 
-/// Registers (removes from the register) a file that this process has not finished, for signal handlers. More
+/// Registers (removes from the register) a file or a folder that this process has not
+/// finished, for signal handlers. More
 /// than 64 names, and names of 4096 bytes or more, are not registered: such a file is left for
 /// stale_partials().
 void keep_unfinished(const std::string& path);
 void forget_unfinished(const std::string& path);
 
-/// Deletes all registered files. May be called by a signal handler, in any thread at any time; the process
-/// must end afterwards, since the owners of the files are not informed.
+/// Deletes all registered files and folders. May be called by a signal handler, in any thread at any time;
+/// the process must end afterwards, since the owners of the files are not informed.
 void delete_unfinished_files() noexcept;
 
 /// False if no process of this machine has that number.
@@ -54,6 +55,8 @@ class PartialLock {
   PartialLock& operator=(PartialLock&& other) noexcept;
   ~PartialLock() { release(); }
   void release();
+  /// Deletes what is in the folder that it owns, its files without a descriptor more.
+  void delete_content() noexcept;
 
  private:
   int descriptor_ = -1;

@@ -12,6 +12,9 @@
 
 #include "sim/base/error.h"
 
+/// Of HDF5, under netCDF: the library closes no files at the process's end.
+extern "C" int H5dont_atexit(void);
+
 namespace vegard::sim {
 namespace {
 
@@ -58,18 +61,23 @@ const double kNetcdfNoReal = NC_FILL_DOUBLE;
 static_assert(kNetcdfNoFlag == NC_FILL_BYTE, "the library's own");
 
 NetcdfFile::NetcdfFile(const std::string& file, const std::string& shown_name) : shown_name_(shown_name) {
+  // After a write that failed (a full disk), HDF5 ends the process with a segmentation fault when it closes
+  // the file: by nc_abort(), or by itself at the process's end.
+  static_cast<void>(H5dont_atexit());
   const WithoutLocks without_locks;
   require(nc_create(file.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_));
 }
 
 NetcdfFile::~NetcdfFile() {
-  if (id_ >= 0) nc_abort(id_);
+  if (id_ >= 0 && !has_failed_) nc_abort(id_);
 }
 
 void NetcdfFile::require(int code) const {
   if (code == NC_NOERR) return;
+  has_failed_ = true;
   throw Error(ErrorKind::unwritable_output, std::string("cannot be written: ") + nc_strerror(code))
-      .file(shown_name_);
+      .file(shown_name_)
+      .hint("is the disk full?");
 }
 
 NetcdfFile::Dimension NetcdfFile::dimension(const std::string& name, std::size_t size) {

@@ -67,6 +67,7 @@ class NetcdfFile {
 
   std::string shown_name_;
   int id_ = -1;
+  mutable bool has_failed_ = false;  ///< the library cannot close the file any more
   bool defines_ = true;
   std::vector<std::size_t> sizes_;            ///< by dimension
   std::vector<std::vector<int>> dimensions_;  ///< by variable

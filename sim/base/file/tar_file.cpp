@@ -103,6 +103,9 @@ TarFile::TarFile(std::string name, std::string_view bytes) : name_(std::move(nam
       throw unreadable(name_, "there are more than " + std::to_string(kMaxEntries) + " files in it")
           .hint("cut it up");
     const char* path = archive_entry_pathname(entry);
+    if (path != nullptr &&
+        (archive_entry_hardlink(entry) != nullptr || archive_entry_filetype(entry) == AE_IFLNK))
+      links_.emplace_back(path);
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) != nullptr ||
         path == nullptr || archive_entry_size_is_set(entry) == 0)
       continue;

@@ -31,12 +31,15 @@ class TarFile {
 
   /// Returns the regular files, in the order of the archive.
   const std::vector<TarEntry>& entries() const { return entries_; }
+  /// Returns the names of the links to other files, hard and symbolic, which are no entries.
+  const std::vector<std::string>& links() const { return links_; }
   std::string read(const TarEntry& entry) const;
 
  private:
   std::string name_;
   std::string_view bytes_;
   std::vector<TarEntry> entries_;
+  std::vector<std::string> links_;
 };
 
 }  // namespace vegard::sim

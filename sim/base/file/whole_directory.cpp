@@ -185,14 +185,18 @@ WholeDirectory::WholeDirectory(const std::string& target, bool overwrite, Direct
     if (::mkdir(temporary_.c_str(), 0777) == 0) break;
     if (errno != EEXIST) throw give_up(errno);
   }
+  keep_unfinished(temporary_);
   lock_ = PartialLock(::open(temporary_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
 WholeDirectory::~WholeDirectory() {
   if (!is_ours_) return;
+  // By the descriptor that it has: there may be none left for a search.
+  lock_.delete_content();
   lock_.release();
   std::error_code ignored;
-  fs::remove_all(temporary_, ignored);
+  if (::rmdir(temporary_.c_str()) != 0) fs::remove_all(temporary_, ignored);
+  forget_unfinished(temporary_);
   // rmdir spares a folder in which someone else has put something by now.
   for (auto parent = made_parents_.rbegin(); parent != made_parents_.rend(); ++parent)
     ::rmdir(parent->c_str());
@@ -209,6 +213,7 @@ void WholeDirectory::commit() {
   if (walk_error) throw unwritable(target_, walk_error.value());
   if (const int error = make_durable(temporary_); error != 0) throw unwritable(target_, error);
 
+  forget_unfinished(temporary_);  // from now on the name may be that of the old folder
   if (!check_target(target_, overwrite_, kind_)) {
     const int error = rename_to_free_name(temporary_, resolved_);
     if (error == EEXIST) throw already_exists(target_);

@@ -14,28 +14,10 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/byte_stream.h"
-#include "sim/base/text.h"
-#include "sim/base/utc_time.h"
+#include "sim/base/picture/fits_cards.h"
 
 namespace vegard::sim {
 namespace {
-
-constexpr std::size_t kOrderedCard = 80;
-constexpr std::size_t kFitsBlockBytes = 2880;
-
-std::string_view key_of(std::string_view card) {
-  const std::string_view key = card.substr(0, 8);
-  return key.substr(0, key.find(' '));
-}
-
-bool is_length(std::string_view key) {
-  return key.size() > 5 && key.substr(0, 5) == "NAXIS" && key.find_first_not_of("0123456789", 5) == key.npos;
-}
-
-bool is_of_size(std::string_view key) {
-  return key == "BITPIX" || key == "NAXIS" || key == "PCOUNT" || key == "GCOUNT" || key == "TFIELDS" ||
-         is_length(key);
-}
 
 /// Returns the integer after "= ", alone or before a comment.
 std::optional<long long> whole_number(std::string_view card) {
@@ -49,70 +31,6 @@ std::optional<long long> whole_number(std::string_view card) {
   if (error != std::errc() || end != text.data() + text.size()) return {};
   return number;
 }
-
-/// The size of the data behind a header.
-class DataSize {
- public:
-  void take(std::string_view key, long long number) {
-    const auto value = static_cast<double>(number);
-    if (key == "BITPIX") bytes_ = std::abs(value) / 8.0;
-    if (key == "PCOUNT") beside_ = value;
-    if (key == "GCOUNT") groups_ = value;
-    if (key == "NAXIS") has_axes_ = number > 0;
-    if (is_length(key)) values_ *= value;
-  }
-
-  /// Rounded above 2^53 bytes, of which no file has so many.
-  double blocks() const {
-    return has_axes_ ? std::ceil((values_ + beside_) * groups_ * bytes_ / kFitsBlockBytes) : 0.0;
-  }
-
- private:
-  double bytes_ = 0.0, values_ = 1.0, beside_ = 0.0, groups_ = 1.0;
-  bool has_axes_ = false;
-};
-
-/// The cards of one header as text.
-class Header {
- public:
-  explicit Header(std::string_view bytes) {
-    constexpr std::size_t kCard = 80, kKey = 8, kBlock = 2880;
-    std::size_t at = 0;
-    for (; at + kCard <= bytes.size(); at += kCard) {
-      const std::string_view card = bytes.substr(at, kCard);
-      std::string key(card.substr(0, kKey));
-      key.erase(key.find_last_not_of(' ') + 1);
-      if (key == "END") break;
-      if (card.substr(kKey, 2) != "= ") continue;
-      if (!values_.emplace(key, value_of(card.substr(kKey + 2))).second) twice_.insert(key);
-    }
-    size_ = std::min(bytes.size(), (at / kBlock + 1) * kBlock);
-  }
-
-  bool holds(const std::string& key) const { return values_.count(key) > 0; }
-  std::string text(const std::string& key) const {
-    const auto found = values_.find(key);
-    return found == values_.end() ? std::string() : found->second;
-  }
-  const std::set<std::string>& twice() const { return twice_; }
-  std::size_t size() const { return size_; }
-
- private:
-  /// Returns the value without quotes, comment and spaces around it.
-  static std::string value_of(std::string_view field) {
-    const std::size_t begin = field.find_first_not_of(' ');
-    if (begin == std::string_view::npos) return {};
-    const bool quoted = field[begin] == '\'';
-    std::string value(field.substr(begin + (quoted ? 1 : 0)));
-    value.resize(std::min(value.size(), value.find(quoted ? '\'' : '/')));
-    value.erase(value.find_last_not_of(' ') + 1);
-    return value;
-  }
-
-  std::map<std::string, std::string> values_;
-  std::set<std::string> twice_;
-  std::size_t size_ = 0;
-};
 
 /// True if a Rice stream (FITS standard 4.0, section 10.4.1) has this many pixels in `bytes`. CFITSIO
 /// searches for the end of a row of zeros also beyond them.
@@ -146,7 +64,7 @@ bool rice_holds(std::string_view bytes, long long pixels, int number_bytes, long
 
 class Packing {
  public:
-  Packing(const Header& header, std::string_view bytes, const std::string& name)
+  Packing(const FitsCards& header, std::string_view bytes, const std::string& name)
       : header_(header), data_(bytes.substr(header.size())), name_(name) {}
 
   void check() {
@@ -320,7 +238,7 @@ class Packing {
     }
   }
 
-  const Header& header_;
+  const FitsCards& header_;
   std::string_view data_;
   const std::string& name_;
   long long rows_ = 0, row_bytes_ = 0, number_bytes_ = 4, block_ = 32;
@@ -329,21 +247,9 @@ class Packing {
   std::vector<Descriptors> others_;  ///< of tiles packed otherwise, or not
 };
 
-constexpr std::size_t kFitsCard = 80, kKey = 8;
-
-/// The texts of the first header by their keywords, as far as the bytes reach.
-std::map<std::string_view, std::string_view> texts_of(std::string_view bytes) {
-  std::map<std::string_view, std::string_view> texts;
-  for (; bytes.size() >= kFitsCard; bytes.remove_prefix(kFitsCard)) {
-    const std::string_view key = trimmed(bytes.substr(0, kKey), " "),
-                           value = bytes.substr(kKey, kFitsCard - kKey);
-    if (key == "END") break;
-    const std::size_t begin = value.find('\'');
-    if (value.substr(0, 2) != "= " || begin == std::string_view::npos) continue;
-    const std::size_t end = value.find('\'', begin + 1);
-    if (end != std::string_view::npos)
-      texts.emplace(key, trimmed(value.substr(begin + 1, end - begin - 1), " "));
-  }
+std::map<std::string, std::string> texts_of(const FitsValues& values) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [key, value] : values) texts.emplace(key, value.text);
   return texts;
 }
 
@@ -352,16 +258,16 @@ std::map<std::string_view, std::string_view> texts_of(std::string_view bytes) {
 std::string with_cards_in_order(std::string_view bytes) {
   std::vector<std::string_view> cards;
   std::size_t at = 0;
-  for (; at + kOrderedCard <= bytes.size(); at += kOrderedCard) {
-    const std::string_view card = bytes.substr(at, kOrderedCard);
-    if (key_of(card) == "END") break;
+  for (; at + kFitsCardBytes <= bytes.size(); at += kFitsCardBytes) {
+    const std::string_view card = bytes.substr(at, kFitsCardBytes);
+    if (fits_key(card) == "END") break;
     cards.push_back(card);
   }
-  if (at + kOrderedCard > bytes.size()) return {};
+  if (at + kFitsCardBytes > bytes.size()) return {};
   std::vector<std::size_t> first;  // which card is to be the first, the second ...
   const auto find = [&](std::string_view key) {
     for (std::size_t i = 0; i < cards.size(); ++i)
-      if (key_of(cards[i]) == key) {
+      if (fits_key(cards[i]) == key) {
         first.push_back(i);
         return true;
       }
@@ -394,21 +300,21 @@ std::string fault_of_sizes(std::string_view bytes) {
   std::size_t at = 0;
   while (at < bytes.size()) {
     const bool is_extension = at > 0;
-    DataSize data;
+    FitsDataSize data;
     std::size_t number_of_card = 0;
-    for (bool ended = false; !ended; at += kOrderedCard, ++number_of_card) {
+    for (bool ended = false; !ended; at += kFitsCardBytes, ++number_of_card) {
       // CFITSIO itself refuses a first header without an end.
-      if (at + kOrderedCard > bytes.size())
+      if (at + kFitsCardBytes > bytes.size())
         return is_extension ? "the header of an extension has no END" : "";
-      const std::string_view card = bytes.substr(at, kOrderedCard), key = key_of(card);
+      const std::string_view card = bytes.substr(at, kFitsCardBytes), key = fits_key(card);
       if (is_extension && number_of_card < kFirstOfExtension.size() &&
           key != kFirstOfExtension[number_of_card])
         return std::string(kFirstOfExtension[number_of_card]) + " is not where an extension has it";
       ended = key == "END";
-      if (!is_of_size(key)) continue;
+      if (!FitsDataSize::depends_on(key) && key != "TFIELDS") continue;
       const std::optional<long long> number = whole_number(card);
       if (!number) return std::string(key) + " is no whole number";
-      data.take(key, *number);
+      data.take(key, static_cast<double>(*number));
     }
     const double blocks = data.blocks();
     if (!(blocks >= 0.0 && blocks <= static_cast<double>(bytes.size() / kFitsBlockBytes))) return {};
@@ -419,25 +325,47 @@ std::string fault_of_sizes(std::string_view bytes) {
 }
 
 void check_fits_packing(std::string_view bytes, const std::string& name) {
-  const Header header(bytes);
+  const FitsCards header(bytes);
   if (header.holds("ZIMAGE")) Packing(header, bytes, name).check();
 }
 
-std::optional<FitsTime> fits_time(std::string_view bytes) {
-  if (bytes.substr(0, kKey + 1) != "SIMPLE  =") return std::nullopt;
-  const auto texts = texts_of(bytes);
-  const auto text = [&](const char* key) {
-    const auto found = texts.find(key);
-    return std::string(found == texts.end() ? std::string_view() : found->second);
-  };
-  const std::string scale = text("TIMESYS");
-  if (!scale.empty() && scale != "UTC" && scale != "UT" && scale != "GMT") return std::nullopt;
-  for (const auto& [day, time] : {std::pair{"DATE-OBS", "TIME-OBS"}, std::pair{"OBSDATE", "OBSSTART"}}) {
-    if (const auto whole = utc_seconds(text(day))) return FitsTime{utc_text(*whole), day};
-    if (const auto both = utc_seconds(text(day) + "T" + text(time)))
-      return FitsTime{utc_text(*both), std::string(day) + " and " + time};
+std::map<std::string, std::string> fits_image_words(std::string_view bytes) {
+  return texts_of(fits_image_values(bytes));
+}
+
+std::vector<FitsPart> fits_parts(const RandomBytes& file) {
+  constexpr std::size_t kMaxParts = 10000, kMaxHeader = std::size_t{1} << 20;
+  std::vector<FitsPart> parts;
+  std::uint64_t at = 0;
+  while (parts.size() < kMaxParts) {
+    const std::string_view begins = parts.empty() ? "SIMPLE  =" : "XTENSION=";
+    std::string bytes;
+    bool has_end = false;
+    while (!has_end && bytes.size() < kMaxHeader) {
+      const std::size_t before = bytes.size();
+      bytes.resize(before + kFitsBlockBytes);
+      if (file.read(at + before, bytes.data() + before, kFitsBlockBytes) < kFitsBlockBytes) return parts;
+      if (bytes.compare(0, begins.size(), begins) != 0) return parts;
+      for (std::size_t card = before; card < bytes.size(); card += kFitsCardBytes)
+        has_end = has_end || fits_key(std::string_view(bytes).substr(card, kFitsCardBytes)) == "END";
+    }
+    if (!has_end) return parts;
+    const FitsCards header(bytes);
+    const std::optional<FitsDataSize> data = header.data_size();
+    if (!data || data->blocks() > static_cast<double>(file.size() / kFitsBlockBytes)) return parts;
+    const auto data_bytes = static_cast<std::uint64_t>(data->blocks()) * kFitsBlockBytes;
+    FitsPart part;
+    part.begin = at;
+    part.data = at + bytes.size();
+    // The last block may be short.
+    part.end = std::min(part.data + data_bytes, file.size());
+    part.words = texts_of(header.values());
+    part.is_image = header.is_of_image();
+    at = part.data + data_bytes;
+    parts.push_back(std::move(part));
+    if (at >= file.size()) return parts;
   }
-  return std::nullopt;
+  return parts;
 }
 
 }  // namespace vegard::sim

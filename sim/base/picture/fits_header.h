@@ -1,9 +1,12 @@
-// FITS headers, read without CFITSIO: what must be repaired or refused before CFITSIO reads it, and the time.
+// FITS headers, read without CFITSIO: what must be repaired or refused before CFITSIO reads it.
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "sim/base/file/byte_stream.h"
 
 namespace vegard::sim {
 
@@ -30,15 +33,21 @@ std::string fault_of_sizes(std::string_view bytes);
 /// and for missing bytes.
 void check_fits_packing(std::string_view bytes, const std::string& name);
 
-struct FitsTime {
-  std::string utc;  ///< "2015-10-07T08:23:51.743Z"
-  std::string key;  ///< source of the time: "DATE-OBS", "OBSDATE and OBSSTART"
+/// Returns the keywords of a file's first image, in the first header or an extension, packed in tiles or not,
+/// and those of the first header that it lacks: texts without quotes, numbers as they stand. Of the first
+/// header alone if there is no image, or if its header lies beyond the bytes; empty for bytes that are not
+/// FITS. Never throws.
+std::map<std::string, std::string> fits_image_words(std::string_view bytes);
+
+/// A header with the data behind it.
+struct FitsPart {
+  std::uint64_t begin = 0, data = 0, end = 0;  ///< places in the file
+  std::map<std::string, std::string> words;    ///< its keywords, as those of fits_image_words()
+  bool is_image = false;                       ///< of at least two axes, packed in tiles or not
 };
 
-/// Returns the time at which an image was taken (FITS standard 4.0, 4.4.2.3 and 9) from the bytes of a file,
-/// of which the first header is enough: DATE-OBS with a time of day in it or in TIME-OBS; else OBSDATE with
-/// OBSSTART, as from the cameras at Poker Flat. Returns nothing if TIMESYS is not UTC, for a date without a
-/// time, an invalid date, or bytes that are not FITS. Never throws.
-std::optional<FitsTime> fits_time(std::string_view bytes);
+/// Returns the parts of a FITS file in its order, as far as they are whole and their sizes are sound; none
+/// for another file. Reads headers only. Throws as RandomBytes does.
+std::vector<FitsPart> fits_parts(const RandomBytes& file);
 
 }  // namespace vegard::sim

@@ -12,13 +12,14 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/picture/fits_cards.h"
+#include "sim/base/picture/fits_checksum.h"
 #include "sim/base/picture/fits_header.h"
 #include "sim/base/picture/pixel_limit.h"
 
 namespace vegard::sim {
 namespace {
 
-constexpr std::size_t kFitsBlock = 2880;
 constexpr LONGLONG kMaxValues = LONGLONG{1} << 30;  // 4 GiB of floats
 
 std::string words_of(int status) {
@@ -49,9 +50,9 @@ class FitsReader {
     padded_ = with_cards_in_order(bytes);
     if (!padded_.empty()) bytes = padded_;
     // Some writers leave the last block short, which CFITSIO does not read.
-    if (bytes.size() % kFitsBlock != 0) {
+    if (bytes.size() % kFitsBlockBytes != 0) {
       if (padded_.empty()) padded_.assign(bytes);
-      padded_.resize((bytes.size() / kFitsBlock + 1) * kFitsBlock, '\0');
+      padded_.resize((bytes.size() / kFitsBlockBytes + 1) * kFitsBlockBytes, '\0');
       bytes = padded_;
     }
     // Opened for reading only: CFITSIO writes to neither.
@@ -92,6 +93,14 @@ class FitsReader {
       }
       check(status);
     }
+  }
+
+  /// Throws unless all data are there that any header promises, and are those that were written.
+  void check_whole() const {
+    if (const std::string missing = missing_fits_data(bytes_); !missing.empty())
+      throw truncated(name_, missing);
+    if (const std::string fault = fault_of_fits_sums(bytes_); !fault.empty())
+      throw damaged(name_, fault).hint("copy it again; if its data were changed on purpose, take DATASUM out");
   }
 
   /// Throws unless `size` bytes of data are there behind the header at hand.
@@ -267,7 +276,7 @@ std::string encoded_in_memory(const std::string& name, const Fill& fill) {
   std::size_t size = 0;
   int status = 0;
   fitsfile* raw = nullptr;
-  fits_create_memfile(&raw, &buffer, &size, kFitsBlock * 64, std::realloc, &status);
+  fits_create_memfile(&raw, &buffer, &size, kFitsBlockBytes * 64, std::realloc, &status);
   std::string bytes;
   if (status == 0) {
     const std::unique_ptr<fitsfile, Close> file(raw);
@@ -280,7 +289,7 @@ std::string encoded_in_memory(const std::string& name, const Fill& fill) {
   std::free(buffer);
   if (status != 0)
     throw Error(ErrorKind::unwritable_output, "cannot be encoded: " + words_of(status)).file(name);
-  return bytes;
+  return with_fits_checksums(bytes);
 }
 
 }  // namespace
@@ -305,6 +314,7 @@ FitsImage read_fits_image(std::string_view bytes, const std::string& name) {
   const Shape shape = shape_of(reader, name);
   describe_numbers(reader, file);
   if (!compressed) reader.check_data(shape.width * shape.height * shape.planes * (file.bits / 8));
+  reader.check_whole();
   file.keywords.insert(first_keywords.begin(), first_keywords.end());
   try {
     file.image = Image(static_cast<int>(shape.width), static_cast<int>(shape.height),
@@ -336,6 +346,7 @@ FitsTable read_fits_table(std::string_view bytes, const std::string& name) {
   if (rows < 0 || row_bytes < 1 || rows > std::numeric_limits<LONGLONG>::max() / row_bytes)
     throw unreadable(name, "the table in this FITS file has an impossible size");
   reader.check_data(row_bytes * rows);
+  reader.check_whole();
   for (int c = 1; c <= columns; ++c) {
     int type = 0;
     LONGLONG repeat = 0, width = 0;

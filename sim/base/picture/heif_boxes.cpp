@@ -72,6 +72,35 @@ std::optional<std::string_view> bytes_of_heif_item(std::uint64_t item, std::stri
   return found;
 }
 
+std::vector<std::string_view> heif_colours(std::string_view bytes) try {
+  const std::string file;
+  HeifNumbers meta(body_of(bytes, "meta", file), "its table of contents", file);
+  meta.next(4);  // version and flags
+  const std::string_view boxes = meta.rest(), of_items = body_of(boxes, "iprp", file);
+  HeifNumbers main_box(body_of(boxes, "pitm", file), "the number of its main picture", file);
+  const std::uint64_t main_picture = main_box.next(main_box.next(4) >> 24 == 0 ? 2 : 4);
+  std::vector<HeifBox> properties;
+  for (std::string_view list = body_of(of_items, "ipco", file); !list.empty();) {
+    properties.push_back(first_heif_box(list, file));
+    list.remove_prefix(properties.back().size);
+  }
+  HeifNumbers list(body_of(of_items, "ipma", file), "the list of its pictures' properties", file);
+  const std::uint64_t head = list.next(4), items = list.next(4);
+  std::vector<std::string_view> found;
+  for (std::uint64_t i = 0; i < items; ++i) {
+    const std::uint64_t item = list.next(head >> 24 != 0 ? 4 : 2);
+    for (std::uint64_t left = list.next(1); left > 0; --left) {
+      const std::uint64_t index = (head & 1) != 0 ? list.next(2) & 0x7fff : list.next(1) & 0x7f;
+      if (item == main_picture && index > 0 && index <= properties.size() &&
+          properties[index - 1].type == "colr")
+        found.push_back(properties[index - 1].body);
+    }
+  }
+  return found;
+} catch (const Error&) {
+  return {};
+}
+
 std::string_view heif_exif(std::string_view bytes) try {
   const std::string file;
   HeifNumbers meta(body_of(bytes, "meta", file), "its table of contents", file);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vegard::sim {
 
@@ -58,6 +59,10 @@ void each_heif_item(std::string_view item_information, const std::string& file, 
 std::optional<std::string_view> bytes_of_heif_item(std::uint64_t item, std::string_view places,
                                                    std::string_view bytes, std::string_view data,
                                                    const std::string& file);
+
+/// Returns the bodies of the properties colr of the main picture (ISO/IEC 14496-12, 12.1.5), in the file's
+/// order; none if a box before them is invalid.
+std::vector<std::string_view> heif_colours(std::string_view bytes);
 
 /// Returns the EXIF data of a HEIF file from their TIFF header on; empty if there are none, or if a box
 /// before them is invalid.

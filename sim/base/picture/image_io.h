@@ -1,5 +1,5 @@
 // Reads and writes image files: linear EXR and display pictures. Only sim/base/picture/image_io/ uses
-// OpenImageIO.
+// OpenImageIO, which is loaded when a file is first read or written (sim/base/module.h).
 //
 // Files appear complete or not at all (whole_file.h). The same image and attributes give the same bytes on
 // every run and for every number of threads: no time of writing, machine or path is in a file.
@@ -72,7 +72,7 @@ std::string encode_display(ImageFormat format, const Image& encoded, int bits, i
 void write_display(const std::string& path, const Image& encoded, int bits, int jpeg_quality,
                    const ImageAttributes& attributes, bool overwrite = false);
 
-/// Returns the version of OpenImageIO, "2.4.7", for `vegard --version`.
+/// Returns the version of OpenImageIO for which this was compiled, "2.4.7", without loading it.
 std::string image_library_version();
 
 }  // namespace vegard::sim

@@ -12,7 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/picture/exif_block.h"
-#include "sim/base/picture/fits_header.h"
+#include "sim/base/picture/fits_time.h"
 #include "sim/base/picture/tiff_directory.h"
 #include "sim/base/utc_time.h"
 
@@ -21,8 +21,9 @@ namespace {
 
 // Tags of EXIF 2.32, tables 3 to 16.
 constexpr int kMake = 271, kModel = 272, kExifDirectory = 34665, kGpsDirectory = 34853;
-constexpr int kExposureTime = 33434, kFNumber = 33437, kSensitivity = 34855, kTimeOriginal = 36867,
-              kOffsetOriginal = 36881, kFocalLength = 37386, kSubsecondOriginal = 37521, kExifWidth = 40962,
+constexpr int kTimeOfFile = 306, kExposureTime = 33434, kFNumber = 33437, kSensitivity = 34855,
+              kTimeOriginal = 36867, kTimeDigitized = 36868, kOffsetOfFile = 36880, kOffsetOriginal = 36881,
+              kOffsetDigitized = 36882, kFocalLength = 37386, kSubsecondOriginal = 37521, kExifWidth = 40962,
               kExifHeight = 40963, kFocalPlaneX = 41486, kFocalPlaneUnit = 41488, kFocal35mm = 41989,
               kLensModel = 42036;
 constexpr int kLatitudeRef = 1, kLatitude = 2, kLongitudeRef = 3, kLongitude = 4, kAltitudeRef = 5,
@@ -81,7 +82,20 @@ std::optional<std::string> gps_time(const TiffDirectory& gps) {
   return is_possible(time) ? std::optional<std::string>(iso_text(time) + "Z") : std::nullopt;
 }
 
-void read_times(const TiffDirectory& exif, PictureMetadata& metadata) {
+/// The zone of the clock: of the original time, or of another one that says the same (a program that changes
+/// a picture changes the file's time, with its own zone).
+void read_offset(const TiffDirectory& exif, const std::optional<std::string>& time_of_file,
+                 const std::string& original, PictureMetadata& metadata) {
+  const auto take = [&](std::optional<std::string> offset) {
+    if (!metadata.utc_offset && offset && offset_minutes(*offset)) metadata.utc_offset = *offset;
+  };
+  take(exif.text(kOffsetOriginal));
+  if (exif.text(kTimeDigitized) == original) take(exif.text(kOffsetDigitized));
+  if (time_of_file == original) take(exif.text(kOffsetOfFile));
+}
+
+void read_times(const TiffDirectory& exif, const std::optional<std::string>& time_of_file,
+                PictureMetadata& metadata) {
   const auto text = exif.text(kTimeOriginal);
   auto known = text ? civil_time(with_dashes(*text)) : std::nullopt;
   if (!known) return;
@@ -90,11 +104,11 @@ void read_times(const TiffDirectory& exif, PictureMetadata& metadata) {
     if (subsecond->size() <= 9 && subsecond->find_first_not_of("0123456789") == std::string::npos)
       time.subsecond = *subsecond;
   metadata.taken_local = iso_text(time);
-  if (const auto offset = exif.text(kOffsetOriginal))
-    if (offset_minutes(*offset)) metadata.utc_offset = *offset;
+  read_offset(exif, time_of_file, *text, metadata);
 }
 
-void read_exif(const TiffDirectory& exif, PictureMetadata& metadata) {
+void read_exif(const TiffDirectory& exif, const std::optional<std::string>& time_of_file,
+               PictureMetadata& metadata) {
   metadata.lens = exif.text(kLensModel);
   metadata.focal_length_mm = positive(exif, kFocalLength);
   metadata.focal_length_35mm_mm = between(exif.number(kFocal35mm), 1.0, 1e5);
@@ -109,7 +123,7 @@ void read_exif(const TiffDirectory& exif, PictureMetadata& metadata) {
   const double millimetres = unit == 2.0 ? 25.4 : unit == 3.0 ? 10.0 : unit == 4.0 ? 1.0 : 0.0;
   if (const auto per_unit = positive(exif, kFocalPlaneX); per_unit && millimetres > 0.0)
     metadata.focal_plane_px_per_mm = *per_unit / millimetres;
-  read_times(exif, metadata);
+  read_times(exif, time_of_file, metadata);
 }
 
 void read_gps(const TiffDirectory& gps, PictureMetadata& metadata) {
@@ -134,7 +148,14 @@ PictureMetadata picture_metadata_of(std::string_view bytes) {
   PictureMetadata metadata;
   if (const auto time = fits_time(bytes)) {
     metadata.header_time_utc = time->utc;
+    metadata.header_time_resolution_s = time->resolution_s;
     metadata.sources.header_time = "FITS " + time->key;
+    metadata.middle_after_s = time->middle_after_s;
+    if (time->exposure_s) {
+      metadata.exposure_s = time->exposure_s;
+      metadata.sources.exposure = "FITS " + time->exposure_key;
+    }
+    if (!time->contradiction.empty()) metadata.contradictions.push_back(time->contradiction);
     return metadata;
   }
   const ExifBlock block = find_exif_block(bytes);
@@ -143,7 +164,8 @@ PictureMetadata picture_metadata_of(std::string_view bytes) {
     metadata.model = directory->text(kModel);
     const auto orientation = between(directory->number(tiff_tag::kOrientation), 1.0, 8.0);
     if (orientation && block.exif_turns) metadata.orientation = static_cast<int>(*orientation);
-    if (const auto exif = directory->at_tag(kExifDirectory)) read_exif(*exif, metadata);
+    if (const auto exif = directory->at_tag(kExifDirectory))
+      read_exif(*exif, directory->text(kTimeOfFile), metadata);
     if (const auto gps = directory->at_tag(kGpsDirectory)) read_gps(*gps, metadata);
   }
   if (block.size_px) {

@@ -1,5 +1,5 @@
 // Metadata of a picture's file: EXIF 2.32 (CIPA DC-008), sections 4.6.4 to 4.6.6; the time of a FITS image
-// (sim/base/picture/fits_header.h); and the metadata of auroral imagers (fit/photo/frames).
+// (sim/base/picture/fits_time.h); and the metadata of auroral imagers (fit/photo/frames).
 //
 // Missing values are not replaced by guesses, and impossible values are left out: a latitude of 95, a
 // negative exposure, a focal length of 0 ("unknown" in the standard).
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vegard::sim {
 
@@ -33,6 +34,10 @@ struct PictureMetadata {
 
   /// From FITS files and auroral imagers, whose clocks are in UTC.
   std::optional<std::string> header_time_utc;
+  double header_time_resolution_s = 0.0;  ///< unit of its last digit in the file; 0: as it has it here
+
+  /// From the beginning of the exposure to its middle, where this is not half of exposure_s.
+  std::optional<double> middle_after_s;
 
   std::optional<double> latitude_deg, longitude_deg;  ///< north and east positive
   std::optional<double> altitude_m;                   ///< above sea level
@@ -40,7 +45,8 @@ struct PictureMetadata {
   std::optional<std::string> imager, site,
       mode;  ///< names by the operators of imagers: "themis19", "gill", "full"
   PictureSources sources;
-  std::string contradiction;  ///< between values in the file, as a sentence without a full stop
+  /// Between values in the file, or with its name: sentences without a full stop.
+  std::vector<std::string> contradictions;
 
   int orientation = 1;                     ///< EXIF's 1 to 8, of the stored picture
   std::optional<int> width_px, height_px;  ///< of the upright picture, from its container

@@ -10,9 +10,9 @@
 namespace vegard::sim {
 namespace {
 
-constexpr int kByte = 1, kAscii = 2, kShort = 3, kLong = 4, kRational = 5, kSignedByte = 6, kSignedShort = 8,
-              kSignedLong = 9, kSignedRational = 10, kFloat = 11, kDouble = 12, kPointer = 13, kLong8 = 16,
-              kUtf8 = 129;
+constexpr int kByte = 1, kAscii = 2, kShort = 3, kLong = 4, kRational = 5, kSignedByte = 6, kUndefined = 7,
+              kSignedShort = 8, kSignedLong = 9, kSignedRational = 10, kFloat = 11, kDouble = 12,
+              kPointer = 13, kLong8 = 16, kUtf8 = 129;
 
 /// Bytes of one value; 0 for a type that is not read.
 std::size_t size_of(int type) {
@@ -20,6 +20,7 @@ std::size_t size_of(int type) {
     case kByte:
     case kAscii:
     case kSignedByte:
+    case kUndefined:
     case kUtf8:
       return 1;
     case kShort:
@@ -110,6 +111,13 @@ std::vector<double> TiffDirectory::numbers(int tag, std::size_t most) const {
 std::optional<double> TiffDirectory::number(int tag) const {
   const std::vector<double> list = numbers(tag, 1);
   return list.empty() ? std::nullopt : std::optional<double>(list.front());
+}
+
+std::optional<std::string_view> TiffDirectory::bytes(int tag) const {
+  const auto entry = find(tag);
+  if (!entry || (entry->type != kByte && entry->type != kUndefined)) return std::nullopt;
+  const auto place = values_of(*entry, entry->count);
+  return place ? std::optional(tiff_.substr(*place, static_cast<std::size_t>(entry->count))) : std::nullopt;
 }
 
 std::optional<std::string> TiffDirectory::text(int tag) const {

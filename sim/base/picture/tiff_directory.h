@@ -54,6 +54,10 @@ class TiffDirectory {
   std::uint64_t value(int tag, std::uint64_t if_absent) const;
   bool inside() const { return inside_; }
 
+  /// Returns the bytes of a tag of bytes of any meaning, such as a colour profile; none if they would lie
+  /// outside the file.
+  std::optional<std::string_view> bytes(int tag) const;
+
   /// Returns a text up to its first NUL, at most 200 characters, without blanks at its ends, with '?' for
   /// characters that are not printable ASCII; nothing if it is empty then.
   std::optional<std::string> text(int tag) const;

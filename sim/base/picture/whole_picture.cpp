@@ -28,7 +28,7 @@ class ExrHeaders {
     do {
       header();
       // Only the first part is read, but all of them are opened.
-      if (first.width == 0 && first.height == 0) first = size_;
+      if (first.width == 0 && first.height == 0) first = display_;
     } while (several && at_ < bytes_.size() && bytes_[at_] != '\0');
     return first;
   }
@@ -54,6 +54,7 @@ class ExrHeaders {
 
   void header() {
     bool sized = false;
+    std::optional<ExrSize> display;
     std::optional<std::pair<long long, long long>> tile;
     long long chunks = 0;
     while (true) {
@@ -69,6 +70,9 @@ class ExrHeaders {
         if (sized) throw damaged(file_, "an EXR that says its size twice");
         size_ = {signed_at(at_ + 8) - signed_at(at_) + 1, signed_at(at_ + 12) - signed_at(at_ + 4) + 1};
         sized = true;
+      } else if (name == "displayWindow" && type == "box2i" && size == 16) {
+        display =
+            ExrSize{signed_at(at_ + 8) - signed_at(at_) + 1, signed_at(at_ + 12) - signed_at(at_ + 4) + 1};
       } else if (name == "tiles" && size >= 8) {
         tile = {little_word_at(at_), little_word_at(at_ + 4)};
       } else if (name == "chunkCount" && size == 4) {
@@ -78,6 +82,8 @@ class ExrHeaders {
     }
     if (!sized) throw damaged(file_, "an EXR that does not say its size");
     check_pixel_limit(size_.width, size_.height, file_);
+    display_ = display.value_or(size_);
+    check_pixel_limit(display_.width, display_.height, file_);
     if (tile) {
       check_pixel_limit(tile->first, tile->second, file_);
       chunks =
@@ -92,7 +98,7 @@ class ExrHeaders {
   std::size_t file_bytes_;
   const std::string& file_;
   std::size_t at_ = 0;
-  ExrSize size_;
+  ExrSize size_, display_;
 };
 
 }  // namespace

@@ -24,12 +24,12 @@ struct ExrSize {
   long long width = 0, height = 0;
 };
 
-/// Returns the size of an EXR's first part. `beginning` has the first of the file's `file_bytes` bytes.
-/// Throws Error(unreadable_input) naming `file` if a header is not completely in `beginning`, has no size,
-/// needs more bytes than the file has, or has a size beyond pixel_limit.h: OpenEXR 3.1 trusts the sizes in
-/// headers and allocates memory for them. Source: the OpenEXR file layout: magic number, version, then
-/// headers of attributes (name, type, size, value), each up to an empty name; in multi-part files one more
-/// empty name ends the headers.
+/// Returns the size of the frame of an EXR's first part, the display window. `beginning` has the first of the
+/// file's `file_bytes` bytes. Throws Error(unreadable_input) naming `file` if a header is not completely in
+/// `beginning`, has no size, needs more bytes than the file has, or has a size beyond pixel_limit.h:
+/// OpenEXR 3.1 trusts the sizes in headers and allocates memory for them. Source: the OpenEXR file layout:
+/// magic number, version, then headers of attributes (name, type, size, value), each up to an empty name; in
+/// multi-part files one more empty name ends the headers.
 ExrSize check_exr_header(std::string_view beginning, std::size_t file_bytes, const std::string& file);
 
 }  // namespace vegard::sim

@@ -1,7 +1,9 @@
 #include "sim/light/chemistry/ion_balance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <cstddef>
 
 #include "sim/base/number/constants.h"
 
@@ -84,10 +86,10 @@ IonDensities night_ions(const ReactingAir& air) {
   return ions;
 }
 
-IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
-                         double seconds) {
+IonHistory ion_history(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
+                       double seconds) {
   const bool is_steady = std::isinf(seconds);
-  if (is_steady && production.all() <= 0.0) return {};
+  if (is_steady && production.all() <= 0.0) return {{}, {IonDensities{}}};
   const RatesAtPlace rates = reactions.at(air.temperature_k, air.electron_temperature_k);
   const double diffusion = diffusion_loss_s(air);
   const auto balance = [&](const TimeStep& step) {
@@ -102,17 +104,40 @@ IonDensities ion_balance(const ReactingAir& air, const IonProduction& production
     }
     return ions_among(air, production, rates, diffusion, std::exp(0.5 * (low + high)), step);
   };
-  if (is_steady) return balance({});
+  if (is_steady) return {{}, {balance({})}};
   // Steps grow by a half, as changes slow down.
   constexpr int kSteps = 8;
   constexpr double kGrowth = 1.5;
-  TimeStep step{night_ions(air), 0.0};
+  IonHistory history{{}, {night_ions(air)}};
   double length_s = seconds * (kGrowth - 1.0) / (std::pow(kGrowth, kSteps) - 1.0);
   for (int s = 0; s < kSteps; ++s, length_s *= kGrowth) {
-    step.per_s = 1.0 / length_s;
-    step.before = balance(step);
+    history.step_s.push_back(length_s);
+    history.ions.push_back(balance({history.ions.back(), 1.0 / length_s}));
   }
-  return step.before;
+  return history;
+}
+
+IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
+                         double seconds) {
+  return ion_history(air, production, reactions, seconds).ions.back();
+}
+
+std::vector<double> atoms_since_onset(const std::vector<double>& step_s,
+                                      const std::vector<double>& made_cm3_s,
+                                      const std::vector<double>& losses_s) {
+  assert(made_cm3_s.size() == step_s.size() + 1 && losses_s.size() == made_cm3_s.size());
+  if (step_s.empty()) return {made_cm3_s.front() / losses_s.front()};
+  std::vector<double> atoms = {0.0};
+  for (std::size_t s = 0; s < step_s.size(); ++s) {
+    const double lost = 0.5 * (losses_s[s] + losses_s[s + 1]) * step_s[s];
+    // Means over the step of what is left of an atom made in it: of all, and of those made late.
+    constexpr double kSmall = 1e-3;  // below, differences would cancel
+    const double all = lost < kSmall ? 1.0 - lost * (0.5 - lost / 6.0) : -std::expm1(-lost) / lost;
+    const double late = lost < kSmall ? 0.5 - lost * (1.0 / 6.0 - lost / 24.0) : (1.0 - all) / lost;
+    atoms.push_back(std::exp(-lost) * atoms.back() +
+                    step_s[s] * ((all - late) * made_cm3_s[s] + late * made_cm3_s[s + 1]));
+  }
+  return atoms;
 }
 
 }  // namespace vegard::sim

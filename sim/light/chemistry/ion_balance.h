@@ -1,5 +1,6 @@
-// The densities of the ions that electrons produce, in balance with the air and the thermal electrons, or as
-// they are some time after the electrons have begun to fall.
+// The densities of the ions that electrons produce, and of atoms that live long enough to remember, in
+// balance with the air and the thermal electrons, or as they are some time after the electrons have begun to
+// fall.
 //
 // Every ion has its production over its losses (sim/light/reactions.h); the density of thermal
 // electrons is that at which it equals the sum of all ions. The sum falls as electrons become more, so there
@@ -39,10 +40,27 @@ struct IonDensities {
 /// and 2e3 farther down. ESTIMATED within a factor of 3, as the auroral zone's F layer varies.
 IonDensities night_ions(const ReactingAir& air);
 
-/// Returns the densities of the ions `seconds` after the production has begun, in the night's ions; without a
-/// time, in balance. Eight implicit steps (backward Euler): electrons that grow from nothing are within 8 %.
+/// The ions since the production has begun.
+struct IonHistory {
+  std::vector<double> step_s;      ///< from one moment to the next; empty in a steady state
+  std::vector<IonDensities> ions;  ///< [moment], from the night's own to the last, or those of the balance
+};
+
+/// Returns the ions up to `seconds` after the production has begun, in the night's ions; without a time, in
+/// balance. Eight implicit steps (backward Euler): electrons that grow from nothing are within 8 %.
+IonHistory ion_history(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
+                       double seconds = std::numeric_limits<double>::infinity());
+
+/// Returns the ions of the last moment of ion_history().
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
                          double seconds = std::numeric_limits<double>::infinity());
+
+/// Returns the densities of atoms that are made and lost at the given rates [moment], none being there
+/// before; of a steady state, without steps, what is made over the losses. Between two moments what is made
+/// changes linearly, and the losses are the mean of both: exact where both are so.
+std::vector<double> atoms_since_onset(const std::vector<double>& step_s,
+                                      const std::vector<double>& made_cm3_s,
+                                      const std::vector<double>& losses_s);
 
 /// Returns the loss rate of O+ by diffusion, s^-1.
 double diffusion_loss_s(const ReactingAir& air);

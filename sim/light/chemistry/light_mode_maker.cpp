@@ -119,6 +119,7 @@ std::string make_light_modes(const TableRequest& request, const ModeRequest& mod
   require_air_of_tables(request);
   TableRequest usual = request;
   usual.mono_kev.clear();
+  usual.refinement *= kModeRefinement;
   usual.air = changed_air(usual.air, {});  // what it leaves to formulae, as the draws have it
   const std::vector<double> energies_kev = energies_of_modes(request);
   const std::vector<std::string> columns = lines_of_tables(usual);

@@ -12,6 +12,10 @@
 
 namespace vegard::sim {
 
+/// Fineness of the draws over that of the tables: changes need less than the light itself, in half of the
+/// time.
+inline constexpr double kModeRefinement = 0.8;
+
 struct ModeRequest {
   int draws = 200;
   std::uint64_t seed = 1;

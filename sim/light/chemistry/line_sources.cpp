@@ -53,12 +53,13 @@ class LightOfElectrons {
  public:
   LightOfElectrons(const Degradation& degradation, const FieldAir& column, const ElectronRates& rates,
                    const Reactions& reactions, double seconds)
-      : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions), seconds_(seconds) {
+      : degradation_(degradation), column_(column), rates_(rates), reactions_(reactions) {
     for (std::size_t m = 0; m < column.size(); ++m) {
       air_.push_back(reacting_air(column, m));
       at_.push_back(reactions.at(air_[m].temperature_k, air_[m].electron_temperature_k));
-      light_.ions.push_back(ion_balance(air_[m], production(m), reactions, seconds));
-      night_.push_back(ion_balance(air_[m], {}, reactions, seconds));
+      ions_.push_back(ion_history(air_[m], production(m), reactions, seconds));
+      night_.push_back(ion_history(air_[m], {}, reactions, seconds));
+      light_.ions.push_back(ions_.back().ions.back());
     }
   }
 
@@ -163,35 +164,63 @@ class LightOfElectrons {
     return p;
   }
 
+  /// Densities of atoms, cm^-3, or their losses, s^-1: [place][moment].
+  using Course = std::vector<Rate>;
+
+  template <class Function>
+  Course course(const Function& at_moment) const {
+    Course result(places());
+    for (std::size_t m = 0; m < places(); ++m)
+      for (std::size_t t = 0; t < ions_[m].ions.size(); ++t) result[m].push_back(at_moment(m, t));
+    return result;
+  }
+
+  struct AtomSource {
+    const char* name;
+    Course made_cm3_s;
+  };
+
+  /// Adds a line of atoms that live long: A times what of each source is there at the last moment. Returns
+  /// the densities of all sources.
+  Course add_slow(const char* column, double nm, Reaction light, const Course& losses_s,
+                  const std::vector<AtomSource>& sources) {
+    Course atoms_cm3 = course([](std::size_t, std::size_t) { return 0.0; });
+    std::vector<LineSource> shining;
+    for (const AtomSource& source : sources) {
+      shining.push_back({source.name, Rate(places())});
+      for (std::size_t m = 0; m < places(); ++m) {
+        const Rate atoms = atoms_since_onset(ions_[m].step_s, source.made_cm3_s[m], losses_s[m]);
+        for (std::size_t t = 0; t < atoms.size(); ++t) atoms_cm3[m][t] += atoms[t];
+        shining.back().photons_cm3_s[m] = at_[m](light) * atoms.back();
+      }
+    }
+    add(column, nm, std::move(shining), by_place([&](std::size_t m) { return losses_s[m].back(); }));
+    return atoms_cm3;
+  }
+
   void nitrogen_2d() {
     const Rate &a2 = excited(kN2, "N2 a''1Sigma"), &singlets = excited(kN2, "N2 singlets from 13 eV");
-    const Rate losses_s = by_place([&](std::size_t m) {
+    const Course losses_s = course([&](std::size_t m, std::size_t t) {
       const auto& k = at_[m];
       return k(R::n2d_5200) + k(R::n2d_o2) * air_[m].o2 + k(R::n2d_o) * air_[m].o +
-             k(R::n2d_no) * air_[m].no + k(R::n2d_e) * light_.ions[m].electrons;
+             k(R::n2d_no) * air_[m].no + k(R::n2d_e) * now(m, t).electrons;
     });
-    const auto photons = [&](const auto& made) {
-      return by_place([&](std::size_t m) {
-        return at_[m](R::n2d_5200) * made(m) / losses_s[m] * -std::expm1(-seconds_ * losses_s[m]);
-      });
-    };
-    add("ver_5200", 520.0,
-        {{"N2+ + O", photons([&](std::size_t m) {
-            return at_[m](R::n2p_o) * air_[m].o * (light_.ions[m].n2p - night_[m].n2p);
+    n2d_cm3_ = add_slow(
+        "ver_5200", 520.0, R::n2d_5200, losses_s,
+        {{"N2+ + O", course([&](std::size_t m, std::size_t t) {
+            return at_[m](R::n2p_o) * air_[m].o * (now(m, t).n2p - night(m, t).n2p);
           })},
-         {"N2+ + e", photons([&](std::size_t m) {
-            return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * recombining(m, &IonDensities::n2p);
+         {"N2+ + e", course([&](std::size_t m, std::size_t t) {
+            return value(R::n2d_of_n2p) * at_[m](R::n2p_e) * recombining(m, t, &IonDensities::n2p);
           })},
-         {"NO+ + e", photons([&](std::size_t m) {
-            return value(R::n2d_of_nop) * at_[m].nop_e() * recombining(m, &IonDensities::nop);
+         {"NO+ + e", course([&](std::size_t m, std::size_t t) {
+            return value(R::n2d_of_nop) * at_[m].nop_e() * recombining(m, t, &IonDensities::nop);
           })},
-         {"N2 + e", photons([&](std::size_t m) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
-         {"N2 + e, to N+", photons([&](std::size_t m) {
+         {"N2 + e",
+          course([&](std::size_t m, std::size_t) { return value(R::n2d_of_n2) * (a2[m] + singlets[m]); })},
+         {"N2 + e, to N+", course([&](std::size_t m, std::size_t) {
             return value(R::n2d_of_np) * value(R::np_share) * ionised(kN2, m);
-          })}},
-        losses_s);
-    const Rate all = light_.lines.back().photons_cm3_s();
-    n2d_cm3_ = by_place([&](std::size_t m) { return all[m] / at_[m](R::n2d_5200); });
+          })}});
   }
 
   void oxygen_1s(const Rate& o2_7774) {
@@ -199,76 +228,77 @@ class LightOfElectrons {
     for (const char* state : {"N2 A3Sigma v=0-4", "N2 A3Sigma v=5-9", "N2 A3Sigma v=10-", "N2 B3Pi",
                               "N2 W3Delta", "N2 B'3Sigma", "N2 C3Pi", "N2 E3Sigma"})
       for (std::size_t m = 0; m < places(); ++m) n2a[m] += excited(kN2, state)[m];
-    const Rate losses_s = by_place([&](std::size_t m) {
+    const Course losses_s = course([&](std::size_t m, std::size_t) {
       const auto& k = at_[m];
       return k(R::o1s_5577) + k(R::o1s_2972) + k(R::o1s_o2) * air_[m].o2 + k(R::o1s_o) * air_[m].o;
     });
-    const auto photons = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::o1s_5577) * made(m) / losses_s[m]; });
-    };
     const Rate& impact = excited(kO, "O 1S");
-    add("ver_5577", 557.7,
-        {{"O + e", photons([&](std::size_t m) { return impact[m]; })},
-         {"O2+ + e", photons([&](std::size_t m) { return value(R::o1s_of_o2p) * o2p_recombined(m); })},
-         {"N2(A) + O", photons([&](std::size_t m) {
+    o1s_cm3_ = add_slow(
+        "ver_5577", 557.7, R::o1s_5577, losses_s,
+        {{"O + e", course([&](std::size_t m, std::size_t) { return impact[m]; })},
+         {"O2+ + e",
+          course([&](std::size_t m, std::size_t t) { return value(R::o1s_of_o2p) * o2p_recombined(m, t); })},
+         {"N2(A) + O", course([&](std::size_t m, std::size_t) {
             const double by_o = at_[m](R::n2a_o) * air_[m].o;
             return value(R::o1s_of_n2a) * n2a[m] * by_o /
                    (by_o + at_[m](R::n2a_o2) * air_[m].o2 + at_[m](R::n2a_light));
           })},
-         {"O2 + e", photons([&](std::size_t m) { return value(R::o1s_of_o2) * o2_7774[m]; })},
-         {"O2+ + N", photons([&](std::size_t m) {
-            return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n *
-                   (light_.ions[m].o2p - night_[m].o2p);
+         {"O2 + e", course([&](std::size_t m, std::size_t) { return value(R::o1s_of_o2) * o2_7774[m]; })},
+         {"O2+ + N", course([&](std::size_t m, std::size_t t) {
+            return value(R::o1s_of_o2p_n) * at_[m](R::o2p_n) * air_[m].n * (now(m, t).o2p - night(m, t).o2p);
           })},
-         {"N+ + O2", photons([&](std::size_t m) { return value(R::o1s_of_np) * np_o2(m); })}},
-        losses_s);
+         {"N+ + O2",
+          course([&](std::size_t m, std::size_t t) { return value(R::o1s_of_np) * np_o2(m, t); })}});
   }
 
   void oxygen_1d() {
-    const Rate green = light_.lines.back().photons_cm3_s();
-    const Rate losses_s = by_place([&](std::size_t m) {
+    const Course losses_s = course([&](std::size_t m, std::size_t t) {
       const auto& k = at_[m];
       return k(R::o1d_6300) + k(R::o1d_6364) + k(R::o1d_n2) * air_[m].n2 + k(R::o1d_o2) * air_[m].o2 +
-             k(R::o1d_o) * air_[m].o + k(R::o1d_e) * light_.ions[m].electrons;
+             k(R::o1d_o) * air_[m].o + k(R::o1d_e) * now(m, t).electrons;
     });
-    const auto photons = [&](const auto& made) {
-      return by_place([&](std::size_t m) { return at_[m](R::o1d_6300) * made(m) / losses_s[m]; });
-    };
     const Rate &impact = excited(kO, "O 1D"), &dissociated = excited(kO2, "O2 8.4 eV");
-    add("ver_6300", 630.0,
-        {{"O + e", photons([&](std::size_t m) { return impact[m]; })},
-         {"O2+ + e", photons([&](std::size_t m) { return value(R::o1d_of_o2p) * o2p_recombined(m); })},
-         {"N(2D) + O2", photons([&](std::size_t m) {
-            return value(R::o1d_of_n2d) * at_[m](R::n2d_o2) * air_[m].o2 * n2d_cm3_[m];
+    add_slow(
+        "ver_6300", 630.0, R::o1d_6300, losses_s,
+        {{"O + e", course([&](std::size_t m, std::size_t) { return impact[m]; })},
+         {"O2+ + e",
+          course([&](std::size_t m, std::size_t t) { return value(R::o1d_of_o2p) * o2p_recombined(m, t); })},
+         {"N(2D) + O2", course([&](std::size_t m, std::size_t t) {
+            return value(R::o1d_of_n2d) * at_[m](R::n2d_o2) * air_[m].o2 * n2d_cm3_[m][t];
           })},
-         {"O(1S)", photons([&](std::size_t m) { return green[m]; })},
-         {"N+ + O2", photons([&](std::size_t m) { return value(R::o1d_of_np) * np_o2(m); })},
-         {"O2 + e", photons([&](std::size_t m) { return value(R::o1d_of_o2) * dissociated[m]; })}},
-        losses_s);
+         {"O(1S)",
+          course([&](std::size_t m, std::size_t t) { return at_[m](R::o1s_5577) * o1s_cm3_[m][t]; })},
+         {"N+ + O2", course([&](std::size_t m, std::size_t t) { return value(R::o1d_of_np) * np_o2(m, t); })},
+         {"O2 + e",
+          course([&](std::size_t m, std::size_t) { return value(R::o1d_of_o2) * dissociated[m]; })}});
   }
 
-  double o2p_recombined(std::size_t m) const { return at_[m].o2p_e() * recombining(m, &IonDensities::o2p); }
-  double np_o2(std::size_t m) const {
-    return at_[m](R::np_o2) * air_[m].o2 * (light_.ions[m].np - night_[m].np);
+  const IonDensities& now(std::size_t m, std::size_t t) const { return ions_[m].ions[t]; }
+  const IonDensities& night(std::size_t m, std::size_t t) const { return night_[m].ions[t]; }
+
+  double o2p_recombined(std::size_t m, std::size_t t) const {
+    return at_[m].o2p_e() * recombining(m, t, &IonDensities::o2p);
+  }
+  double np_o2(std::size_t m, std::size_t t) const {
+    return at_[m](R::np_o2) * air_[m].o2 * (now(m, t).np - night(m, t).np);
   }
 
   /// Returns the product of the densities of electrons and an ion, less that of a night without aurora, whose
   /// light is not the electrons': the airglow.
-  double recombining(std::size_t m, double IonDensities::*ion) const {
-    const IonDensities &now = light_.ions[m], &night = night_[m];
-    return std::max(0.0, now.electrons * now.*ion - night.electrons * night.*ion);
+  double recombining(std::size_t m, std::size_t t, double IonDensities::*ion) const {
+    const IonDensities &with = now(m, t), &without = night(m, t);
+    return std::max(0.0, with.electrons * with.*ion - without.electrons * without.*ion);
   }
 
   const Degradation& degradation_;
   const FieldAir& column_;
   const ElectronRates& rates_;
   const Reactions& reactions_;
-  double seconds_;
   std::vector<ReactingAir> air_;
   std::vector<RatesAtPlace> at_;
-  Rate n2d_cm3_;
+  std::vector<IonHistory> ions_, night_;  // with and without the electrons that fall
+  Course n2d_cm3_, o1s_cm3_;
   AuroralLight light_;
-  std::vector<IonDensities> night_;  // without the electrons that fall
 };
 
 }  // namespace
@@ -278,13 +308,6 @@ std::vector<double> SourcedLine::photons_cm3_s() const {
   for (const LineSource& source : sources)
     for (std::size_t m = 0; m < sum.size(); ++m) sum[m] += source.photons_cm3_s[m];
   return sum;
-}
-
-SourcedLine after_seconds(SourcedLine line, double seconds) {
-  for (LineSource& source : line.sources)
-    for (std::size_t m = 0; m < line.lifetime_s.size(); ++m)
-      source.photons_cm3_s[m] *= -std::expm1(-seconds / line.lifetime_s[m]);
-  return line;
 }
 
 double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s) {

@@ -8,11 +8,10 @@
 //     520.0        N(2D): N2+ + O, N2+ + e, NO+ + e, impact on N2
 //     777.4, 844.6 impact on O and O2
 //
-// Ions, thermal electrons and N(2D), which live long, are as they are some time after the electrons have
-// begun to fall, or in a steady state; the light of the night's ions without
-// aurora is taken off. Metastable atoms are in a steady state: production over losses by
-// light and collisions. Left out: transport of atoms, O(1D) by thermal electrons, the nightglow, scattered
-// sunlight. Sources: data/electrons; docs/electrons.md.
+// Ions, thermal electrons and metastable atoms are as they are some time after the electrons have begun to
+// fall, each atom made at the rate of its moment and lost to light and collisions since; or all are in a
+// steady state. The light of the night's ions without aurora is taken off. Left out: transport of atoms,
+// O(1D) by thermal electrons, the nightglow, scattered sunlight. Sources: data/electrons; docs/electrons.md.
 #pragma once
 
 #include <limits>
@@ -33,8 +32,8 @@ struct SourcedLine {
   std::string column;  ///< of the emission tables: "ver_5577"
   double wavelength_nm = 0.0;
   std::vector<LineSource> sources;
-  /// Of the metastable atoms, [place]: light, collisions with the air and with electrons. Empty of a prompt
-  /// line.
+  /// Of the metastable atoms, [place]: light, collisions with the air and with the electrons of the last
+  /// moment. Empty of a prompt line.
   std::vector<double> lifetime_s;
 
   std::vector<double> photons_cm3_s() const;
@@ -44,10 +43,6 @@ struct AuroralLight {
   std::vector<SourcedLine> lines;  ///< by wavelength
   std::vector<IonDensities> ions;  ///< [place]
 };
-
-/// Returns the line some seconds after the electrons have begun to fall: a source grows as 1 -
-/// exp(-t/lifetime) of the line's own atoms, whose production is taken to be steady at once.
-SourcedLine after_seconds(SourcedLine line, double seconds);
 
 /// Returns the rayleighs seen from straight below, 1e-6 times the integral over the altitude.
 double column_rayleigh(const FieldAir& column, const std::vector<double>& photons_cm3_s);

@@ -21,6 +21,10 @@ namespace vegard::sim {
 std::vector<double> usual_maxwellian_kev();
 std::vector<double> usual_mono_kev();
 
+/// The time since the electrons have begun to fall that the program's own tables have. With its uncertainty,
+/// a factor of 3, it reaches from the minute of a narrow arc to the nine minutes of quiet precipitation.
+inline constexpr double kUsualSeconds = 180.0;
+
 struct TableRequest {
   AirTable air = standard_air_table();
   std::string air_name = "U.S. Standard Atmosphere 1976";
@@ -28,7 +32,7 @@ struct TableRequest {
   double dip_deg = 78.0;
   Reactions reactions = Reactions::standard();
   std::string reactions_name = "data/electrons/reactions.csv";
-  double seconds = 120.0;  ///< since the electrons have begun to fall; infinite: a steady state
+  double seconds = kUsualSeconds;  ///< since the electrons have begun to fall; infinite: a steady state
   int draws = 0;  ///< of the modes that are written beside the tables, and their seed, for about.json
   std::uint64_t seed = 0;
   std::vector<double> oxygen_factors = {0.5, 1.0, 2.0};  ///< increasing, 1 among them

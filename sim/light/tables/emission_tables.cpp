@@ -151,6 +151,13 @@ EmissionSource emission_source(const Scene& scene) {
   return {emission_tables(scene), scene.emission.oxygen_factor, scene.emission.modes};
 }
 
+void add_to_mode(Scene& scene, int mode, double more) {
+  std::vector<double>& coefficients = scene.emission.modes;
+  const auto k = static_cast<std::size_t>(mode);
+  coefficients.resize(std::max(coefficients.size(), k + 1), 0.0);
+  coefficients[k] += more;
+}
+
 void check_emission_tables(const Scene& scene) {
   check_modes(scene);
   bool is_free = false;

@@ -77,6 +77,9 @@ struct EmissionSource {
 };
 EmissionSource emission_source(const Scene& scene);
 
+/// Adds to the coefficient of a mode, from 0, of the scene's tables.
+void add_to_mode(Scene& scene, int mode, double more);
+
 /// The column of a table that has a line's light: the line's own column, named by its wavelength
 /// ("ver_6705"), or that of EmissionLine::table_column times its ratio. For lines of the aurora.
 struct LineColumn {

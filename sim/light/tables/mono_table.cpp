@@ -63,6 +63,14 @@ MonoEnergeticTable::MonoEnergeticTable(const EmissionTable& maxwellian, const st
     for (const double factor : factors_) add(column, maxwellian, factor);
 }
 
+double MonoEnergeticTable::min_energy_kev() const {
+  return table_ ? table_->energies_kev().front() : kFirstPieceKev;
+}
+
+double MonoEnergeticTable::max_energy_kev() const {
+  return table_ ? table_->energies_kev().back() : piece_energy_kev(kPieces - 1);
+}
+
 bool MonoEnergeticTable::has(const std::string& column) const {
   return table_ ? table_->has(column) : yields_.count(column) > 0;
 }

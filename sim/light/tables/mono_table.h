@@ -51,6 +51,12 @@ class MonoEnergeticTable {
   MonoEnergeticTable(const EmissionTable& maxwellian, const std::vector<StoppingAir>& air);
 
   const std::vector<double>& altitudes_km() const { return altitudes_km_; }
+
+  /// The energies in keV between which a spectrum may be summed: those of a table that was read, or those of
+  /// the pieces that a derived one reproduces Maxwellians with.
+  double min_energy_kev() const;
+  double max_energy_kev() const;
+
   bool has(const std::string& column) const;
 
   /// Returns ln of the rate at altitudes_km(), at Q = 1 mW m^-2, for a column of the tables. A derived rate

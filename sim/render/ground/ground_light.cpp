@@ -6,8 +6,8 @@
 #include <cstdint>
 
 #include "sim/base/parallel.h"
-#include "sim/light/height_profile.h"
 #include "sim/light/own_light.h"
+#include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
@@ -20,7 +20,7 @@ constexpr double kRayleighsPerKm = 0.1;  // of a rate in photons cm^-3 s^-1
 constexpr int kShares = 4;               // of the rays in an adjoint, each with sums of its own
 
 std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux,
-                              double altitude_scale) {
+                              double altitude_scale, const ElectronSpectrum& spectrum) {
   const AltitudeBins bins;
   const auto lines = static_cast<int>(scene.emission.lines.size());
   std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
@@ -28,7 +28,7 @@ std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& ene
   const OwnLight own(scene.emission.lines, scene, Sheet());
   for (std::size_t e = 0; e < energies_kev.size(); ++e) {
     HeightProfile profile =
-        maxwellian_profile(emission_source(scene), own.asked_nm(), energies_kev[e], at_flux);
+        electron_profile(emission_source(scene), own.asked_nm(), spectrum, energies_kev[e], at_flux);
     own.add_to(profile);
     const auto rate = [&](int line, double altitude_km) {
       const double row = (altitude_km / altitude_scale - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
@@ -81,12 +81,13 @@ std::vector<float> transmissions(const Scene& scene, const FilmGeometry& film) {
 GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid,
                          const FilmGeometry& film, const std::vector<std::uint8_t>& wanted,
                          const std::vector<double>& energies_kev, double rates_at_flux_mw_m2, int threads,
-                         double altitude_scale)
-    : sight_(sight_lines(scene, home, grid, film, wanted, threads)),
+                         double altitude_scale, const ElectronSpectrum& spectrum,
+                         const std::atomic<bool>* stop)
+    : sight_(sight_lines(scene, home, grid, film, wanted, threads, stop)),
       lines_of_light_(static_cast<int>(scene.emission.lines.size())),
       threads_(threads),
       numbers_(static_cast<std::size_t>(grid.cells()) * kGroundEnergies),
-      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale)),
+      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum)),
       transmission_(transmissions(scene, film)) {
   assert(energies_kev.size() <= kGroundEnergies);
   const std::size_t all = sight_.stretch.size();

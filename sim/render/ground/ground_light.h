@@ -1,7 +1,8 @@
 // The light of a map of precipitation on a film, and the adjoint of this linear map.
 //
-// The map x has an energy flux in mW m^-2 for every cell of the ground and each of a few energies of
-// Maxwellian electrons. Its light in rayleighs of a line towards a ray is linear in it:
+// The map x has an energy flux in mW m^-2 for every cell of the ground and each of a few energies E0 of
+// electrons of one spectrum (sim/light/spectrum_profile.h). Its light in rayleighs of a line towards a ray is
+// linear in it:
 //
 //     rayleighs = 0.1 T sum over stretches  length_km  sum over energies  rate(altitude, energy) x(cell,
 //     energy)
@@ -14,6 +15,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "sim/light/spectrum_profile.h"
 #include "sim/render/ground/sight_lines.h"
 
 namespace vegard::sim {
@@ -40,13 +42,15 @@ void spread_light(const SightLines& lines, const GroundRates& rates, const float
 
 class GroundLight {
  public:
-  /// Energies in keV, at most kGroundEnergies, those of the emission tables. `rates_at_flux_mw_m2`: the
-  /// energy flux at which the rates per mW m^-2 are taken (sim/light/tables/flux_law.h); it has no effect
-  /// under the law "linear". `altitude_scale`: the altitudes of the tables are multiplied by it; the column
-  /// brightness is kept, except for light that would be below 80 km.
+  /// Energies E0 in keV, at most kGroundEnergies; of Maxwellian electrons, inside the emission tables.
+  /// `rates_at_flux_mw_m2`: the energy flux at which the rates per mW m^-2 are taken
+  /// (sim/light/tables/flux_law.h); it has no effect under the law "linear", and for other electrons.
+  /// `altitude_scale`: the altitudes of the tables are multiplied by it; the column brightness is kept,
+  /// except for light that would be below 80 km. Once `stop` is true, what is left of the rays has no light.
   GroundLight(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
               const std::vector<std::uint8_t>& wanted, const std::vector<double>& energies_kev,
-              double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0);
+              double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0,
+              const ElectronSpectrum& spectrum = {}, const std::atomic<bool>* stop = nullptr);
 
   int lines() const { return lines_of_light_; }
   std::size_t rays() const { return sight_.rays(); }

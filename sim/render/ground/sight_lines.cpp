@@ -173,7 +173,7 @@ AltitudeBins::AltitudeBins() {
 }
 
 SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
-                       const std::vector<std::uint8_t>& wanted, int threads) {
+                       const std::vector<std::uint8_t>& wanted, int threads, const std::atomic<bool>* stop) {
   const AltitudeBins bins;
   const FieldOver field(scene, home);
   const SiteTurn to_home = turn_between(scene.site, home);
@@ -182,6 +182,10 @@ SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& g
   std::vector<std::vector<SightStretch>> of_row(rows);
   std::vector<std::vector<std::size_t>> count(rows);
   parallel_for(rows, threads, [&](std::size_t row, int) {
+    if (stop != nullptr && *stop) {
+      count[row].assign(static_cast<std::size_t>(film.columns), 0);
+      return;
+    }
     for (int column = 0; column < film.columns; ++column) {
       const std::size_t before = of_row[row].size();
       double enu[3];

@@ -6,6 +6,7 @@
 // bins and where its foot passes to another cell. A stretch takes eight bytes.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -47,8 +48,10 @@ struct SightLines {
 
 /// Returns the rays through the middles of the film's cells for which `wanted` is nonzero; other rays have no
 /// stretches. `scene` is the photograph's own, `home` the site of the grid. A ray ends at the ground.
+/// Once `stop` is true, the rays of the rows that are left get no stretches.
 SightLines sight_lines(const Scene& scene, const Site& home, const GroundGrid& grid, const FilmGeometry& film,
-                       const std::vector<std::uint8_t>& wanted, int threads);
+                       const std::vector<std::uint8_t>& wanted, int threads,
+                       const std::atomic<bool>* stop = nullptr);
 
 /// Finds the pixel of the photograph where light at `altitude_km` on the field line through a foot of home's
 /// frame appears; returns false if it is not in view.

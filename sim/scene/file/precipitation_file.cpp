@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "sim/base/declared_unit.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/fits_io.h"
@@ -85,6 +86,13 @@ class MapReader {
     return number;
   }
 
+  /// To mW m-2 or keV, by the header.
+  double factor_of_plane(int plane, Quantity quantity) const {
+    std::string key;
+    const std::string unit = unit_of_plane(fits_.keywords, plane, false, key);
+    return declared_factor(unit, quantity, place_, key);
+  }
+
   /// The upper row of the image is the northern one, unless the file's rows run from the top down.
   void read_cells(PrecipitationMap& map) const {
     const Image& image = fits_.image;
@@ -93,16 +101,19 @@ class MapReader {
     const std::size_t cells = static_cast<std::size_t>(map.columns) * map.rows;
     map.energy_flux_mw_m2.assign(cells, 0.0f);
     map.energy_kev.assign(cells, 0.0f);
+    const double to_flux = factor_of_plane(0, Quantity::energy_flux_mw_m2),
+                 to_kev = factor_of_plane(1, Quantity::energy_kev);
     float most = 0.0f;
     for (std::size_t from = 0; from < image.data.size(); from += static_cast<std::size_t>(image.channels()))
-      if (fits_.known[from] != 0) most = std::max(most, image.data[from]);
+      if (fits_.known[from] != 0) most = std::max(most, static_cast<float>(to_flux * image.data[from]));
     for (int row = 0; row < map.rows; ++row)
       for (int column = 0; column < map.columns; ++column) {
         const int y = top_down ? row : map.rows - 1 - row;
         const std::size_t from =
             (static_cast<std::size_t>(y) * map.columns + column) * static_cast<std::size_t>(image.channels());
         if (fits_.known[from] == 0) continue;
-        const float flux = image.data[from], energy = image.data[from + 1];
+        const auto flux = static_cast<float>(to_flux * image.data[from]),
+                   energy = static_cast<float>(to_kev * image.data[from + 1]);
         const auto cell = [&] {
           return " in the cell " + std::to_string(column + 1) + ", " + std::to_string(row + 1);
         };

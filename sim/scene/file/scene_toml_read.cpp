@@ -7,6 +7,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/picture/picture_signature.h"
+#include "sim/scene/file/closing_line.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/fit_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
@@ -317,6 +318,11 @@ Scene scene_of_text(const std::string& text, const std::string& name, bool reads
   scene.file = name;
   try {
     const toml::table document = parse_toml(text, name);
+    if (lacks_closing_line(text))
+      throw Error(ErrorKind::scene, "the file was cut: its last line is missing")
+          .file(name)
+          .expected("\"# end\" at its end, as its head says")
+          .hint("copy it again; if you have cut it yourself, take that sentence out of its head");
     SceneReader(scene, document, reads_files).read();
   } catch (const toml::parse_error& error) {
     throw Error(ErrorKind::scene, std::string(error.description()))

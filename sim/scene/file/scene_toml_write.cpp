@@ -1,5 +1,6 @@
 #include <string>
 
+#include "sim/scene/file/closing_line.h"
 #include "sim/scene/file/fit_entries_toml.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
@@ -83,7 +84,7 @@ std::string write_scene(const Scene& scene, const std::string& comment) {
     for (int element = 0; element < element_count(d, scene); ++element)
       text += "\n[[" + table + "]]\n" + table_lines(scene, table, element);
   }
-  return text;
+  return with_closing_line(text);
 }
 
 }  // namespace vegard::sim

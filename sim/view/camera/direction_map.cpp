@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 #include "sim/base/error.h"
+#include "sim/base/parallel.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::sim {
@@ -38,15 +40,25 @@ bool is_direction(double azimuth, double elevation) {
 
 }  // namespace
 
-DirectionMap direction_map(const Camera& camera) {
+DirectionMap direction_map(const Camera& camera, int threads, const std::function<void(double)>& progress) {
   DirectionMap map = empty_map(camera.width, camera.height);
-  for (int y = 0; y < map.height; ++y)
+  const CameraView<double> view = camera_view(camera);
+  std::mutex telling;
+  int done = 0;
+  parallel_for(static_cast<std::size_t>(map.height), threads, [&](std::size_t row, int) {
+    const int y = static_cast<int>(row);
     for (int x = 0; x < map.width; ++x) {
-      const Direction direction = direction_of_pixel(camera, x + 0.5, y + 0.5);
+      double enu[3];
+      if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu)) continue;
+      const Direction direction = direction_of_enu(enu);
       if (!std::isfinite(direction.azimuth_deg) || !std::isfinite(direction.elevation_deg)) continue;
       map.azimuth_deg[map.index(x, y)] = azimuth_from_0_to_360(direction.azimuth_deg);
       map.elevation_deg[map.index(x, y)] = static_cast<float>(direction.elevation_deg);
     }
+    if (!progress) return;
+    const std::lock_guard<std::mutex> lock(telling);
+    progress(static_cast<double>(++done) / map.height);
+  });
   return map;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,10 @@ struct DirectionMap {
   std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
 };
 
-/// Returns the map of a scene's camera.
-DirectionMap direction_map(const Camera& camera);
+/// Returns the map of a scene's camera. `threads`: 0 for all cores; the map does not depend on it. `progress`
+/// is told the finished share, 0 to 1, by one thread at a time.
+DirectionMap direction_map(const Camera& camera, int threads = 0,
+                           const std::function<void(double)>& progress = {});
 
 /// Makes a map from the first channels of two images of the same size. A pixel has no direction if a value is
 /// not finite; if the elevation is beyond -90 to 90 or the azimuth beyond -360 to 720 (fill values such as

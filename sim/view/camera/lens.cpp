@@ -1,6 +1,9 @@
 #include "sim/view/camera/lens.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 
@@ -16,11 +19,40 @@ double growth(double k1, double k2, double k3, double r) {
   return 1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + r2 * 7.0 * k3));
 }
 
+constexpr int kFoldPieces = 4096;
+
+/// Returns the first r below `end`, up to rounding, at which growth() becomes negative; `end` if there is
+/// none. growth() is a cubic in r^2, so it is monotonic between the zeros of its derivative.
+double first_zero_of_growth(double k1, double k2, double k3, double end) {
+  std::array<double, 4> bounds = {0.0, end, end, end};
+  int count = 1;
+  // 3 k1 + 2 * 5 k2 u + 3 * 7 k3 u^2 = 0, by the form that does not cancel.
+  const double a = 21.0 * k3, b = 10.0 * k2, c = 3.0 * k1, root = b * b - 4.0 * a * c;
+  if (root >= 0.0) {
+    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
+    for (const double u : {a != 0.0 ? q / a : -1.0, q != 0.0 ? c / q : -1.0})
+      if (u > 0.0 && u < end * end) bounds[count++] = std::sqrt(u);
+  }
+  if (bounds[1] > bounds[2]) std::swap(bounds[1], bounds[2]);
+  for (int i = 1; i <= count; ++i) {
+    double good = bounds[i - 1], bad = bounds[i];
+    if (growth(k1, k2, k3, bad) > 0.0) continue;
+    for (int step = 0; step < kMaxSteps; ++step) {
+      const double middle = 0.5 * (good + bad);
+      (growth(k1, k2, k3, middle) > 0.0 ? good : bad) = middle;
+    }
+    return bad;
+  }
+  return end;
+}
+
 /// Returns the first r at which the radial terms fold the picture back, at most `end`.
 double first_fold(double k1, double k2, double k3, double end) {
-  constexpr int kPieces = 4096;
-  for (int i = 1; i <= kPieces; ++i) {
-    double good = end * (i - 1) / kPieces, bad = end * i / kPieces;
+  const double zero = first_zero_of_growth(k1, k2, k3, end);
+  const int before = std::clamp(static_cast<int>(zero / end * kFoldPieces) - 1, 0, kFoldPieces);
+  // What lies before needs no search; a fold narrower than a piece counts for none.
+  for (int i = before + 1; i <= kFoldPieces; ++i) {
+    double good = end * (i - 1) / kFoldPieces, bad = end * i / kFoldPieces;
     if (growth(k1, k2, k3, bad) > 0.0) continue;
     for (int step = 0; step < kMaxSteps; ++step) {
       const double middle = 0.5 * (good + bad);

@@ -119,6 +119,12 @@ Equatorial apparent_place(const CataloguePlace& star, double julian_date) {
   return place_of(apparent(star, julian_date));
 }
 
+double horizon_elevation_deg(const Observer& observer) {
+  constexpr double kMountains_m = 9000.0, kMetresPerKm = 1000.0;
+  if (!(observer.height_m > kMountains_m)) return 0.0;
+  return -std::acos(kEarthRadiusKm / (kEarthRadiusKm + observer.height_m / kMetresPerKm)) / kRadiansPerDegree;
+}
+
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date) {
   const SkyOfInstant sky = sky_of(julian_date);

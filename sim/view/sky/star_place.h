@@ -40,6 +40,10 @@ struct Observer {
   bool refracting_air = true;  ///< refraction by the standard atmosphere above height_m
 };
 
+/// Returns the elevation of the observer's horizon: 0 on the ground, which is level round about a station up
+/// to the height of the mountains (9 km); above, by the dip of the sphere's edge, acos(R / (R + h)).
+double horizon_elevation_deg(const Observer& observer);
+
 /// Returns the unit vector (east, north, up) in which the star is seen.
 std::array<double, 3> direction_of_star(const CataloguePlace& star, const Observer& observer,
                                         double julian_date);

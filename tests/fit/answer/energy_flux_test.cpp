@@ -30,6 +30,21 @@ TEST(EnergyFlux, IsTheScenesTimesTheGainsShare) {
   EXPECT_NEAR(*flux->sigma / flux->mw_m2, 0.13, 1e-12);
 }
 
+// Modes of the tables move the gains of all bands together, noise each by itself.
+TEST(EnergyFlux, AddsUpWhatModesDoToEachBand) {
+  sim::Scene known = tests::with_sheet({});
+  known.sensor.calibration_error = 0.12;
+  FittedPhoto found = found_with(known, 1.0);
+  found.solved = {{"gain.band_0", 0.05, 0.003, {0.001, -0.001}},
+                  {"gain.band_1", 0.07, 0.004, {0.002, 0.001}},
+                  {"sky.level.red", 0.1, 0.1, {0.05, 0.05}}};
+  std::string why;
+  const auto flux = found_flux(known, found, 0, why);
+  ASSERT_TRUE(flux && flux->sigma);
+  const double noise = 0.003 * 0.003 - 2e-6 + 0.004 * 0.004 - 5e-6, modes = 0.003 * 0.003 + 0.0;
+  EXPECT_NEAR(*flux->sigma / flux->mw_m2, std::hypot(std::sqrt(noise + modes) / 0.12, 0.12), 1e-12);
+}
+
 TEST(EnergyFlux, IsMissingWithAReason) {
   sim::Scene known = tests::with_sheet({});
   std::string why;

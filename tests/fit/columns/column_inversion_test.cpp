@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/columns/spectrum_trials.h"
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
 #include "tests/sim/light/made_tables.h"
@@ -159,7 +160,7 @@ TEST(ColumnInversion, FindsAtomicOxygenWhereTheTablesKnowSeveral) {
   const ColumnInversion found = invert_columns(chi2, made(model, truth, 0.01));
   const ColumnSolution& best = found.solutions.front();
   EXPECT_EQ(found.degrees_of_freedom, 1);
-  for (std::size_t k = 0; k < kColumnUnknowns; ++k) {
+  for (const std::size_t k : {kLnEnergy, kLnFlux, kLnOxygen}) {
     EXPECT_NEAR(std::log(best.of[k].value), truth[k], 1e-4);
     EXPECT_TRUE(best.of[k].is_free);
     // What is lost by not knowing the others.
@@ -168,6 +169,44 @@ TEST(ColumnInversion, FindsAtomicOxygenWhereTheTablesKnowSeveral) {
   // Held at another factor, the lines cannot be made.
   const ColumnChi2 held(model, kEnergyAndFlux, {0.0, 0.0, std::log(0.6)});
   EXPECT_GT(invert_columns(held, made(model, truth, 0.01)).solutions.front().chi2, best.chi2 + 1.0);
+}
+
+// Lines of two kinds of electrons, with exact tables and small errors: one Maxwellian does not explain them,
+// with the soft component it does, and E0 is that of the harder electrons.
+TEST(ColumnInversion, AsksForASoftComponentWhereThereIsOne) {
+  const sim::EmissionTables& tables = sim::emission_tables("glow");
+  const std::vector<double> lines_nm = {427.8, 557.7, 630.0, 844.6};
+  ColumnModelOptions with_soft;
+  with_soft.soft_kev = kUsualSoftKev;
+  const ColumnModel soft(tables, lines_nm, with_soft), plain(tables, lines_nm, {});
+  const ColumnPoint truth = {std::log(6.0), std::log(4.0), 0.0, std::log(0.4)};
+  const ColumnData data = made(soft, truth, 0.03);
+
+  const ColumnChi2 one(plain, kEnergyAndFlux, {});
+  ColumnInversion found = invert_columns(one, data);
+  const double alone = found.solutions.front().chi2;
+  ASSERT_TRUE(asks_for_trials(alone, found.degrees_of_freedom));
+  try_spectra(tables, {}, one, 0, found);
+  EXPECT_EQ(found.verdict, ColumnVerdict::other_spectrum);
+  ASSERT_FALSE(found.spectra.empty());
+  ASSERT_TRUE(found.spectra.front().soft_ratio);
+  EXPECT_NEAR(*found.spectra.front().soft_ratio, 0.4, 0.01);
+  EXPECT_NEAR(found.spectra.front().energy_kev, 6.0, 0.1);
+
+  // Asked for, it is found with its errors.
+  const ColumnChi2 both(soft, {true, true, false, true}, {});
+  const ColumnInversion of_both = invert_columns(both, data);
+  const ColumnSolution& best = of_both.solutions.front();
+  EXPECT_NEAR(best.of[kLnEnergy].value, 6.0, 0.05);
+  EXPECT_NEAR(best.of[kLnFlux].value, 4.0, 0.05);
+  EXPECT_NEAR(best.of[kLnSoft].value, 0.4, 0.01);
+  EXPECT_GT(best.of[kLnSoft].sigma_ln, 0.0);
+
+  // Lines of one Maxwellian ask for nothing.
+  ColumnInversion of_one = invert_columns(one, made(plain, {std::log(6.0), std::log(4.0), 0.0}, 0.03));
+  try_spectra(tables, {}, one, 0, of_one);
+  EXPECT_EQ(of_one.verdict, ColumnVerdict::well_constrained);
+  EXPECT_TRUE(of_one.spectra.empty());
 }
 
 struct Recovery {

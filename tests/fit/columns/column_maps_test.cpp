@@ -42,7 +42,7 @@ bool same_bytes(const std::vector<float>& a, const std::vector<float>& b) {
 }
 
 TEST(ColumnMaps, GiveWhatTheyWereMadeOf) {
-  const ColumnMaps maps = invert_maps(chi2_of_maps(), made_maps(), kWidth, kHeight, 0);
+  const ColumnMaps maps = invert_maps(chi2_of_maps(), nullptr, made_maps(), kWidth, kHeight, 0);
   for (std::size_t y = 0; y < kHeight; ++y)
     for (std::size_t x = 0; x < kWidth; ++x) {
       const std::size_t i = y * kWidth + x;
@@ -54,7 +54,7 @@ TEST(ColumnMaps, GiveWhatTheyWereMadeOf) {
 
 TEST(ColumnMaps, AreTheInversionOfEachPixel) {
   const std::vector<LineMap> lines = made_maps();
-  const ColumnMaps maps = invert_maps(chi2_of_maps(), lines, kWidth, kHeight, 0);
+  const ColumnMaps maps = invert_maps(chi2_of_maps(), nullptr, lines, kWidth, kHeight, 0);
   const std::size_t i = 7 * kWidth + 12;
   ColumnData data;
   for (std::size_t l = 0; l < lines.size(); ++l) {
@@ -74,8 +74,8 @@ TEST(ColumnMaps, AreTheSameForAnyNumberOfThreads) {
     for (std::size_t i = 0; i < lines[l].rayleigh.size(); ++i)
       lines[l].rayleigh[i] *=
           1.0f + 0.03f * static_cast<float>(std::sin(1.7 * static_cast<double>(i * (l + 2))));
-  const ColumnMaps one = invert_maps(chi2_of_maps(), lines, kWidth, kHeight, 1);
-  const ColumnMaps many = invert_maps(chi2_of_maps(), lines, kWidth, kHeight, 0);
+  const ColumnMaps one = invert_maps(chi2_of_maps(), nullptr, lines, kWidth, kHeight, 1);
+  const ColumnMaps many = invert_maps(chi2_of_maps(), nullptr, lines, kWidth, kHeight, 0);
   EXPECT_TRUE(same_bytes(one.energy_kev, many.energy_kev));
   EXPECT_TRUE(same_bytes(one.flux_mw_m2, many.flux_mw_m2));
   EXPECT_TRUE(same_bytes(one.ln_energy_error, many.ln_energy_error));
@@ -88,7 +88,7 @@ TEST(ColumnMaps, SayWhereThereIsNoAnswer) {
   lines[1].rayleigh[0] = std::numeric_limits<float>::quiet_NaN();
   for (LineMap& line : lines) line.rayleigh[1] = -2.0f;  // less than the noise of 5 R
   lines[1].rayleigh[2] *= 3.0f;
-  const ColumnMaps maps = invert_maps(chi2_of_maps(), lines, kWidth, kHeight, 0);
+  const ColumnMaps maps = invert_maps(chi2_of_maps(), nullptr, lines, kWidth, kHeight, 0);
   EXPECT_TRUE(std::isnan(maps.energy_kev[0]));
   EXPECT_EQ(maps.quality[0], static_cast<std::uint8_t>(ColumnVerdict::not_measured));
   EXPECT_TRUE(std::isnan(maps.flux_mw_m2[1]));

@@ -76,6 +76,32 @@ TEST(ColumnModel, FollowsAtomicOxygen) {
     }
 }
 
+// Light of two kinds of electrons is the sum of theirs; ends of the ratio are nearly one of them alone.
+TEST(ColumnModel, AddsASoftComponent) {
+  ColumnModelOptions options;
+  options.soft_kev = 0.3;
+  const sim::EmissionTables& tables = sim::emission_tables("glow");
+  const ColumnModel model(tables, {427.8, 557.7, 630.0}, options);
+  const sim::HeightProfile hard = sim::maxwellian_profile({tables}, model.lines_nm(), 6.0, 3.0),
+                           soft = sim::maxwellian_profile({tables}, model.lines_nm(), 0.3, 3.0);
+  const ColumnPoint point = {std::log(6.0), std::log(3.0), 0.0, std::log(0.5)};
+  for (std::size_t l = 0; l < model.lines(); ++l) {
+    const auto of = [&](const sim::HeightProfile& profile) {
+      return sim::column_below(profile, static_cast<int>(l), sim::HeightProfile::kTopKm).rayleigh;
+    };
+    // As in between: 1e-3.
+    EXPECT_NEAR(std::exp(model.at(l, point).ln_rayleigh) / (2.0 * of(hard) + 1.0 * of(soft)), 1.0, 1e-3);
+    for (std::size_t k : {kLnEnergy, kLnFlux, kLnSoft}) {
+      ColumnPoint above = point, below = point;
+      above[k] += 1e-5;
+      below[k] -= 1e-5;
+      const ColumnLight here = model.at(l, point), one = model.at(l, above), other = model.at(l, below);
+      EXPECT_NEAR(here.slope[k], (one.ln_rayleigh - other.ln_rayleigh) / 2e-5, 1e-6);
+      EXPECT_NEAR(here.soft_share_slope[k], (one.soft_share - other.soft_share) / 2e-5, 1e-6);
+    }
+  }
+}
+
 TEST(ColumnModel, KnowsLinesOfOneUpperState) {
   const ColumnModel model(sim::emission_tables("glow"), {391.4, 427.8, 630.0, 636.4}, {});
   EXPECT_TRUE(model.is_multiple(0, 1));
@@ -85,7 +111,7 @@ TEST(ColumnModel, KnowsLinesOfOneUpperState) {
 
 TEST(ColumnModel, OfOtherSpectraIsProportionalToTheFlux) {
   ColumnModelOptions options;
-  options.spectrum = ColumnSpectrum::mono;
+  options.spectrum.kind = sim::ElectronSpectrum::Kind::mono;
   const ColumnModel model(sim::emission_tables("glow"), {427.8, 630.0}, options);
   const double at_one = model.at(1, {1.0, 0.0, 0.0}).ln_rayleigh;
   EXPECT_DOUBLE_EQ(model.at(1, {1.0, 2.0, 0.0}).ln_rayleigh, at_one + 2.0);

@@ -119,6 +119,27 @@ TEST(LinearPart, JacobianCountsTheChangeOfTheCoefficients) {
   for (const GainLayout& layout : layouts()) expect_jacobian(noisy_case(kGains), layout, -1, 0);
 }
 
+TEST(LinearPart, TellsWhatShiftsOfTheParametersDoToTheCoefficients) {
+  constexpr double kSteps[2][2] = {{1.0, 0.0}, {-0.4, 2.0}};
+  const Case made = noisy_case(kGains);
+  for (const GainLayout& layout : layouts()) {
+    const LinearPart part(made.data, made.sigma, layout, kSkyTerms, kHeight);
+    const ModelProfile aurora = hump(5.4, 8.0);
+    const auto changes = part.coefficient_shifts(
+        aurora, part.solve(aurora), {{kSteps[0][0], kSteps[0][1]}, {kSteps[1][0], kSteps[1][1]}});
+    ASSERT_EQ(changes.size(), 2u);
+    constexpr double h = 1e-6;
+    for (int s = 0; s < 2; ++s) {
+      const auto at = [&](double times) {
+        return part.solve(hump(5.4 + times * kSteps[s][0], 8.0 + times * kSteps[s][1])).coefficients;
+      };
+      const std::vector<double> more = at(h), less = at(-h);
+      for (int j = 0; j < part.coefficients(); ++j)
+        EXPECT_NEAR(changes[s][j], (more[j] - less[j]) / (2 * h), 1e-6) << "coefficient " << j;
+    }
+  }
+}
+
 TEST(LinearPart, HoldsAGainThatWouldBeNegative) {
   constexpr double one_negative[kBands] = {1.0, -0.5, 1.7};
   expect_jacobian(noisy_case(one_negative), {kBands, true, false}, -1, 1);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "fit/map/curtains.h"
+#include "fit/map/lower_border.h"
 #include "fit/map/map_verdicts.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/sight_lines.h"
@@ -101,6 +103,74 @@ TEST(MapFit, HasTheFluxOfTheBand) {
   EXPECT_NEAR(watts / (per_km * length), 1.05, 0.1);
 }
 
+/// Mean over the brightest curtain, by its light.
+double border_of_curtain_km(const MapResult& map) {
+  double flux = 0.0, sum = 0.0;
+  for (const Curtain& curtain : find_curtains(map)) {
+    if (flux > 0.0) break;
+    for (const CurtainPoint& p : curtain.points) {
+      flux += p.flux_mw_m2.value;
+      sum += p.flux_mw_m2.value * p.lower_border_km.value;
+    }
+  }
+  return sum / flux;
+}
+
+TEST(MapFit, NeedsTheSpectrumOfTheElectrons) {
+  // Light of a narrow spectrum ends within fewer kilometres than that of any Maxwellian.
+  sim::Scene scene = with_band();
+  scene.footprints[0].profile = sim::ProfileKind::gaussian;
+  scene.footprints[0].energy_spread = 0.1;
+  scene.footprints[0].energy_kev = 8.0;
+  const Photo narrow = tests::photo_of(scene, 0.0015, 5);
+  MapOptions options = quick();
+  options.replicates = 0;
+  options.pixels_per_cell = 2;
+  const MapResult maxwellian = map_photos(without_band(), {narrow}, options);
+  options.spectrum = {sim::ElectronSpectrum::Kind::gaussian, 0.1};
+  const MapResult gaussian = map_photos(without_band(), {narrow}, options);
+  EXPECT_LT(gaussian.chi2, 0.6 * maxwellian.chi2);
+  const double border = lower_border(scene, 8.0, options.spectrum).altitude_km;
+  EXPECT_LT(std::abs(border_of_curtain_km(gaussian) - border),
+            0.5 * std::abs(border_of_curtain_km(maxwellian) - border));
+  // The mean energies are the same.
+  EXPECT_NEAR(gaussian.energies_kev.front(), 2.0 * maxwellian.energies_kev.front(), 1e-3);
+}
+
+/// Mean over the brightest curtain of the lower border's standard error, in km.
+double border_error_km(const MapResult& map) {
+  const std::vector<Curtain> curtains = find_curtains(map);
+  double sum = 0.0;
+  if (curtains.empty()) return sum;
+  for (const CurtainPoint& p : curtains[0].points)
+    sum += p.lower_border_km.error / static_cast<double>(curtains[0].points.size());
+  return sum;
+}
+
+TEST(MapFit, OneStationsErrorBarsHoldTheSpectrumOfTheElectrons) {
+  sim::Scene scene = with_band();
+  scene.footprints[0].profile = sim::ProfileKind::gaussian;
+  scene.footprints[0].energy_spread = 0.1;
+  scene.footprints[0].energy_kev = 8.0;
+  const Photo narrow = tests::photo_of(scene, 0.0015, 5);
+  MapOptions options = quick();
+  options.replicates = 4;
+  options.pixels_per_cell = 2;
+  const MapResult map = map_photos(without_band(), {narrow}, options);
+  ASSERT_EQ(map.replicate_spectra.size(), 4u);
+  EXPECT_EQ(map.replicate_spectra[1].kind, sim::ElectronSpectrum::Kind::gaussian);
+  EXPECT_EQ(map.replicate_spectra[2].kind, sim::ElectronSpectrum::Kind::maxwellian);
+  EXPECT_EQ(map.replicate_spectra[3].kind, sim::ElectronSpectrum::Kind::kappa);
+  const double border = lower_border(scene, 8.0, {sim::ElectronSpectrum::Kind::gaussian, 0.1}).altitude_km;
+  const double off = std::abs(border_of_curtain_km(map) - border), error = border_error_km(map);
+  EXPECT_GT(off, 3.0);  // else there is nothing to hold
+  // Sharper than any spectrum that is drawn (0.25), and four replicates: it is 2.1 errors off.
+  EXPECT_LT(off, 2.5 * error) << error;
+  const std::vector<QuantityVerdict> verdicts = map_verdicts(map, find_curtains(map));
+  EXPECT_NE(verdicts[5].trust, Trust::good) << verdicts[5].value;
+  EXPECT_NE(verdicts[5].reason.find("assumed"), std::string::npos) << verdicts[5].reason;
+}
+
 TEST(MapFit, IsTheSameForAnyNumberOfThreads) {
   MapOptions one = quick();
   one.threads = 1;
@@ -114,7 +184,7 @@ TEST(MapFit, IsTheSameForAnyNumberOfThreads) {
 
 TEST(MapFit, SaysWhatIsToBeBelieved) {
   const std::vector<QuantityVerdict> verdicts = map_verdicts(result(), find_curtains(result()));
-  ASSERT_EQ(verdicts.size(), 5u);
+  ASSERT_EQ(verdicts.size(), 6u);
   EXPECT_EQ(verdicts[0].trust, Trust::good) << verdicts[0].value;
   EXPECT_EQ(verdicts[2].trust, Trust::good) << verdicts[2].reason;
   EXPECT_EQ(verdicts[4].trust, Trust::doubtful);  // the sensor is not calibrated
@@ -249,7 +319,9 @@ TEST(MapFit, ErrorBarsHoldWhatIsNotKnownOfTheCamera) {
   ASSERT_FALSE(errors.empty());
   std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
   EXPECT_GT(errors[errors.size() / 2], 0.4 * 4.0);
-  EXPECT_LT(errors[errors.size() / 2], 1.7 * 4.0);
+  // The spectrum of the electrons, which one station does not know, adds what 3 km of height are here: 5.6
+  // km.
+  EXPECT_LT(errors[errors.size() / 2], std::hypot(1.7 * 4.0, 5.6));
 }
 
 TEST(FindCurtains, TakesNoRidgeWhereTheViewEnds) {
@@ -277,13 +349,121 @@ TEST(FindCurtains, TakesNoRidgeWhereTheViewEnds) {
   EXPECT_LT(farthest, kEnd_km - 2.0);
 }
 
+/// A map of the same picture with any flux (mW m^-2, by the foot) of 4 keV in all cells, and six replicates
+/// that differ from it by independent errors of the cells.
+template <class Flux>
+MapResult made_map(const Flux& flux, double error) {
+  const sim::GroundGrid grid(sim::rings_resolved(0.012, 4.0, 260.0));
+  MapResult map(result().scene, grid);
+  map.photos = result().photos;
+  map.energies_kev = result().energies_kev;
+  map.chi2 = 1.0;
+  map.values = 1;
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal(0.0, error);
+  for (int r = 0; r < 5; ++r) {
+    std::vector<CellFlux> cells;
+    for (int c = 0; c < grid.cells(); ++c)
+      cells.push_back({static_cast<float>(std::max(0.0, flux(grid.middle_km(c)) + normal(random))),
+                       static_cast<float>(std::log(4.0))});
+    if (r == 0)
+      map.cells = cells;
+    else
+      map.replicates.push_back(cells);
+  }
+  for (int c = 0; c < grid.cells(); ++c)
+    map.border_in_view.push_back(is_border_in_view(map, grid.middle_km(c)) ? 1 : 0);
+  return map;
+}
+
+TEST(FindCurtains, TellsAnArcFromErrorsAndFromAPatch) {
+  // An arc of 3 km standard deviation, 180 km away.
+  const auto arc = [](sim::EastNorth foot) {
+    return 10.0 * std::exp(-0.5 * std::pow((foot.north - 180.0) / 3.0, 2));
+  };
+  const std::vector<Curtain> curtains = find_curtains(made_map(arc, 0.8));
+  ASSERT_EQ(curtains.size(), 1u);
+  EXPECT_GT(curtains[0].length_km, 150.0);
+  EXPECT_GE(curtains[0].probability, kCurtainProbability);
+  for (const CurtainPoint& p : curtains[0].points) EXPECT_NEAR(p.foot_km.north, 180.0, 4.0);
+
+  // Errors alone.
+  const MapResult chance = made_map([](sim::EastNorth) { return 2.0; }, 0.8);
+  EXPECT_TRUE(find_curtains(chance).empty());
+  EXPECT_FALSE(find_faint_curtains(chance).empty());
+
+  // A round patch of 40 km standard deviation.
+  const auto patch = [](sim::EastNorth foot) {
+    return 10.0 * std::exp(-0.5 * (std::pow(foot.east / 40.0, 2) + std::pow((foot.north - 180.0) / 40.0, 2)));
+  };
+  const MapResult diffuse = made_map(patch, 0.1);
+  EXPECT_TRUE(find_curtains(diffuse).empty());
+  const std::vector<Curtain> others = find_faint_curtains(diffuse);
+  EXPECT_TRUE(std::any_of(others.begin(), others.end(), [](const Curtain& c) { return c.is_diffuse_patch; }));
+}
+
+// Replicates of the same energies and spectrum, which differ by their tables alone. Borders are interpolated
+// between energies: 0.1 km.
+TEST(FindCurtains, HaveTheBordersOfEachReplicatesOwnTables) {
+  MapResult map = result();
+  ASSERT_FALSE(map.numbers.empty());
+  for (std::vector<CellFlux>& replicate : map.replicates) replicate = map.cells;
+  map.replicate_spectra.assign(map.replicates.size(), map.spectrum);
+  const std::vector<Curtain> curtains = find_curtains(map);
+  ASSERT_FALSE(curtains.empty());
+  const CurtainPoint& p = curtains[0].points[curtains[0].points.size() / 2];
+  double square = 0.0;
+  for (std::uint32_t r = 0; r < map.replicates.size(); ++r) {
+    const sim::Scene scene =
+        scene_with(map.scene, map.numbers, drawn_numbers(map.scene.seed, map.numbers, r));
+    square += std::pow(lower_border(scene, p.energy_kev.value).altitude_km -
+                           lower_border(map.scene, p.energy_kev.value).altitude_km,
+                       2) /
+              static_cast<double>(map.replicates.size());
+  }
+  EXPECT_GT(square, 0.01);  // else there is nothing to tell
+  EXPECT_NEAR(p.lower_border_km.error, kEnergyInflation * std::sqrt(square), 0.1);
+}
+
+TEST(FindCurtains, SaysWhatIsNotTested) {
+  MapResult map = result();
+  map.replicates.clear();
+  map.replicate_spectra.clear();
+  const std::vector<Curtain> curtains = find_curtains(map);
+  ASSERT_FALSE(curtains.empty());
+  EXPECT_TRUE(std::isnan(curtains[0].probability));
+  EXPECT_NE(map_verdicts(map, curtains)[2].reason.find("tested"), std::string::npos);
+}
+
+TEST(MapVerdicts, TakeTheLastEnergyForALimit) {
+  MapResult map = result();
+  while (map.energies_kev.back() > 4.2) map.energies_kev.pop_back();
+  const std::vector<Curtain> curtains = find_curtains(map);
+  ASSERT_FALSE(curtains.empty());
+  int limits = 0;
+  for (const CurtainPoint& p : curtains[0].points) limits += p.energy_limit == 1;
+  EXPECT_GT(limits, static_cast<int>(curtains[0].points.size() / 2));
+  const QuantityVerdict energy = map_verdicts(map, curtains)[3];
+  EXPECT_EQ(energy.trust, Trust::unconstrained);
+  EXPECT_NE(energy.reason.find("lower limit"), std::string::npos) << energy.reason;
+}
+
+TEST(MapVerdicts, LeaveLightInTheFarthestCellsOpen) {
+  // The map's ground ends before nearly all of the band: its nearest point is 175 km away.
+  MapOptions options = quick();
+  options.replicates = 2;
+  options.farthest_km = 180.0;
+  const MapResult map = map_photos(without_band(), {photo()}, options);
+  const std::vector<QuantityVerdict> verdicts = map_verdicts(map, find_curtains(map));
+  for (const std::size_t i : {1u, 2u, 3u})
+    EXPECT_EQ(verdicts[i].trust, Trust::unconstrained) << verdicts[i].value;
+}
+
 TEST(MapFit, StopsWhereItIsTold) {
   const std::atomic<bool> stop{true};
   MapOptions options = quick();
   options.stop = &stop;
-  const MapResult cut = map_photos(without_band(), {photo()}, options);
-  EXPECT_TRUE(cut.interrupted);
-  EXPECT_TRUE(cut.replicates.empty());
+  EXPECT_THROW(map_photos(without_band(), {photo()}, options), MapStopped);
 }
 
 TEST(LowerBorder, SinksWithTheEnergy) {
@@ -294,6 +474,9 @@ TEST(LowerBorder, SinksWithTheEnergy) {
   const double difference =
       (lower_border(scene, 4.4).altitude_km - lower_border(scene, 3.6).altitude_km) / std::log(4.4 / 3.6);
   EXPECT_NEAR(lower_border(scene, 4.0).by_ln_energy, difference, 0.1 * std::abs(difference));
+  // At one mean energy it is lower by the fast electrons of a Maxwellian.
+  EXPECT_GT(lower_border(scene, 8.0, {sim::ElectronSpectrum::Kind::mono}).altitude_km,
+            lower_border(scene, 4.0).altitude_km + 1.0);
 }
 
 }  // namespace

@@ -121,6 +121,11 @@ TEST(StoredMap, KnowsAnotherPhotographSiteAndSize) {
   const StoredMap higher = read_stored_map(folder / "map");
   tests::expect_words(sim::ErrorKind::scene, {"--altitude-scale"},
                       [&] { check_same_subject(higher, scene_of_map(), inputs_of_map(), {}); });
+  write(folder / "map");
+  change(folder / "map", "spectrum", "kappa");
+  const StoredMap kappa = read_stored_map(folder / "map");
+  tests::expect_words(sim::ErrorKind::scene, {"--spectrum kappa"},
+                      [&] { check_same_subject(kappa, scene_of_map(), inputs_of_map(), {}); });
 }
 
 TEST(StoredMap, RefusesNumbersAndListsThatAreNone) {
@@ -134,6 +139,7 @@ TEST(StoredMap, RefusesNumbersAndListsThatAreNone) {
                                                            {"photos", "x"},
                                                            {"inputs", 3},
                                                            {"altitude_scale", "high"},
+                                                           {"spectrum", 5},
                                                            {"decodings", 1}}) {
     write(folder / "map");
     change(folder / "map", key, value);

@@ -156,13 +156,13 @@ TEST(ReadFits, ImagersFilesAsTheyAre) {
 
 // ---- PGM and PPM ----
 
-TEST(ReadPnm, EightBitsAreTakenForSrgbAndMoreForLinear) {
+TEST(ReadPnm, EightBitsAreTakenForSrgbAndMoreOfGreyForLinear) {
   const Photo eight = read("P5\n# a remark\n2 1\n255\n" + std::string("\x64\xff", 2));
   EXPECT_EQ(eight.decoding, "sRGB (8-bit PGM, assumed)");
   EXPECT_EQ(eight.linear.at(0, 0, 1), static_cast<float>(sim::srgb_decode(100 / 255.0)));
   EXPECT_EQ(eight.usable, (Bytes{1, 1, 1, 0, 0, 0}));
   const Photo twelve = read("P5 2 1 4095\n" + tests::big_endian(1024, 2) + tests::big_endian(4095, 2));
-  EXPECT_EQ(twelve.decoding, "linear (12-bit PGM, assumed)");
+  EXPECT_EQ(twelve.decoding, "linear (12-bit PGM, assumed; --decoding overrides)");
   EXPECT_EQ(twelve.linear.at(0, 0, 2), static_cast<float>(1024 / 4095.0));
   EXPECT_EQ(twelve.usable, (Bytes{1, 1, 1, 0, 0, 0}));
   EXPECT_EQ(file_step(twelve), 1.0 / 4095);
@@ -170,13 +170,23 @@ TEST(ReadPnm, EightBitsAreTakenForSrgbAndMoreForLinear) {
   EXPECT_EQ(asked.linear.at(0, 0, 0), static_cast<float>(sim::srgb_decode(30000 / 65535.0)));
 }
 
+TEST(ReadPnm, ColoursOfMoreThan8BitsAreTakenForSrgbAsInPngAndTiff) {
+  const std::string file = "P6 1 1 65535\n" + tests::big_endian(20000, 2) + tests::big_endian(30000, 2) +
+                           tests::big_endian(40000, 2);
+  const Photo colours = read(file);
+  EXPECT_EQ(colours.decoding, "sRGB (16-bit PPM, assumed; --decoding overrides)");
+  EXPECT_EQ(colours.linear.at(0, 0, 1), static_cast<float>(sim::srgb_decode(30000 / 65535.0)));
+  EXPECT_FALSE(read(file, Decoding::linear).srgb);
+}
+
 TEST(ReadPnm, ColoursAndWords) {
-  const Photo colours = read("P6 1 1 65535\n" + tests::big_endian(1, 2) + tests::big_endian(2, 2) +
-                             tests::big_endian(65534, 2));
+  const Photo colours =
+      read("P6 1 1 65535\n" + tests::big_endian(1, 2) + tests::big_endian(2, 2) + tests::big_endian(65534, 2),
+           Decoding::linear);
   EXPECT_EQ(colours.linear.data,
             (std::vector<float>{static_cast<float>(1 / 65535.0), static_cast<float>(2 / 65535.0),
                                 static_cast<float>(65534 / 65535.0)}));
-  const Photo words = read("P3\n1 2 1000\n0 500 1000 # half\n1 2 3\n");
+  const Photo words = read("P3\n1 2 1000\n0 500 1000 # half\n1 2 3\n", Decoding::linear);
   EXPECT_EQ(words.linear.at(0, 0, 1), 0.5f);
   EXPECT_EQ(words.linear.at(0, 1, 2), 0.003f);
   EXPECT_EQ(words.usable, (Bytes{1, 1, 0, 1, 1, 1}));

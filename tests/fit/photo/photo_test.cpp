@@ -128,10 +128,26 @@ TEST(ReadPhoto, ChannelsComeAsRedGreenBlueAndAlphaIsDropped) {
   EXPECT_EQ(float_rgba.linear.data, (std::vector<float>{0.5f, -0.25f, 7.0f}));
 }
 
+// A camera's counts are the same light in every format.
+TEST(ReadPhoto, GreyOfMoreThan8BitsIsLinearInEveryFormat) {
+  Tiff t;
+  t.width = t.height = 1, t.channels = 1, t.bits = 16;
+  const Photo tiff = read(tests::tiff(t, {20000}), "a.tif"),
+              png = read(tests::png(1, 1, 1, 16, {20000}), "a.png");
+  EXPECT_EQ(tiff.decoding, "linear (16-bit TIFF, assumed; --decoding overrides)");
+  EXPECT_EQ(png.decoding, "linear (16-bit PNG, assumed; --decoding overrides)");
+  for (const Photo& photo : {tiff, png}) {
+    EXPECT_FALSE(photo.srgb);
+    EXPECT_FLOAT_EQ(photo.linear.at(0, 0, 1), 20000 / 65535.0f);
+  }
+  EXPECT_EQ(read(tests::png(1, 1, 1, 8, {40}), "b.png").decoding, "sRGB (8-bit PNG, assumed)");
+  EXPECT_EQ(read(tests::tiff(t, {20000}), "a.tif", Decoding::srgb).decoding, "sRGB (16-bit TIFF, as asked)");
+}
+
 TEST(ReadPhoto, DecodingIsChosenByTheFileOrByTheUser) {
   const std::string integer = tests::png(1, 1, 3, 16, {20000, 30000, 40000});
   const Photo assumed = read(integer, "a.png");
-  EXPECT_EQ(assumed.decoding, "sRGB (16-bit PNG, assumed)");
+  EXPECT_EQ(assumed.decoding, "sRGB (16-bit PNG, assumed; --decoding overrides)");
   EXPECT_TRUE(assumed.srgb);
   EXPECT_FLOAT_EQ(assumed.linear.at(0, 0, 1), static_cast<float>(sim::srgb_decode(30000 / 65535.0)));
   const Photo linear = read(integer, "a.png", Decoding::linear);

@@ -34,7 +34,7 @@ FittedPhoto solved(const sim::Scene& scene, const Photo& photo) {
   fitted.sigma = full.sigma();
   fitted.model = full.profile_model(point);
   fitted.behind = full.linear().light(point.aurora, point.solution, fitted.model.size()).behind;
-  put_solution(full, point, {}, 1.0, fitted);
+  put_solution(full, point, {}, 1.0, 0, fitted);
   return fitted;
 }
 

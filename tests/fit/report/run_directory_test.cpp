@@ -55,7 +55,7 @@ TEST_F(RunDirectory, HoldsTheBestSceneAsAScene) {
   const sim::Scene scene = sim::read_scene(folder / "run/best.toml");
   EXPECT_EQ(sim::write_scene(scene), sim::write_scene(result.best));
   EXPECT_EQ(scene.seed, result.seed);
-  EXPECT_EQ(bytes_of(folder / "run/best.toml").substr(0, 30), "# The best scene of a fit. veg");
+  EXPECT_NE(bytes_of(folder / "run/best.toml").find("\n# The best scene of a fit. vegard "), std::string::npos);
 }
 
 // What a scene reads beside it is not copied, grids may be large: the best scene calls it as it is called

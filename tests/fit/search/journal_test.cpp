@@ -345,12 +345,14 @@ TEST(StepOutputs, ASearchAndErrorBarsComeBack) {
   u.covariance = {{0.25, 0.1}, {0.1, 0.5}};
   u.undetermined = {{0.0, 1.0}};
   u.inflation = 1.75;
+  u.by_bands = {1.5, 1.0};
   const fit::Uncertainty same = fit::uncertainty_of(fit::output_of(u), 2);
   EXPECT_TRUE(same_bits(same.sigma, u.sigma));
   EXPECT_EQ(same.correlation, u.correlation);
   EXPECT_EQ(same.covariance, u.covariance);
   EXPECT_EQ(same.undetermined, u.undetermined);
   EXPECT_EQ(same.inflation, 1.75);
+  EXPECT_EQ(same.by_bands, u.by_bands);
   u.undetermined.clear();
   EXPECT_TRUE(fit::uncertainty_of(fit::output_of(u), 2).undetermined.empty());
 }

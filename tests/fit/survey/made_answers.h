@@ -63,6 +63,10 @@ inline fit::FrameAnswer made_answer(const fit::SurveyPlan& plan, int block, int 
   fit.chi2_per_dof = 1.0 / 3.0;
   fit.seed = 9223372036854775807;
   fit.free_values = {1.0 / 3.0, -1e-300, 235.0, std::sqrt(answer.frame + 0.5)};
+  fit.physics =
+      "{\"modes_sha256\":\"made\",\"modes\":[1],\"information\":[[3.0]],\"towards\":[1.5],\"lines\":[{\"nm\":"
+      "630.0,\"over_nm\":557.7,\"ln_ratio_by_mode\":[0.3]}],\"numbers\":{\"distance of the main sheet\":"
+      "{\"relative\":true,\"by_mode\":[2.0]}}}";
   fit.quantities = {{0, "distance of the main sheet", "km", 220.0 + answer.frame, 3.25, "good", {}},
                     {0,
                      "energy flux Q of the main sheet",

@@ -70,6 +70,21 @@ TEST(DeltaMethod, KnowsWhatLimitsLeaveOfAnUndeterminedDirection) {
   EXPECT_FALSE(found[0].within_limits);
 }
 
+// One standard deviation of a mode moves the answer by 0.1 keV and 1 km, which the covariance contains, and
+// the number by 3 more: 1.81 of the test above, less (2 * 0.1 - 0.5)^2, and (2 * 0.1 - 0.5 + 3)^2.
+TEST(DeltaMethod, AddsWhatAModeDoesItselfAndByWayOfTheAnswer) {
+  TwoNumbers two;
+  two.known.modes = {{1, {0.1, 1.0}, {}}};
+  const auto found = two.of([](const sim::Scene& x) {
+    const double coefficient = x.emission.modes.size() > 1 ? x.emission.modes[1] : 0.0;
+    return std::vector<double>{
+        2.0 * x.sheets[0].energy_kev - 0.5 * x.sheets[0].center_km.north + 3.0 * coefficient,
+        3.0 * coefficient};
+  });
+  EXPECT_NEAR(found[0].sigma.value(), std::sqrt(1.81 - 0.09 + 7.29), 1e-9);
+  EXPECT_FALSE(found[1].sigma) << "it follows from what was fixed";
+}
+
 TEST(DeltaMethod, AtALimitGoesByTheOtherSide) {
   TwoNumbers two;
   two.free[0].max = 3.0;

@@ -114,7 +114,8 @@ Ranks as_assumed(const sim::Scene& scene, const sim::Scene& truth, const std::ve
   const fit::ProfileCost cost(free, fit::cost_terms(observations, free, fit::Detail::full), log);
   const std::vector<double> answer =
       fit::descend_off_limits(cost, values, kIterations, "calibration", log, trace).values;
-  const fit::Uncertainty uncertainty = fit::sampled_uncertainty(observations, free, answer, none, {}, 1.0, 1);
+  const fit::Uncertainty uncertainty = fit::sampled_uncertainty(
+      observations, free, answer, none, {}, 1.0, fit::sampled_jacobians(observations, free, answer, {}, 1));
   const fit::ConvergedFit converged{scene, free, observations, answer, none, 1.0, uncertainty};
   fit::NullJournal journal;
   const sim::EnsembleState state = fit::chain_of_fit(converged, steps, nullptr, journal, {});
@@ -134,7 +135,7 @@ Ranks of_draws(const sim::Scene& scene, const sim::Scene& truth, const std::vect
   photographed.exposure = kExposure;
   // Of a dark sky the code would cut the lower half of the noise off, and so brighten faint light.
   photographed.scene.sky.level = kSky;
-  const fit::Photo photo = fit::read_photo_bytes(scorecard::photograph(photographed, 1).jpeg,
+  const fit::Photo photo = fit::read_photo_bytes(scorecard::photograph(photographed, 1).bytes,
                                                  "calibration.jpg", fit::Decoding::automatic);
   sim::Scene start = scene;
   fit::start_from(fit::free_numbers(scene), values, start);

@@ -7,55 +7,19 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
-#include "sim/base/number/distributions.h"
-#include "sim/base/number/noise.h"
-#include "sim/base/number/random.h"
 #include "sim/render/render.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sensor/tone_curve.h"
 #include "sim/view/sky/moon.h"
+#include "tests/recovery/made_night/weather.h"
 
 namespace vegard::made_night {
 namespace {
 
-constexpr double kElectronsAtWhite = 8000.0, kReadNoise = 0.0015;
 constexpr int kQuality = 92;
 constexpr double kSecondsPerDay = 86400.0, kUnixEpoch = 2440587.5;
 
 using Rgb = std::array<double, 3>;
-
-double noisy(double light, std::uint64_t seed, int x, int y, int c) {
-  const sim::Words words = sim::random_words(seed, sim::Stream::photon_noise, static_cast<std::uint32_t>(x),
-                                             static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(c));
-  const double normal = sim::normal_quantile(sim::fine_uniform(words[0], words[1]));
-  return light + normal * std::sqrt(std::max(light, 0.0) / kElectronsAtWhite + kReadNoise * kReadNoise);
-}
-
-double middle(std::vector<double> values) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-/// The share of light that clouds hide in a direction: noise on a level 6 km up, which the wind carries.
-double cloud_share(std::uint64_t seed, double cover, const double enu[3], double seconds) {
-  if (cover <= 0.0) return 0.0;
-  constexpr double kHeight_km = 6.0, kWind_km_s = 0.012, kSize_km = 9.0, kLowest = 0.06;
-  const double up = std::max(enu[2], kLowest);
-  const double x = (kHeight_km * enu[0] / up + kWind_km_s * seconds) / kSize_km,
-               y = (kHeight_km * enu[1] / up + 0.4 * kWind_km_s * seconds) / kSize_km;
-  const double noise = 0.5 + 0.9 * sim::octave_noise(seed, sim::Stream::nebula, 5, 4, x, y, seconds / 3000.0);
-  // Overcast leaves no gap, broken clouds leave half.
-  const double share = std::clamp((noise - 1.0 + cover * 1.1) / 0.35, 0.0, 1.0);
-  return 0.95 * share;
-}
-
-/// Glare of a source that is far above white: a core, and a halo that falls with the square.
-double glare(double cosine, double core_deg) {
-  const double away_deg = std::acos(std::clamp(cosine, -1.0, 1.0)) / sim::kRadiansPerDegree;
-  return 6.0 * std::exp(-0.5 * away_deg * away_deg / (core_deg * core_deg)) +
-         0.12 / (1.0 + away_deg * away_deg / 4.0);
-}
 
 }  // namespace
 
@@ -154,7 +118,7 @@ NightPicture night_picture(const Night& night, const NightFrame& frame) {
       }
       for (int c = 0; c < 3; ++c) {
         const double code =
-            255.0 * sim::srgb_encode(noisy(light[static_cast<std::size_t>(c)], scene.seed, x, y, c));
+            255.0 * sim::srgb_encode(noisy(light[static_cast<std::size_t>(c)], {}, scene.seed, x, y, c));
         // OpenCV has blue first.
         picture.at<cv::Vec3b>(y, x)[2 - c] =
             static_cast<unsigned char>(std::lround(std::clamp(code, 0.0, 255.0)));

@@ -18,7 +18,7 @@ struct FrameTruth {
   double contrast = 0.0;  ///< of the aurora
   double cover = 0.0;     ///< share of the sky that clouds hide
 
-  /// As fit/survey/filter/frame_filter.h puts them in order.
+  /// As fit/sky_kind/frame_filter.h puts them in order.
   std::string sky() const;
 };
 

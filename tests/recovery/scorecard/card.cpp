@@ -6,7 +6,6 @@
 
 #include "sim/base/file/csv_table.h"
 
-
 namespace vegard::scorecard {
 namespace {
 

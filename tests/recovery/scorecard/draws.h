@@ -40,7 +40,7 @@ enum class Draw : std::uint32_t {
   fold_length,
   fold_stage,
 };
-inline constexpr std::uint32_t kSecondSheet = 1000;
+inline constexpr std::uint32_t kSecondSheet = 1000, kFirstMode = 900;
 
 /// The numbers of scene `scene` of the set `set`: pure functions of both.
 class Draws {
@@ -50,6 +50,10 @@ class Draws {
 
   std::uint32_t word(Draw what) const { return words(what)[0]; }
   double uniform(Draw what) const { return sim::uniform(words(what)[0]); }
+  /// A normal number: the coefficient of a mode of the emission tables' uncertainty.
+  double mode(std::uint32_t number) const {
+    return sim::normal_quantile(sim::uniform(words(static_cast<Draw>(kFirstMode + number))[0]));
+  }
   double between(Draw what, double low, double high) const { return low + (high - low) * uniform(what); }
   double log_between(Draw what, double low, double high) const {
     return low * std::pow(high / low, uniform(what));

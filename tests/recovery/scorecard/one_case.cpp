@@ -9,7 +9,9 @@
 
 #include "fit/fit.h"
 #include "fit/photo/photo.h"
+#include "sim/light/tables/emission_tables.h"
 #include "sim/scene/file/scene_toml.h"
+#include "tests/recovery/scorecard/draws.h"
 #include "tests/recovery/scorecard/photograph.h"
 #include "tests/recovery/scorecard/score.h"
 #include "tests/recovery/scorecard/truth.h"
@@ -24,7 +26,7 @@ void put(const std::filesystem::path& file, const std::string& bytes) {
 struct Case {
   Truth truth;
   sim::Scene start;
-  std::string jpeg;
+  std::string file;  // its bytes
 };
 
 Case made(int scene, const CaseOptions& options) {
@@ -33,13 +35,20 @@ Case made(int scene, const CaseOptions& options) {
   result.truth.scene.emission.tables = options.tables;
   result.start = options.from_truth ? start_at_truth(result.truth) : wide_start(result.truth);
   if (options.free_ends) result.start = with_free_ends(result.start);
-  const Photograph photo = photograph(result.truth, options.threads);
-  result.jpeg = photo.jpeg;
+  result.start.emission.uncertainty = options.uncertainty;
+  if (options.drawn_physics) {
+    const Draws draws(options.set, static_cast<std::uint32_t>(scene));
+    const int modes = sim::emission_tables(result.truth.scene).modes().count();
+    for (int k = 0; k < modes; ++k)
+      result.truth.scene.emission.modes.push_back(draws.mode(static_cast<std::uint32_t>(k)));
+  }
+  const Photograph photo = photograph(result.truth, options.threads, options.is_lossless);
+  result.file = photo.bytes;
   if (!options.keep.empty()) {
     std::filesystem::create_directories(options.keep);
     const std::string name = options.keep + fmt::format("/s{:04d}", scene);
     const std::string of = fmt::format("Scene {} of set {} of the recovery scorecard: ", scene, options.set);
-    put(name + ".jpg", photo.jpeg);
+    put(name + (options.is_lossless ? ".png" : ".jpg"), photo.bytes);
     put(name + "_truth.toml", sim::write_scene(photo.scene, of + "the truth."));
     put(name + "_start.toml", sim::write_scene(result.start, of + "what the fit starts from."));
   }
@@ -47,10 +56,10 @@ Case made(int scene, const CaseOptions& options) {
 }
 
 /// Files can only be read by their names.
-fit::Photo read(const std::string& jpeg, int scene) {
+fit::Photo read(const std::string& bytes, int scene) {
   const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / fmt::format("vegard-scorecard-{}-{}.jpg", getpid(), scene);
-  put(file, jpeg);
+      std::filesystem::temp_directory_path() / fmt::format("vegard-scorecard-{}-{}.picture", getpid(), scene);
+  put(file, bytes);
   fit::Photo photo = fit::read_photo(file.string(), fit::Decoding::automatic);
   std::filesystem::remove(file);
   return photo;
@@ -62,7 +71,7 @@ void make_case(int scene, const CaseOptions& options) { made(scene, options); }
 
 Row run_case(int scene, const CaseOptions& options) {
   const Case made_case = made(scene, options);
-  const fit::Photo photo = read(made_case.jpeg, scene);
+  const fit::Photo photo = read(made_case.file, scene);
   fit::FitOptions fit_options;
   fit_options.threads = options.threads;
   fit_options.max_evaluations = options.max_evaluations;

@@ -16,6 +16,11 @@ struct CaseOptions {
   bool from_truth = false;                           ///< start_at_truth() in place of wide_start()
   bool free_ends = false;                            ///< with_free_ends() of it
   std::string tables = sim::kDefaultEmissionTables;  ///< of truth and start
+  bool is_lossless = false;                          ///< the photograph is a PNG, without JPEG's errors
+  bool drawn_physics =
+      false;  ///< the truth has other light than the tables: drawn coefficients of their modes
+  /// Of the start: whether error bars contain the tables' uncertainty.
+  sim::TablesUncertainty uncertainty = sim::TablesUncertainty::modes;
   std::string keep;  ///< folder for the photograph, the truth and the start; empty: none
 };
 

@@ -54,7 +54,7 @@ double noisy(double light, std::uint64_t seed, int x, int y, int c) {
 
 }  // namespace
 
-Photograph photograph(const Truth& truth, int threads) {
+Photograph photograph(const Truth& truth, int threads, bool is_lossless) {
   Photograph result;
   result.scene = truth.scene;
   sim::Rendering rendering = rendered(truth, threads);
@@ -73,8 +73,11 @@ Photograph photograph(const Truth& truth, int threads) {
             static_cast<unsigned char>(std::lround(std::clamp(code, 0.0, 255.0)));
       }
   std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kQuality});
-  result.jpeg.assign(bytes.begin(), bytes.end());
+  if (is_lossless)
+    cv::imencode(".png", picture, bytes);
+  else
+    cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, kQuality});
+  result.bytes.assign(bytes.begin(), bytes.end());
   return result;
 }
 

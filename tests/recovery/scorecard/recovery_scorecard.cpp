@@ -21,7 +21,7 @@ namespace {
 struct Options {
   CaseOptions of_case;
   int first = 0, count = 12, jobs = 2;
-  bool make_only = false;
+  bool make_only = false, is_exact = false;
   std::string card;
   std::vector<std::string> to_sum_up;
 };
@@ -87,6 +87,10 @@ int run(int argc, char** argv) {
   app.option("--tables", options.of_case.tables, "The emission tables of pictures and fits")
       .one_of({"vegard", "glow"})
       .shows_default();
+  app.flag("--drawn-physics", options.of_case.drawn_physics,
+           "Pictures have other light than the tables: a draw of their uncertainty's modes");
+  app.flag("--lossless", options.of_case.is_lossless, "Photographs are PNG, without JPEG's errors");
+  app.flag("--exact", options.is_exact, "Fits take their tables as exact");
   app.option("--first", options.first, "Number of the first scene").shows_default();
   app.option("--count", options.count, "How many scenes").shows_default();
   app.option("--jobs", options.jobs, "Scenes side by side, one thread each").range(1, 256).shows_default();
@@ -99,6 +103,7 @@ int run(int argc, char** argv) {
   app.option("-o,--out", options.card, "The card, a CSV file");
   app.option("--summary", options.to_sum_up, "Print the tables of these cards, and do nothing else");
   if (const std::optional<int> end = program.read()) return *end;
+  if (options.is_exact) options.of_case.uncertainty = sim::TablesUncertainty::none;
 
   std::vector<Row> rows;
   if (options.to_sum_up.empty()) {

@@ -48,16 +48,63 @@ TEST(UtcSeconds, RefusesWhatNoCalendarHas) {
     EXPECT_FALSE(utc_seconds(text)) << text;
 }
 
-TEST(UtcSeconds, InNamesOfPictures) {
-  EXPECT_EQ(utc_seconds_in_name("PKR_DASC_0558_20151007_082351.743.FITS"),
+std::optional<double> in_name(const char* name) {
+  const auto time = time_in_name(name);
+  return time && time->unclear.empty() ? std::optional<double>(time->utc_s()) : std::nullopt;
+}
+
+TEST(TimeInName, OfPictures) {
+  EXPECT_EQ(in_name("PKR_DASC_0558_20151007_082351.743.FITS"),
             utc_seconds("2015-10-07T08:23:51").value() + 0.743);
-  EXPECT_EQ(utc_seconds_in_name("kho_nipr_20140221193040.jpg"), utc_seconds("2014-02-21T19:30:40"));
-  EXPECT_EQ(utc_seconds_in_name("trex_rgb_gill_20211030_060500.png"), utc_seconds("2021-10-30T06:05:00"));
-  EXPECT_EQ(utc_seconds_in_name("sky-2015-10-07T08-23-51.png"), utc_seconds("2015-10-07T08:23:51"));
-  EXPECT_EQ(utc_seconds_in_name("20151007T082351Z.jpg"), utc_seconds("2015-10-07T08:23:51"));
+  EXPECT_EQ(in_name("kho_nipr_20140221193040.jpg"), utc_seconds("2014-02-21T19:30:40"));
+  EXPECT_EQ(in_name("trex_rgb_gill_20211030_060500.png"), utc_seconds("2021-10-30T06:05:00"));
+  EXPECT_EQ(in_name("sky-2015-10-07T08-23-51.png"), utc_seconds("2015-10-07T08:23:51"));
+  EXPECT_EQ(in_name("20151007T082351Z.jpg"), utc_seconds("2015-10-07T08:23:51"));
   for (const char* name : {"IMG_0001.jpg", "frame_000123.png", "x_20151399_082351.png", "20151007.png",
                            "1234567890123456.png", "120151007_082351.png", ""})
-    EXPECT_FALSE(utc_seconds_in_name(name)) << name;
+    EXPECT_FALSE(time_in_name(name)) << name;
+}
+
+TEST(TimeInName, AZoneIsTakenOff) {
+  const auto utc = utc_seconds("2019-03-01T22:10:03Z");
+  for (const char* name :
+       {"2019-03-01T23-10-03+0100.png", "2019-03-01T23:10:03+01:00.png", "20190301T231003+0100.png",
+        "20190301_171003_-0500.png", "20190301_171003-0500.png", "20190301T171003-05.png",
+        "20190302T034003+05-30.png", "sky_20190301_231003_UTC+1.jpg", "20190301_231003_GMT+01:00.jpg",
+        "20190301_221003_UTC.fits", "20190301_221003Z_0001.png", "20190301_221003.000Z.png",
+        "2019-03-01_10-10-03_PM.png", "2019-03-01 10-10-03 PM UTC.png", "UTC_20190301_221003.png",
+        "20190301_221003-0001.png", "20190301_221003-01.png"}) {
+    EXPECT_EQ(in_name(name), utc) << name;
+    const auto time = time_in_name(name);
+    ASSERT_TRUE(time);
+    // A number of a picture is no zone.
+    const bool is_number = std::string(name).find("-000") != std::string::npos ||
+                           std::string(name).find("3-01.") != std::string::npos;
+    const bool is_half_alone = std::string(name).find("_PM.") != std::string::npos;
+    EXPECT_EQ(time->offset_minutes.has_value(), !is_number && !is_half_alone) << name;
+  }
+  EXPECT_EQ(in_name("2019-03-01_12-10-03_AM.png"), utc_seconds("2019-03-01T00:10:03Z"));
+  EXPECT_EQ(in_name("2019-03-01_12-10-03_PM.png"), utc_seconds("2019-03-01T12:10:03Z"));
+  EXPECT_EQ(in_name("2019-03-01_22-10-03_PM.png"), utc);
+}
+
+TEST(TimeInName, WhatIsNotClearIsSaid) {
+  const std::pair<const char*, const char*> kNames[] = {
+      {"20190301_231003_CET.png", "CET"},     {"2019-03-01T23-10-03 EST.png", "EST"},
+      {"20190301_231003+0107.png", "+0107"},  {"20190301_231003+1500.png", "+1500"},
+      {"20190301_231003_local.png", "local"}, {"CET_20190301_231003.png", "CET"},
+      {"20190301_221003_AM.png", "22 h AM"}};
+  for (const auto& [name, unclear] : kNames) {
+    const auto time = time_in_name(name);
+    ASSERT_TRUE(time) << name;
+    EXPECT_EQ(time->unclear, unclear) << name;
+  }
+}
+
+TEST(UtcTime, ResolutionIsTheUnitOfTheLastDigit) {
+  EXPECT_EQ(resolution_s("2015-10-07T08:23Z"), 60.0);
+  EXPECT_EQ(resolution_s("2015-10-07 08:23:51+01:00"), 1.0);
+  EXPECT_NEAR(resolution_s("2015-10-07T08:23:51.743Z"), 1e-3, 1e-15);
 }
 
 }  // namespace

@@ -88,9 +88,9 @@ TEST(SpectrumProfile, AGaussianIsTheIntegralOverItsEnergies) {
 TEST(SpectrumProfile, SharesOfTheEnergyFluxAndMeanEnergyAreThoseOfTheGaussian) {
   for (const double spread : {0.01, 0.2, 0.6, 1.0}) {
     double shares = 0.0, slopes = 0.0, electrons = 0.0;
-    for (const GaussianPiece& piece : gaussian_pieces(4.0, spread)) {
+    for (const ElectronPiece& piece : gaussian_pieces(4.0, spread, SlopeBy::energy_spread)) {
       shares += piece.share;
-      slopes += piece.share * piece.d_log_share_d_spread;
+      slopes += piece.share * piece.d_log_share;
       electrons += piece.share / piece.energy_kev;
     }
     EXPECT_NEAR(shares, 1.0, 1e-11);
@@ -138,6 +138,108 @@ TEST(SpectrumProfile, DerivativesByTheSpreadAreThoseOfTheRate) {
       EXPECT_TRUE(profile_slope(kLines, scene, 0, parameter_at(scene, "sheet.width_km").value()).empty());
     }
   }
+}
+
+/// The sum over a Maxwellian in place of the pieces' own shares.
+HeightProfile maxwellian_of(const std::vector<ElectronPiece>& pieces, double energy_kev) {
+  HeightProfile made = dark_profile(3);
+  std::vector<double> sum(made.rate.size(), 0.0);
+  double weights = 0.0;
+  for (const ElectronPiece& piece : pieces) {
+    const double weight = std::pow(piece.energy_kev, 3) * std::exp(-piece.energy_kev / energy_kev);
+    const HeightProfile light = mono_profile(tests::glow(), kLines, piece.energy_kev);
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weight * light.rate[k];
+    weights += weight;
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) made.rate[k] = static_cast<float>(sum[k] / weights);
+  return made;
+}
+
+TEST(SpectrumProfile, AKappaDistributionBecomesAMaxwellian) {
+  // What is left is of the first order in 1/kappa.
+  for (const double energy : {0.5, 2.0, 8.0}) {
+    const HeightProfile wanted = maxwellian_of(kappa_pieces(tests::glow(), energy, 100.0), energy);
+    expect_close(kappa_profile(tests::glow(), kLines, energy, 1e7), wanted, 1e-5);
+    expect_close(kappa_profile(tests::glow(), kLines, energy, kMaxKappa), wanted, 0.08);
+    // The program's own tables have both of one computation.
+    const EmissionSource own = {emission_tables(kDefaultEmissionTables)};
+    expect_close(kappa_profile(own, kLines, energy, 1e7), maxwellian_profile(own, kLines, energy), 0.05);
+  }
+}
+
+TEST(SpectrumProfile, SharesOfAKappaDistributionAndItsMeanEnergy) {
+  for (const double kappa : {kMinKappa, 5.0, 20.0, kMaxKappa}) {
+    double shares = 0.0, slopes = 0.0, electrons = 0.0;
+    for (const ElectronPiece& piece : kappa_pieces(tests::glow(), 1.0, kappa)) {
+      shares += piece.share;
+      slopes += piece.share * piece.d_log_share;
+      electrons += piece.share / piece.energy_kev;
+    }
+    EXPECT_NEAR(shares, 1.0, 1e-11);
+    EXPECT_NEAR(slopes, 0.0, 1e-9);
+    const double mean = mean_energy_over_e0({ElectronSpectrum::Kind::kappa, 0.0, kappa});
+    EXPECT_NEAR(mean, 2.0 * kappa / (kappa - 2.0), 1e-12);
+    // Up to 330 keV: of the energy flux at a kappa of 2.5 a good part is above.
+    if (kappa > 4.0)
+      EXPECT_NEAR(1.0 / electrons / mean, 1.0, 2e-3) << kappa;
+    else
+      EXPECT_LT(1.0 / electrons, 0.95 * mean);
+  }
+  EXPECT_EQ(mean_energy_over_e0({}), 2.0);
+  EXPECT_EQ(mean_energy_over_e0({ElectronSpectrum::Kind::mono}), 1.0);
+  EXPECT_NEAR(mean_energy_over_e0({ElectronSpectrum::Kind::gaussian, 0.5}), 1.028, 1e-3);
+}
+
+TEST(SpectrumProfile, DerivativesByTheEnergyAreThoseOfTheRate) {
+  // Central differences of floats; at the tables' ends, where a kappa distribution is cut, too.
+  constexpr double h = 0.003;
+  for (const double kappa : {kMinKappa, 5.0, 50.0}) {
+    for (const double energy : {0.05, 0.7, 3.0, 15.0}) {
+      const auto at = [&](double ln) {
+        return kappa_profile(tests::glow(), kLines, energy * std::exp(ln), kappa);
+      };
+      const HeightProfile more = at(h), less = at(-h), here = at(0.0);
+      for (int l = 0; l < 3; ++l) {
+        const double peak = peak_of(here.d_rate_d_ln_energy, l);
+        ASSERT_GT(peak, 0.0);
+        for (int a = 0; a < HeightProfile::kAltitudes; a += 3)
+          EXPECT_NEAR(here.d_rate_d_ln_energy[a * 4 + l],
+                      (more.rate[a * 4 + l] - less.rate[a * 4 + l]) / (2.0 * h),
+                      1e-3 * peak + 1.2e-7 / h * here.rate[a * 4 + l])
+              << kappa << ", " << energy << " keV, line " << l << ", altitude "
+              << HeightProfile::altitude_km(a);
+      }
+    }
+  }
+}
+
+TEST(SpectrumProfile, TheSmallerKappaTheMoreSlowAndFastElectronsAtOneMeanEnergy) {
+  constexpr double kMean = 4.0;
+  double red = 0.0, low = 0.0;
+  for (const double kappa : {kMaxKappa, 10.0, 5.0, 4.0}) {
+    const double energy = kMean / mean_energy_over_e0({ElectronSpectrum::Kind::kappa, 0.0, kappa});
+    const HeightProfile profile = kappa_profile(tests::glow(), kLines, energy, kappa);
+    const double blue = column_below(profile, 2, HeightProfile::kTopKm).rayleigh;
+    const double more_red = column_below(profile, 0, HeightProfile::kTopKm).rayleigh / blue,
+                 more_low = column_below(profile, 2, 95.0).rayleigh / blue;
+    EXPECT_GT(more_red, red) << kappa;
+    EXPECT_GT(more_low, low) << kappa;
+    red = more_red;
+    low = more_low;
+  }
+}
+
+TEST(ElectronSpectrum, NamesTheProfileOfItsKind) {
+  using Kind = ElectronSpectrum::Kind;
+  const auto profile = [](const ElectronSpectrum& spectrum, double flux = 1.0) {
+    return electron_profile(tests::glow(), kLines, spectrum, 3.0, flux).rate;
+  };
+  EXPECT_EQ(profile({}, 5.0), maxwellian_profile(tests::glow(), kLines, 3.0, 5.0).rate);
+  EXPECT_EQ(profile({Kind::mono}, 5.0), mono_profile(tests::glow(), kLines, 3.0).rate);
+  EXPECT_EQ(profile({Kind::gaussian, 0.4}), gaussian_profile(tests::glow(), kLines, 3.0, 0.4).rate);
+  EXPECT_EQ(profile({Kind::kappa, 0.4, 7.0}), kappa_profile(tests::glow(), kLines, 3.0, 7.0).rate);
+  for (const Kind kind : {Kind::maxwellian, Kind::gaussian, Kind::mono, Kind::kappa})
+    EXPECT_EQ(spectrum_kind(spectrum_word(kind)), kind);
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ std::vector<AsterismMembers> neighbour_sets(const std::vector<Eigen::Vector3d>& 
 
 AsterismIndex::AsterismIndex(const std::vector<Eigen::Vector3d>& stars) {
   std::vector<AsterismMembers> sets;
-  for (const int first : {24, 40, 68, 115, 195, 330, 560, 950}) {
+  for (const int first : {24, 40, 68, 115, 195, 330, 560, kFigureStars}) {
     const std::vector<AsterismMembers> more = neighbour_sets(stars, first, kSkyNeighbours);
     sets.insert(sets.end(), more.begin(), more.end());
   }

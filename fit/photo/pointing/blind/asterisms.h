@@ -15,6 +15,9 @@
 
 namespace vegard::fit {
 
+/// The number of the brightest stars of which the sky's asterisms are made.
+inline constexpr int kFigureStars = 950;
+
 /// The indices of the four members in the order A, B, C, D.
 using AsterismMembers = std::array<int, 4>;
 

@@ -141,17 +141,22 @@ std::string words_of(const std::vector<Interval>& intervals) {
   return words;
 }
 
+Eigen::Vector3d zenith_of(const sim::Observer& observer, double julian_date) {
+  return enu_from_equatorial(observer, julian_date).row(2).transpose();
+}
+
 LocalSky local_sky(const StarRecognition& recognition, const sim::Observer& observer, double julian_date) {
   LocalSky sky;
+  const double lowest_up = std::sin((sim::horizon_elevation_deg(observer) - 1.0) * sim::kRadiansPerDegree);
   sky.camera = recognition.best.camera;
   sky.camera.camera_from_enu =
       recognition.best.camera.camera_from_enu * enu_from_equatorial(observer, julian_date).transpose();
-  for (const StarMatch& one : recognition.best.matches) {
+  for (const StarMatch& one : recognition.best.agreement.matches) {
     StarSighting star = equatorial_sky()[one.star];
     star.enu = sim::direction_of_star(sim::bright_stars()[one.star].place, observer, julian_date);
     star.x_px = recognition.points[one.point].x_px;
     star.y_px = recognition.points[one.point].y_px;
-    sky.below_horizon += star.enu[2] < std::sin(-1.0 * sim::kRadiansPerDegree);
+    sky.below_horizon += star.enu[2] < lowest_up;
     sky.stars.push_back(star);
   }
   std::stable_sort(sky.stars.begin(), sky.stars.end(),
@@ -166,7 +171,7 @@ std::vector<SeenPlanet> planets_in(const PictureStars& stars, const Frame& frame
   const double reach_px = reach_deg * camera.numbers[focal_px_number] * sim::kRadiansPerDegree;
   // A planet that is in no trail of noise is among the brighter half of what was recognised.
   std::vector<double> fluxes;
-  for (const StarMatch& one : stars.recognition.best.matches)
+  for (const StarMatch& one : stars.recognition.best.agreement.matches)
     fluxes.push_back(stars.recognition.points[one.point].flux);
   const double min_flux = sim::median(fluxes);
   std::vector<SeenPlanet> planets;
@@ -225,7 +230,8 @@ LocalStars local_stars(const PictureStars& picture, const Frame& frame, const si
   settings.last_radius_px = 2.5 * unit;
   settings.free = free_numbers(picture.recognition.best.form, true);
   const std::vector<StarSighting> catalogue =
-      catalogue_sky(observer, julian_date, faintest, std::max(0.0, min_elevation_deg));
+      catalogue_sky(observer, julian_date, faintest,
+                    sim::horizon_elevation_deg(observer) + std::max(0.0, min_elevation_deg));
   answer.again = identify(local.camera, frame, catalogue, picture.found, settings);
   const bool trusted = is_trustworthy(answer.again);
   answer.camera = trusted ? answer.again.camera : local.camera;

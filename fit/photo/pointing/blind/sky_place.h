@@ -53,8 +53,11 @@ std::string words_of(const std::vector<Interval>& intervals);
 struct LocalSky {
   std::vector<StarSighting> stars;
   SkyCamera camera;
-  int below_horizon = 0;  ///< number of stars more than a degree below it
+  int below_horizon = 0;  ///< number of stars more than a degree below it (sim::horizon_elevation_deg())
 };
+/// Returns the observer's zenith in the axes of equatorial_sky().
+Eigen::Vector3d zenith_of(const sim::Observer& observer, double julian_date);
+
 LocalSky local_sky(const StarRecognition& recognition, const sim::Observer& observer, double julian_date);
 
 /// A planet in the picture.
@@ -85,7 +88,7 @@ struct LocalStars {
 };
 
 /// Converts the stars of a recognised picture. Stars of the catalogue are those up to the magnitude
-/// `faintest` and above the elevation `min_elevation_deg`, at least above the horizon.
+/// `faintest` and at least `min_elevation_deg`, and at least 0, above the horizon.
 LocalStars local_stars(const PictureStars& picture, const Frame& frame, const sim::Observer& observer,
                        double julian_date, double faintest, double min_elevation_deg);
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "fit/photo/mask/circle.h"
+#include "fit/photo/pointing/blind/deeper_stars.h"
 #include "fit/photo/pointing/calibration_doubts.h"
 #include "fit/photo/pointing/catalogue_sky.h"
+#include "fit/photo/pointing/held_out.h"
 #include "fit/photo/pointing/star_check.h"
 #include "sim/base/number/constants.h"
 
@@ -39,13 +41,21 @@ void add_star_doubts(Calibration& calibration, const StarEvidence& evidence) {
         "size?");
   const SkyOfPicture& sky = evidence.sky;
   if (evidence.photo != nullptr && sky.julian_date && sky.observer) {
-    StarFinderSettings finder;
-    finder.min_signal = evidence.min_signal;
+    std::vector<FoundStar> points = evidence.points;
+    if (points.empty()) {
+      StarFinderSettings finder;
+      finder.min_signal = evidence.min_signal;
+      points = find_stars(evidence.photo->linear, finder, evidence.usable);
+    }
     const double faintest = std::min(kBrightStars, evidence.faintest);
-    const double lowest = std::max(kClearOfGround_deg, evidence.min_elevation_deg);
+    const double lowest =
+        sim::horizon_elevation_deg(*sky.observer) + std::max(kClearOfGround_deg, evidence.min_elevation_deg);
     add(words_of(unseen_stars(calibration, catalogue_sky(*sky.observer, *sky.julian_date, faintest, lowest),
-                              faintest, find_stars(evidence.photo->linear, finder, evidence.usable),
-                              evidence.usable)));
+                              faintest, points, evidence.usable)));
+    calibration.explained = explained_points(
+        calibration, points,
+        catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
+                      sim::horizon_elevation_deg(*sky.observer) + evidence.min_elevation_deg, 0.0));
   }
   if (sky.observer) {
     const std::string why =

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "fit/photo/pointing/blind/assumed_lens.h"
 #include "fit/photo/pointing/blind/asterisms.h"
+#include "fit/photo/pointing/blind/pair_search.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "sim/base/file/number_text.h"
-#include "sim/base/number/constants.h"
+#include "sim/base/parallel.h"
 
 namespace vegard::fit {
 namespace {
@@ -17,58 +20,43 @@ constexpr double kCodeTolerance = 0.03;
 constexpr double kSizeFactor = 1.35;
 constexpr int kPictureNeighbours = 7;
 constexpr int kGrownPerLevel = 16, kGrownOffCentre = 6;
+constexpr std::size_t kGrownPairs = 48, kGrownTogether = 4;
 constexpr std::size_t kOffCentrePoints = 40;
 constexpr double kMinScore = 3.0;  // natural log of the odds, four stars of the figure not counted
 
-struct AssumedLens {
-  sim::LensModel model;
-  double half_width_deg;  // off the axis at half of the longer side
-};
-
-std::vector<AssumedLens> assumed_lenses() {
-  using sim::LensModel;
-  std::vector<AssumedLens> lenses;
-  for (const double a : {10.0, 14.0, 19.0, 25.0, 32.0, 38.0, 44.0, 50.0, 56.0, 62.0})
-    lenses.push_back({LensModel::pinhole, a});
-  for (const double a : {25.0, 36.0, 48.0, 60.0, 73.0, 86.0, 100.0, 115.0})
-    lenses.push_back({LensModel::stereographic, a});
-  for (const double a : {36.0, 48.0, 60.0, 73.0, 86.0, 100.0, 115.0}) {
-    lenses.push_back({LensModel::equidistant, a});
-    lenses.push_back({LensModel::equisolid, a});
-  }
-  return lenses;
-}
-
-double radius_of(sim::LensModel model, double angle) {
-  switch (model) {
-    case sim::LensModel::pinhole:
-      return std::tan(angle);
-    case sim::LensModel::stereographic:
-      return 2.0 * std::tan(0.5 * angle);
-    case sim::LensModel::equisolid:
-      return 2.0 * std::sin(0.5 * angle);
-    default:
-      return angle;
-  }
-}
-
-/// Points that stand in a crowd of brighter ones are put behind the others: trees, houses and the aurora's
-/// folds give many, the sky few.
+/// Points that stand in a crowd of brighter ones are put behind the others, and whole crowds of about the
+/// same brightness farther still: trees, houses, the aurora's folds and letters give many, the sky few.
 std::vector<FoundStar> spread_out(const std::vector<FoundStar>& points, const Frame& frame, int most) {
   const double reach = 0.05 * std::max(frame.width_px, frame.height_px);
-  constexpr int kCrowd = 4;
+  constexpr int kCrowd = 4, kLikes = 5, kBehind = 3;
+  constexpr double kAlike = 0.3;  // of the flux, 1.3 magnitudes
   std::vector<std::pair<int, int>> order;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    int brighter = 0;
-    for (std::size_t j = 0; j < i; ++j)
-      brighter += std::hypot(points[i].x_px - points[j].x_px, points[i].y_px - points[j].y_px) < reach;
-    order.emplace_back(brighter / kCrowd, static_cast<int>(i));
+    int brighter = 0, alike = 0;
+    for (std::size_t j = 0; j < points.size() && points[j].flux > kAlike * points[i].flux; ++j) {
+      if (j == i || std::hypot(points[i].x_px - points[j].x_px, points[i].y_px - points[j].y_px) >= reach)
+        continue;
+      brighter += j < i;
+      alike += points[j].flux * kAlike < points[i].flux;
+    }
+    order.emplace_back(brighter / kCrowd + (alike >= kLikes ? kBehind : 0), static_cast<int>(i));
   }
   std::stable_sort(order.begin(), order.end());
   std::vector<FoundStar> spread;
   for (const auto& one : order)
     if (static_cast<int>(spread.size()) < most) spread.push_back(points[one.second]);
   return spread;
+}
+
+/// The catalogue's stars. Those that are not above the horizon have no direction: no camera has an image of
+/// them, and their indices stay what they are.
+std::vector<StarSighting> sky_above(const Eigen::Vector3d& zenith) {
+  constexpr double kLowest = -0.01;  // refraction lifts the horizon by half a degree
+  std::vector<StarSighting> sky = equatorial_sky();
+  for (StarSighting& star : sky)
+    if (Eigen::Vector3d(star.enu[0], star.enu[1], star.enu[2]).dot(zenith) < kLowest)
+      star.enu.fill(std::numeric_limits<double>::quiet_NaN());
+  return sky;
 }
 
 /// Three axes of two directions: the middle, across towards the second, and the third.
@@ -81,19 +69,19 @@ Eigen::Matrix3d axes_of(const Eigen::Vector3d& middle, const Eigen::Vector3d& fr
   return axes;
 }
 
-struct Hit {
-  double score;
-  SkyCamera camera;
-  std::vector<StarMatch> seed;
-  double reach_px;
-};
-
 namespace star_recognition {
 
 class Search {
  public:
-  Search(const std::vector<FoundStar>& points, const Frame& frame)
-      : points_(points), frame_(frame), cells_(points, frame, points.size()) {
+  /// `has_best`: the answer has a best camera already, of an earlier search.
+  Search(const std::vector<FoundStar>& points, const Frame& frame, const RecognitionSettings& settings,
+         bool has_best)
+      : points_(points),
+        frame_(frame),
+        pixels_(settings.pixels),
+        zenith_(settings.zenith),
+        cells_(points, frame, points.size()),
+        has_best_(has_best) {
     for (const StarSighting& star : equatorial_sky())
       stars_.emplace_back(star.enu[0], star.enu[1], star.enu[2]);
     for (const FoundStar& point : points) places_.emplace_back(point.x_px, point.y_px, 0.0);
@@ -115,40 +103,82 @@ class Search {
       before.insert(before.end(), fresh.begin(), fresh.end());
       std::sort(before.begin(), before.end());
       answer.figures += static_cast<int>(fresh.size());
-      std::vector<Hit> hits;
+      std::vector<CameraHit> hits;
       // The counts of stars around a hit: of the points to about the figures' own faintness.
       const PointCells near(points_, frame_, n + n / 2 + 4);
       near_count_ = static_cast<double>(std::min(n + n / 2 + 4, points_.size()));
-      for (const AssumedLens& lens : assumed_lenses())
-        for (const bool mirrored : {false, true})
-          look_up(lens, mirrored, centre_x, centre_y, n, fresh, near, hits);
-      answer.cameras += static_cast<double>(tried_);
-      tried_ = 0;
+      // A lens is a task, and their hits are joined in the order of the lenses.
+      const std::vector<AssumedLens>& lenses = assumed_lenses();
+      std::vector<LensHits> by_lens(2 * lenses.size());
+      sim::parallel_for(by_lens.size(), 0, [&](std::size_t i, int) {
+        look_up(assumed_camera(lenses[i / 2], i % 2 == 1, frame_, centre_x, centre_y), n, fresh, near,
+                by_lens[i]);
+      });
+      for (LensHits& one : by_lens) {
+        answer.cameras += static_cast<double>(one.tried);
+        for (CameraHit& hit : one.hits) hits.push_back(std::move(hit));
+      }
       std::stable_sort(hits.begin(), hits.end(),
-                       [](const Hit& a, const Hit& b) { return a.score > b.score; });
+                       [](const CameraHit& a, const CameraHit& b) { return a.score > b.score; });
       if (hits.size() > static_cast<std::size_t>(most_grown)) hits.resize(most_grown);
-      for (const Hit& hit : hits) {
-        const GrownCamera grown = grow_camera(hit.camera, frame_, equatorial_sky(), points_, cells_, hit.seed,
-                                              hit.reach_px, std::max(1.0, answer.cameras));
-        if (grown_ == 0 || grown.log10_false < answer.best.log10_false) answer.best = grown;
-        ++grown_;
+      if (grow(hits, equatorial_sky(), answer)) return true;
+      grown_hits_.insert(grown_hits_.end(), hits.begin(), hits.end());
+    }
+    return false;
+  }
+
+  /// The same under a sky that is known: by the hits that were grown under the whole sky, and by pairs.
+  bool run_known_sky(StarRecognition& answer) {
+    if (!zenith_) return false;
+    const std::vector<StarSighting> sky = sky_above(*zenith_);
+    // A figure of stars of which one is below the horizon is none.
+    grown_hits_.erase(std::remove_if(grown_hits_.begin(), grown_hits_.end(),
+                                     [&](const CameraHit& hit) {
+                                       return std::any_of(hit.seed.begin(), hit.seed.end(),
+                                                          [&](const StarMatch& one) {
+                                                            return !std::isfinite(sky[one.star].enu[0]);
+                                                          });
+                                     }),
+                      grown_hits_.end());
+    if (grow(grown_hits_, sky, answer)) return true;
+    for (const int first : {16, 32}) {
+      const PairSearch pairs = search_pairs(points_, frame_, sky, *zenith_, first, kGrownPairs);
+      answer.cameras += pairs.cameras;
+      if (grow(pairs.hits, sky, answer)) return true;
+      if (static_cast<std::size_t>(first) >= points_.size()) break;
+    }
+    return false;
+  }
+
+ private:
+  struct LensHits {
+    std::vector<CameraHit> hits;
+    long tried = 0;
+  };
+
+  /// Grows the hits to cameras; true as soon as one cannot be chance.
+  bool grow(const std::vector<CameraHit>& hits, const std::vector<StarSighting>& sky,
+            StarRecognition& answer) {
+    const double trials = std::max(1.0, answer.cameras);
+    // A few at a time, and the first one that is certain counts: the same for any number of threads.
+    for (std::size_t begin = 0; begin < hits.size(); begin += kGrownTogether) {
+      std::vector<GrownCamera> grown(std::min(kGrownTogether, hits.size() - begin));
+      sim::parallel_for(grown.size(), 0, [&](std::size_t i, int) {
+        const CameraHit& hit = hits[begin + i];
+        grown[i] =
+            grow_camera(hit.camera, frame_, sky, points_, cells_, hit.seed, hit.reach_px, trials, pixels_);
+      });
+      for (const GrownCamera& one : grown) {
+        if (!has_best_ || one.agreement.log10_false < answer.best.agreement.log10_false) answer.best = one;
+        has_best_ = true;
         if (is_certain(answer.best)) return true;
       }
     }
     return false;
   }
 
- private:
-  void look_up(const AssumedLens& assumed, bool mirrored, double centre_x, double centre_y, std::size_t n,
-               const std::vector<AsterismMembers>& sets, const PointCells& near, std::vector<Hit>& hits) {
-    SkyCamera camera;
-    camera.model = assumed.model;
-    camera.mirrored = mirrored;
-    camera.numbers[centre_x_number] = centre_x;
-    camera.numbers[centre_y_number] = centre_y;
-    camera.numbers[focal_px_number] =
-        0.5 * std::max(frame_.width_px, frame_.height_px) /
-        radius_of(assumed.model, assumed.half_width_deg * sim::kRadiansPerDegree);
+  void look_up(const SkyCamera& camera, std::size_t n, const std::vector<AsterismMembers>& sets,
+               const PointCells& near, LensHits& found_hits) const {
     const sim::Lens<double> lens = true_lens(camera);
     std::vector<Eigen::Vector3d> directions(n);
     std::vector<char> has(n);
@@ -165,15 +195,15 @@ class Search {
       for (const Asterism& order : orders_of(one, kCodeTolerance)) {
         found.clear();
         bright_star_asterisms().find(order, kCodeTolerance, kSizeFactor, found);
-        for (const Asterism* sky : found) score(camera, order, *sky, near, hits);
+        for (const Asterism* sky : found) score(camera, order, *sky, near, found_hits);
       }
     }
   }
 
   /// Rotation and scale by the figure, then the stars around it.
   void score(const SkyCamera& assumed, const Asterism& picture, const Asterism& sky, const PointCells& near,
-             std::vector<Hit>& hits) {
-    ++tried_;
+             LensHits& found_hits) const {
+    ++found_hits.tried;
     SkyCamera camera = assumed;
     camera.numbers[focal_px_number] *= picture.size_rad / sky.size_rad;
     const sim::Lens<double> lens = lens_of(camera, camera.numbers.data());
@@ -206,7 +236,7 @@ class Search {
     const double least = std::cos(std::min(2.2 * reach_angle, 1.7));
     const double density = 1.5 * near_count_ / (static_cast<double>(frame_.width_px) * frame_.height_px);
     const double unit = std::max(1.0, std::max(frame_.width_px, frame_.height_px) / 1500.0);
-    Hit hit{0.0, camera, {}, 1.1 * size_px};
+    CameraHit hit{0.0, camera, {}, 1.1 * size_px};
     const int last = std::min(static_cast<int>(stars_.size()), faintest + faintest / 2 + 6);
     std::vector<int> taken;
     for (int i = 0; i < last; ++i) {
@@ -225,28 +255,27 @@ class Search {
       const double from = std::hypot(x - middle_x, y - middle_y);
       const double tolerance = 2.0 * unit + 0.035 * std::max(from, size_px);
       const int p = near.nearest(x, y, tolerance, distance);
-      const double by_chance = std::min(0.9, 1.0 - std::exp(-density * M_PI * tolerance * tolerance));
-      // Stars fainter than the figure's need not be seen.
-      const double expected = i <= faintest ? 0.6 : 0.3;
       if (p < 0 || std::find(taken.begin(), taken.end(), p) != taken.end() ||
           std::find(picture.members.begin(), picture.members.end(), p) != picture.members.end()) {
-        hit.score += std::log(1.0 - expected);
+        hit.count_missing(i <= faintest);
       } else {
-        hit.score += std::log(std::max(0.3, (1.0 - expected) + expected / by_chance));
+        hit.count_seen(i <= faintest, density, tolerance);
         taken.push_back(p);
       }
     }
     if (taken.empty() && points_.size() > 6) return;
-    if (hit.score > kMinScore) hits.push_back(std::move(hit));
+    if (hit.score > kMinScore) found_hits.hits.push_back(std::move(hit));
   }
 
   const std::vector<FoundStar>& points_;
   const Frame& frame_;
+  const SkyPixels& pixels_;
+  const std::optional<Eigen::Vector3d>& zenith_;
   PointCells cells_;
+  std::vector<CameraHit> grown_hits_;
   std::vector<Eigen::Vector3d> stars_, places_;
   double near_count_ = 0.0;
-  long tried_ = 0;
-  int grown_ = 0;
+  bool has_best_;
 };
 
 }  // namespace star_recognition
@@ -254,7 +283,6 @@ class Search {
 constexpr int kMinSearched_px = 300, kWidestFirst_px = 1600;
 
 sim::Image made_smaller(const sim::Image& picture, int by) {
-  if (by == 1) return picture;
   sim::Image small;
   small.width = picture.width / by;
   small.height = picture.height / by;
@@ -273,7 +301,7 @@ sim::Image made_smaller(const sim::Image& picture, int by) {
 
 /// Usable where all of its pixels are.
 std::vector<char> made_smaller(const std::vector<char>& usable, int width, int height, int by) {
-  if (usable.empty() || by == 1) return usable;
+  if (usable.empty()) return usable;
   const int w = width / by, h = height / by;
   std::vector<char> small(static_cast<std::size_t>(w) * h, 1);
   for (int y = 0; y < h * by; ++y)
@@ -287,7 +315,7 @@ std::vector<char> made_smaller(const std::vector<char>& usable, int width, int h
 
 std::vector<StarSighting> StarRecognition::stars() const {
   std::vector<StarSighting> all;
-  for (const StarMatch& one : best.matches) {
+  for (const StarMatch& one : best.agreement.matches) {
     all.push_back(equatorial_sky()[one.star]);
     all.back().x_px = points[one.point].x_px;
     all.back().y_px = points[one.point].y_px;
@@ -297,21 +325,43 @@ std::vector<StarSighting> StarRecognition::stars() const {
   return all;
 }
 
-StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Frame& frame,
-                                const RecognitionSettings& settings) {
+namespace {
+
+StarRecognition empty_answer(const std::vector<FoundStar>& points, const Frame& frame,
+                             const RecognitionSettings& settings) {
+  constexpr double kSkySquareDegrees = 41253.0, kNeeded = 6.0;
   StarRecognition answer;
   answer.points = spread_out(points, frame, settings.max_points);
-  if (answer.points.size() < 5) return answer;
-  star_recognition::Search search(answer.points, frame);
+  const double longer = std::max(frame.width_px, frame.height_px),
+               shorter = std::min(frame.width_px, frame.height_px);
+  answer.narrowest_deg = std::sqrt(kNeeded * kSkySquareDegrees / kFigureStars * longer / shorter);
+  return answer;
+}
+
+/// With the lens's centre off the middle; `answer` is that of the middle, whose cameras count as tried.
+void search_off_centre(const Frame& frame, const RecognitionSettings& settings, StarRecognition& answer) {
+  if (answer.found || answer.points.size() < 5) return;
+  star_recognition::Search search(answer.points, frame, settings, true);
   const double w = frame.width_px, h = frame.height_px;
-  answer.found = search.run(0.5 * w, 0.5 * h, answer.points.size(), kGrownPerLevel, answer);
-  if (answer.found || !settings.off_centre) return answer;
   for (const double right : {-0.35, 0.0, 0.35})
     for (const double down : {-0.35, 0.0, 0.35}) {
       if (answer.found || (right == 0.0 && down == 0.0)) continue;
       answer.found =
           search.run((0.5 + right) * w, (0.5 + down) * h, kOffCentrePoints, kGrownOffCentre, answer);
     }
+}
+
+}  // namespace
+
+StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Frame& frame,
+                                const RecognitionSettings& settings) {
+  StarRecognition answer = empty_answer(points, frame, settings);
+  if (answer.points.size() < 5) return answer;
+  star_recognition::Search search(answer.points, frame, settings, false);
+  answer.found =
+      search.run(0.5 * frame.width_px, 0.5 * frame.height_px, answer.points.size(), kGrownPerLevel, answer) ||
+      search.run_known_sky(answer);
+  if (settings.off_centre) search_off_centre(frame, settings, answer);
   return answer;
 }
 
@@ -321,27 +371,40 @@ std::string words_of(const StarRecognition& recognition) {
   if (recognition.points.size() < 5)
     return words +
            ", and five at least are needed: a longer exposure, --signal lower, or no --mask over the sky.";
-  const std::string counts =
-      std::to_string(best.matches.size()) + " of the " + std::to_string(best.in_frame) +
-      " stars to magnitude " + sim::short_number(best.faintest, 2) +
-      " that it should show have a point within " + sim::short_number(best.radius_px, 2) +
-      " px, where chance gives " + sim::short_number(best.by_chance, 2);
+  const std::string counts = words_of(best.agreement);
   if (recognition.found)
     return words + ". Recognised: " + counts + "; searches like this one are wrong once in 10^" +
-           sim::short_number(std::floor(-best.log10_false), 3) + ".";
+           sim::short_number(std::floor(-best.agreement.log10_false), 3) + ".";
   words += " and no camera explains them. ";
-  if (!best.matches.empty())
+  if (!best.agreement.matches.empty())
     words += "The best of " + sim::short_number(recognition.cameras, 2) + " that were tried: " + counts +
              "; " +
-             (best.log10_false > 0.0
+             (best.agreement.log10_false > 0.0
                   ? "that many are to be expected of so long a search"
-                  : "chance does as well once in 10^" + sim::short_number(std::floor(-best.log10_false), 3) +
+                  : "chance does as well once in 10^" +
+                        sim::short_number(std::floor(-best.agreement.log10_false), 3) +
                         " searches, and 10^8 are asked for") +
              ". ";
   return words +
          "What would help: a --mask that leaves only sky, --signal higher where trees or noise give false "
          "points and lower where few stars are found, a picture in which stars are points and not trails, or "
-         "a rough --camera with --time and --site.";
+         "a rough --camera with --time and --site. A picture of less than " +
+         sim::short_number(recognition.narrowest_deg, 2) + " degrees across shows fewer than six of the " +
+         std::to_string(kFigureStars) +
+         " stars whose figures are known: it needs such a camera, by which stars to magnitude 6 count.";
+}
+
+std::vector<FoundStar> points_of_smaller(const sim::Image& linear, const StarFinderSettings& finder,
+                                         const std::vector<char>& usable, int smaller) {
+  if (smaller == 1) return find_stars(linear, finder, usable);
+  std::vector<FoundStar> found = find_stars(made_smaller(linear, smaller), finder,
+                                            made_smaller(usable, linear.width, linear.height, smaller));
+  for (FoundStar& star : found) {
+    star.x_px *= smaller;
+    star.y_px *= smaller;
+    star.sigma_px *= smaller;
+  }
+  return found;
 }
 
 PictureStars recognise_picture(const sim::Image& linear, const StarFinderSettings& finder,
@@ -355,32 +418,26 @@ PictureStars recognise_picture(const sim::Image& linear, const StarFinderSetting
   std::stable_sort(scales.begin(), scales.end(), [&](int a, int b) {
     return (longest / a > kWidestFirst_px) < (longest / b > kWidestFirst_px);
   });
-  PictureStars best;
-  bool first = true;
-  // Crops off the centre take ten times as long: only when the plain ones have failed at all scales.
-  for (const bool off_centre : {false, true}) {
-    if (off_centre && !settings.off_centre) break;
-    std::size_t tried = 0;
-    for (const int by : scales) {
-      if (++tried > (off_centre ? 1u : 3u)) break;
-      RecognitionSettings one = settings;
-      one.off_centre = off_centre;
-      PictureStars now;
-      now.smaller = by;
-      now.found =
-          find_stars(made_smaller(linear, by), finder, made_smaller(usable, linear.width, linear.height, by));
-      for (FoundStar& star : now.found) {
-        star.x_px *= by;
-        star.y_px *= by;
-        star.sigma_px *= by;
-      }
-      now.recognition = recognise_stars(now.found, frame, one);
-      if (first || now.recognition.best.log10_false < best.recognition.best.log10_false) best = now;
-      first = false;
-      if (best.recognition.found) return best;
-    }
+  RecognitionSettings one = settings;
+  one.off_centre = false;
+  if (!usable.empty()) one.pixels = SkyPixels(usable);
+  PictureStars best, at_first_scale;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, scales.size()); ++i) {
+    PictureStars now;
+    now.smaller = scales[i];
+    now.found = points_of_smaller(linear, finder, usable, scales[i]);
+    now.recognition = recognise_stars(now.found, frame, one);
+    if (i == 0) at_first_scale = now;
+    if (i == 0 || now.recognition.best.agreement.log10_false < best.recognition.best.agreement.log10_false)
+      best = now;
+    if (best.recognition.found) return best;
   }
-  return best;
+  // Crops off the centre take long: only when the plain ones have failed at all scales, and at the first.
+  if (!settings.off_centre) return best;
+  search_off_centre(frame, one, at_first_scale.recognition);
+  const bool is_better =
+      at_first_scale.recognition.best.agreement.log10_false < best.recognition.best.agreement.log10_false;
+  return at_first_scale.recognition.found || is_better ? at_first_scale : best;
 }
 
 }  // namespace vegard::fit

@@ -10,6 +10,7 @@
 // few brightest points to many and ends with the first camera that cannot be by chance.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -24,14 +25,21 @@ namespace vegard::fit {
 struct RecognitionSettings {
   bool off_centre = true;  ///< true: centres off the middle are tried if nothing else is found
   int max_points = 300;    ///< number of points that are used
+  SkyPixels pixels;        ///< where the picture shows sky
+  /// The observer's zenith in the axes of equatorial_sky(), if time and place are known: what is not found
+  /// under the whole sky is looked for among the stars above the horizon, also by pairs (pair_search.h).
+  std::optional<Eigen::Vector3d> zenith;
 };
 
 struct StarRecognition {
   bool found = false;             ///< is_certain() of `best`
   GrownCamera best;               ///< its matches have the indices of equatorial_sky()
-  std::vector<FoundStar> points;  ///< the points that were used, in the order of `best.matches`
+  std::vector<FoundStar> points;  ///< the points that were used, in the order of `best.agreement.matches`
   int figures = 0;                ///< number of the picture's asterisms that were looked up
   double cameras = 0.0;           ///< number of cameras that were tried
+  /// Degrees across the longer side: a narrower picture shows fewer than six of the stars whose figures are
+  /// looked up.
+  double narrowest_deg = 0.0;
 
   /// Returns the recognised stars with x_px, y_px; directions as in equatorial_sky(), J2000.
   std::vector<StarSighting> stars() const;
@@ -52,6 +60,10 @@ struct PictureStars {
   std::vector<FoundStar> found;  ///< all points at that scale, in the picture's own pixels
   int smaller = 1;               ///< the factor by which the picture was reduced
 };
+
+/// Returns the points of light of the picture reduced by a factor, in its own pixels.
+std::vector<FoundStar> points_of_smaller(const sim::Image& linear, const StarFinderSettings& finder,
+                                         const std::vector<char>& usable, int smaller);
 
 /// Recognises the stars; `linear`, `finder` and `usable` as for find_stars().
 PictureStars recognise_picture(const sim::Image& linear, const StarFinderSettings& finder = {},

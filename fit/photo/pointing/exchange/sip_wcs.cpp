@@ -207,7 +207,9 @@ SipWcs solved_of_order(const std::vector<SipPoint>& points, const Eigen::Vector2
 bool sky_of_camera(const sim::Camera& camera, const sim::Observer& observer, double julian_date, double x_px,
                    double y_px, Eigen::Vector3d& sky) {
   const sim::Direction direction = sim::direction_of_pixel(camera, x_px, y_px);
-  if (!std::isfinite(direction.elevation_deg) || direction.elevation_deg <= 0.0) return false;
+  if (!std::isfinite(direction.elevation_deg) ||
+      direction.elevation_deg <= sim::horizon_elevation_deg(observer))
+    return false;
   Eigen::Vector3d enu;
   sim::enu_of_direction(direction, enu.data());
   sky = j2000_of_direction(enu, observer, julian_date);
@@ -321,13 +323,14 @@ sim::DirectionMap directions_of_wcs(const SipWcs& wcs, const sim::Observer& obse
   sim::DirectionMap map;
   map.width = wcs.width_px;
   map.height = wcs.height_px;
+  const double horizon_deg = sim::horizon_elevation_deg(observer);
   for (int y = 0; y < map.height; ++y)
     for (int x = 0; x < map.width; ++x) {
       sim::CataloguePlace place;
       place.j2000 = place_of_vector(sky_of_pixel(wcs, x + 0.5, y + 0.5));
       const std::array<double, 3> enu = sim::direction_of_star(place, observer, julian_date);
       const sim::Direction direction = sim::direction_of_enu(enu.data());
-      const bool is_up = direction.elevation_deg > 0.0;
+      const bool is_up = direction.elevation_deg > horizon_deg;
       map.azimuth_deg.push_back(static_cast<float>(is_up ? direction.azimuth_deg : sim::kNaN));
       map.elevation_deg.push_back(static_cast<float>(is_up ? direction.elevation_deg : sim::kNaN));
     }

@@ -46,7 +46,7 @@ SipWcs read_sip_wcs(std::string_view bytes, const std::string& file);
 std::string encode_sip_wcs(const SipWcs& wcs, const std::string& words, const std::string& name = {});
 
 /// Returns azimuth and elevation, as seen, of the picture's pixels from a place at a time; none below the
-/// horizon. The size must be known.
+/// horizon (sim::horizon_elevation_deg()). The size must be known.
 sim::DirectionMap directions_of_wcs(const SipWcs& wcs, const sim::Observer& observer, double julian_date);
 
 /// Returns the catalogue's direction (J2000) of what is seen in a direction: the inverse of

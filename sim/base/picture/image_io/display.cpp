@@ -53,29 +53,34 @@ std::string encode_display(ImageFormat format, const Image& encoded, int bits, i
   assert(!encoded.empty() && (encoded.channels() == 1 || encoded.channels() == 3));
   check_display(format, encoded, bits, jpeg_quality, name);
 
-  OIIO::ImageSpec spec(encoded.width, encoded.height, encoded.channels(),
-                       bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
-  spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
+  PictureLayout layout;
+  layout.width = encoded.width;
+  layout.height = encoded.height;
+  layout.channels = encoded.channels();
+  CodecSettings settings = {{"DateTime", exif_time(value_or_empty(attributes, "DateTime"))}};
   std::string file_name;
   if (format == ImageFormat::png) {
     file_name = "image.png";
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    describe_in_own_keys(spec, attributes);
+    settings.emplace_back("oiio:ColorSpace", std::string("sRGB"));
+    describe_in_own_keys(settings, attributes);
   } else if (format == ImageFormat::tiff) {
     // No colour space here: OpenImageIO 2.4 makes EXIF data of it and then, writing to memory, a file that
     // none can read.
     file_name = "image.tif";
-    spec.attribute("compression", "zip");
-    describe_in_one_text(spec, description_of(attributes));
+    settings.emplace_back("compression", std::string("zip"));
+    describe_in_one_text(settings, description_of(attributes));
   } else {
     file_name = "image.jpg";
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    spec.attribute("CompressionQuality", jpeg_quality);
-    spec.attribute("jpeg:subsampling", "4:4:4");  // aurorae are thin coloured lines
-    describe_in_one_text(spec, description_of(attributes).substr(0, jpeg_description_limit));
+    settings.emplace_back("oiio:ColorSpace", std::string("sRGB"));
+    settings.emplace_back("CompressionQuality", jpeg_quality);
+    settings.emplace_back("jpeg:subsampling", std::string("4:4:4"));  // aurorae are thin coloured lines
+    describe_in_one_text(settings, description_of(attributes).substr(0, jpeg_description_limit));
   }
-  if (bits == 8) return encode(file_name, name, spec, quantised<std::uint8_t>(encoded).data());
-  return encode(file_name, name, spec, quantised<std::uint16_t>(encoded).data());
+  if (bits == 8)
+    return encode(file_name, name, layout, PixelType::uint8, settings,
+                  quantised<std::uint8_t>(encoded).data());
+  return encode(file_name, name, layout, PixelType::uint16, settings,
+                quantised<std::uint16_t>(encoded).data());
 }
 
 void write_display(const std::string& path, const Image& encoded, int bits, int jpeg_quality,

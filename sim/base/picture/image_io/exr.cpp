@@ -1,8 +1,7 @@
-#include <OpenImageIO/filesystem.h>
-
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <system_error>
@@ -11,9 +10,11 @@
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
+#include "sim/base/module.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/whole_picture.h"
+#include "sim/base/text.h"
 
 namespace vegard::sim {
 
@@ -41,18 +42,21 @@ std::string encode_exr(const std::vector<const Image*>& images, const ImageAttri
     pixels = joined.data();
   }
 
-  OIIO::ImageSpec spec(width, height, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT);
-  spec.channelnames = names;
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", exif_time(value_or_empty(attributes, "DateTime")));
+  PictureLayout layout;
+  layout.width = width;
+  layout.height = height;
+  layout.channels = static_cast<int>(names.size());
+  layout.channel_names = names;
+  CodecSettings settings = {{"compression", std::string("zip")},
+                            {"DateTime", exif_time(value_or_empty(attributes, "DateTime"))}};
   ImageAttributes own = attributes;
   // One of EXR's own: how many cd m^-2 a value of 1 in R, G and B is.
   if (const auto white = own.find("whiteLuminance"); white != own.end()) {
-    spec.attribute("whiteLuminance", std::stof(white->second));
+    settings.emplace_back("whiteLuminance", std::stof(white->second));
     own.erase(white);
   }
-  describe_in_own_keys(spec, own);
-  return encode("image.exr", name, spec, pixels);
+  describe_in_own_keys(settings, own);
+  return encode("image.exr", name, layout, PixelType::float32, settings, pixels);
 }
 
 void write_exr(const std::string& path, const std::vector<const Image*>& images,
@@ -76,39 +80,40 @@ namespace {
 bool begins_as_exr(std::string_view bytes) { return bytes.substr(0, 4) == "\x76\x2f\x31\x01"; }
 
 /// `memory`: the bytes, if they are not to be read from `path`.
-ExrFile read(const std::string& path, OIIO::Filesystem::IOProxy* memory) {
+ExrFile read(const std::string& path, const std::string_view* memory) {
   const auto unreadable = [&](const std::string& problem) {
     return failure(ErrorKind::unreadable_input, path, problem);
   };
   // By name, so that a picture in another format that happens to be called .exr is not read as something
   // else.
-  const auto input = OIIO::ImageInput::create("openexr");
-  OIIO::ImageSpec spec;
   const std::string stand_in = memory != nullptr ? "image.exr" : path;
   const auto words = [&](const std::string& text) { return with_name(text, stand_in, path); };
-  const bool in_memory = input && memory != nullptr && input->set_ioproxy(memory);
-  if (!input || (memory != nullptr && !in_memory) || !input->open(stand_in, spec)) {
-    throw unreadable("cannot be read as EXR: " + words(input ? input->geterror() : OIIO::geterror()));
-  }
-  if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
-  check_size(spec, path);
+  OpenProblem problem;
+  const auto input = module_functions<OpenImageIo>().open("openexr", stand_in, memory, {}, problem);
+  if (!input) throw unreadable("cannot be read as EXR: " + words(problem.words));
+  PictureLayout layout = input->layout();
+  if (layout.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
+  check_size(layout, path);
 
   ExrFile result;
-  result.image = Image(spec.width, spec.height, spec.channelnames);
-  // A file cut short may be read with "success" and an error string beside it.
-  const bool complete =
-      input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, result.image.data.data());
-  if (!complete || input->has_error())
-    throw unreadable("is truncated or damaged: " + words(input->geterror()));
+  result.image = Image(layout.width, layout.height, layout.channel_names);
+  if (!input->read(layout.channels, PixelType::float32, result.image.data.data(), problem.words))
+    throw unreadable("is truncated or damaged: " + words(problem.words));
+  // The frame is the display window ("Technical Introduction to OpenEXR"): NaN where there are no data.
+  result.image.data =
+      framed(std::move(result.image.data), layout, std::numeric_limits<float>::quiet_NaN(), path);
+  result.image.width = layout.width;
+  result.image.height = layout.height;
 
   const std::string_view prefix(own_prefix);
-  for (const auto& attribute : spec.extra_attribs) {
-    const std::string key = attribute.name().string();
-    if (attribute.type() != OIIO::TypeDesc::STRING) continue;
+  for (const auto& [key, text] : layout.texts) {
     if (key.compare(0, prefix.size(), prefix) == 0) {
-      result.attributes[key.substr(prefix.size())] = attribute.get_string();
-    } else if (key == "ImageDescription" || (key == "DateTime" && attribute.get_string() != unknown_time)) {
-      result.attributes[key] = attribute.get_string();
+      result.attributes[key.substr(prefix.size())] = text;
+    } else if (key == "ImageDescription" || (key == "DateTime" && text != unknown_time)) {
+      result.attributes[key] = text;
+    } else if (const std::string word = lowered(key); word == "unit" || word == "units" || word == "bunit") {
+      // The one attribute of other programs that counts: in which unit the values are.
+      result.attributes.emplace("declared unit", text);
     }
   }
   return result;
@@ -127,16 +132,13 @@ void check_exr_file(const std::string& path) {
 }
 
 ExrFile read_exr(const std::string& path) {
-  configure_library();
   check_exr_file(path);
   return read(path, nullptr);
 }
 
 ExrFile read_exr_bytes(std::string_view bytes, const std::string& name) {
-  configure_library();
   if (begins_as_exr(bytes)) check_exr_header(bytes, bytes.size(), name);
-  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
-  return read(name, &memory);
+  return read(name, &bytes);
 }
 
 }  // namespace vegard::sim

@@ -1,18 +1,18 @@
 #include "sim/base/picture/image_io/library.h"
 
-#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/oiioversion.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/module.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/pixel_limit.h"
 
@@ -21,28 +21,7 @@ namespace {
 
 constexpr std::uint64_t largest_value_count = std::uint64_t{1} << 30;  // 4 GiB of floats
 
-bool decodes_to(const std::string& file_name, const std::vector<unsigned char>& bytes,
-                const OIIO::ImageSpec& spec, const void* pixels) {
-  OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
-  const auto input = OIIO::ImageInput::open(file_name, nullptr, &reader);
-  if (!input) return false;
-  const OIIO::ImageSpec& found = input->spec();
-  if (found.width != spec.width || found.height != spec.height || found.nchannels != spec.nchannels)
-    return false;
-  std::vector<unsigned char> decoded(spec.image_bytes());
-  return input->read_image(0, 0, 0, spec.nchannels, spec.format, decoded.data()) && !input->has_error() &&
-         std::memcmp(decoded.data(), pixels, decoded.size()) == 0;
-}
-
 }  // namespace
-
-void configure_library() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    OIIO::attribute("threads", 1);
-    OIIO::attribute("exr_threads", -1);  // no pool: 0 and 1 both make one
-  });
-}
 
 std::string with_name(std::string words, const std::string& stand_in, const std::string& name) {
   for (std::size_t at = words.find(stand_in); at != std::string::npos;
@@ -60,23 +39,49 @@ void check_is_file(const std::string& path) {
     throw failure(ErrorKind::unreadable_input, path, problem);
 }
 
-void check_size(const OIIO::ImageSpec& spec, const std::string& path) {
+void check_size(const PictureLayout& layout, const std::string& path) {
   const auto unreadable = [&](const std::string& problem) {
     return failure(ErrorKind::unreadable_input, path, problem);
   };
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) throw unreadable("has no pixels");
+  if (layout.width < 1 || layout.height < 1 || layout.channels < 1) throw unreadable("has no pixels");
   const std::uint64_t row_values =
-      static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.nchannels);
-  if (row_values > largest_value_count / static_cast<std::uint64_t>(spec.height)) {
-    throw unreadable("says that it holds " + std::to_string(spec.width) + " x " +
-                     std::to_string(spec.height) + " pixels, more than can be read");
+      static_cast<std::uint64_t>(layout.width) * static_cast<std::uint64_t>(layout.channels);
+  if (row_values > largest_value_count / static_cast<std::uint64_t>(layout.height)) {
+    throw unreadable("says that it holds " + std::to_string(layout.width) + " x " +
+                     std::to_string(layout.height) + " pixels, more than can be read");
   }
-  check_pixel_limit(spec.width, spec.height, path);
+  check_pixel_limit(layout.width, layout.height, path);
+}
+
+std::vector<float> framed(std::vector<float> data_window, PictureLayout& layout, float outside,
+                          const std::string& path) {
+  const PictureLayout data = layout;
+  layout.x = layout.full_x;
+  layout.y = layout.full_y;
+  layout.width = layout.full_width;
+  layout.height = layout.full_height;
+  if (data.x == layout.x && data.y == layout.y && data.width == layout.width && data.height == layout.height)
+    return data_window;
+  check_size(layout, path);
+  const auto channels = static_cast<std::size_t>(layout.channels);
+  std::vector<float> frame(channels * static_cast<std::size_t>(layout.width) * layout.height, outside);
+  const int left = std::max(data.x, layout.x), right = std::min(data.x + data.width, layout.x + layout.width);
+  const int top = std::max(data.y, layout.y),
+            bottom = std::min(data.y + data.height, layout.y + layout.height);
+  if (left >= right) return frame;
+  for (int y = top; y < bottom; ++y) {
+    const std::size_t from = (static_cast<std::size_t>(y - data.y) * data.width + (left - data.x)) * channels,
+                      to = (static_cast<std::size_t>(y - layout.y) * layout.width + (left - layout.x)) *
+                           channels;
+    std::copy_n(data_window.begin() + static_cast<std::ptrdiff_t>(from),
+                channels * static_cast<std::size_t>(right - left),
+                frame.begin() + static_cast<std::ptrdiff_t>(to));
+  }
+  return frame;
 }
 
 std::string decoder_version(const std::string& format) {
-  // "openexr:OpenEXR 3.1.5;raw:libraw 0.20.2-Release;..."
-  const std::string all = ";" + std::string(OIIO::get_string_attribute("library_list"));
+  const std::string all = ";" + module_functions<OpenImageIo>().libraries();
   const std::size_t at = all.find(";" + format + ":");
   if (at == std::string::npos) return {};
   const std::size_t begin = at + format.size() + 2;
@@ -85,29 +90,19 @@ std::string decoder_version(const std::string& format) {
   return words;
 }
 
-std::string encode(const std::string& file_name, const std::string& name, const OIIO::ImageSpec& spec,
-                   const void* pixels) {
-  configure_library();
-  const auto output = OIIO::ImageOutput::create(file_name);
-  if (!output) throw failure(ErrorKind::unwritable_output, name, "no encoder: " + OIIO::geterror());
-  OIIO::Filesystem::IOVecOutput memory;
-  const bool good = output->set_ioproxy(&memory) && output->open(file_name, spec) &&
-                    output->write_image(spec.format, pixels) && output->close();
-  // OpenImageIO 2.4 says "failed TIFFWriteCustomDirectory() of the Exif data" of every TIFF, sound as they
-  // are, so that an error string beside success is put to the proof instead of being believed or ignored.
-  const bool doubted = output->has_error();
-  const std::string message = output->geterror();
-  if (!good || (doubted && !decodes_to(file_name, memory.buffer(), spec, pixels))) {
-    throw failure(ErrorKind::unwritable_output, name,
-                  "cannot be encoded: " + with_name(message, file_name, name));
-  }
-  return {memory.buffer().begin(), memory.buffer().end()};
+std::string encode(const std::string& file_name, const std::string& name, const PictureLayout& layout,
+                   PixelType type, const CodecSettings& settings, const void* pixels) {
+  std::string problem;
+  std::string bytes =
+      module_functions<OpenImageIo>().encode(file_name, layout, type, settings, pixels, problem);
+  if (!problem.empty())
+    throw failure(ErrorKind::unwritable_output, name, with_name(problem, file_name, name));
+  return bytes;
 }
 
 std::string image_library_version() {
-  const int version = OIIO::openimageio_version();  // what runs, not what was compiled against
-  return std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
-         std::to_string(version % 100);
+  return std::to_string(OIIO_VERSION_MAJOR) + "." + std::to_string(OIIO_VERSION_MINOR) + "." +
+         std::to_string(OIIO_VERSION_PATCH);
 }
 
 MemoryFile::MemoryFile(std::string_view bytes, const std::string& name)
@@ -154,16 +149,16 @@ std::string description_of(const ImageAttributes& attributes) {
   return text;
 }
 
-void describe_in_own_keys(OIIO::ImageSpec& spec, const ImageAttributes& attributes) {
+void describe_in_own_keys(CodecSettings& settings, const ImageAttributes& attributes) {
   for (const auto& [key, value] : attributes) {
     if (key == "DateTime" || value.empty()) continue;
-    spec.attribute(key == "ImageDescription" ? key : own_prefix + key, value);
+    settings.emplace_back(key == "ImageDescription" ? key : own_prefix + key, value);
   }
 }
 
-void describe_in_one_text(OIIO::ImageSpec& spec, const std::string& text) {
+void describe_in_one_text(CodecSettings& settings, const std::string& text) {
   // OpenImageIO 2.4 ends the process over an empty text in a JPEG: "encode_iptc_iim_one_tag: Assertion".
-  if (!text.empty()) spec.attribute("ImageDescription", text);
+  if (!text.empty()) settings.emplace_back("ImageDescription", text);
 }
 
 }  // namespace vegard::sim

@@ -1,21 +1,16 @@
-// Common parts of the readers and writers of this folder: set-up of OpenImageIO, errors, the encoder, files in
-// memory, and ImageAttributes in the forms of the file formats.
-//
-// Only this folder includes OpenImageIO, and only this folder may include this header.
+// Common parts of the readers and writers of this folder: errors, the encoder, files in memory, and
+// ImageAttributes in the forms of the file formats. Only this folder may include this header.
 #pragma once
-
-#include <OpenImageIO/imageio.h>
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/picture/image_io.h"
+#include "sim/base/picture/image_io/openimageio.h"
 
 namespace vegard::sim {
-
-/// Disables the library's own threads. Call it before any other use of the library.
-void configure_library();
 
 /// Returns the library's message with `stand_in`, the library's name of the bytes, replaced by the user's
 /// `name`.
@@ -32,7 +27,13 @@ void check_exr_file(const std::string& path);
 
 /// Throws Error(unreadable_input) for an image without pixels, or of more than 2^30 numbers (4 GiB of
 /// floats).
-void check_size(const OIIO::ImageSpec& spec, const std::string& path);
+void check_size(const PictureLayout& layout, const std::string& path);
+
+/// Converts the pixels of an EXR's data window to those of its frame, the display window: `outside` where the
+/// data window does not reach. `layout` has the size of the frame afterwards. Throws Error(unreadable_input)
+/// for a frame of a size that check_size() refuses.
+std::vector<float> framed(std::vector<float> data_window, PictureLayout& layout, float outside,
+                          const std::string& path);
 
 /// Returns the decoder of a format with its version, "LibRaw 0.20.2-Release" for "raw"; "" if unknown.
 std::string decoder_version(const std::string& format);
@@ -40,10 +41,11 @@ std::string decoder_version(const std::string& format);
 /// Returns the encoded file. It is encoded in memory because not all encoders check whether their last,
 /// buffered bytes reach the disk; WholeFile does. The extension of `file_name` selects the encoder; errors
 /// are about `name`. Throws Error(unwritable_output).
-std::string encode(const std::string& file_name, const std::string& name, const OIIO::ImageSpec& spec,
-                   const void* pixels);
+std::string encode(const std::string& file_name, const std::string& name, const PictureLayout& layout,
+                   PixelType type, const CodecSettings& settings, const void* pixels);
 
-/// A file in memory, in no folder, for decoders that open files by name, that exists as long as this object. Linux only (memfd_create, /proc).
+/// A file in memory, in no folder, for decoders that open files by name, that exists as long as this object.
+/// Linux only (memfd_create, /proc).
 class MemoryFile {
  public:
   /// Throws Error(unreadable_input) about the file `name` if there is no memory for it.
@@ -73,9 +75,9 @@ std::string value_or_empty(const ImageAttributes& attributes, const std::string&
 std::string description_of(const ImageAttributes& attributes);
 
 /// Adds every attribute except the time with its own key.
-void describe_in_own_keys(OIIO::ImageSpec& spec, const ImageAttributes& attributes);
+void describe_in_own_keys(CodecSettings& settings, const ImageAttributes& attributes);
 
 /// Sets the image's description, if the text is not empty.
-void describe_in_one_text(OIIO::ImageSpec& spec, const std::string& text);
+void describe_in_one_text(CodecSettings& settings, const std::string& text);
 
 }  // namespace vegard::sim

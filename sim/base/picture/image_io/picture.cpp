@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/module.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/base/picture/image_io/library.h"
 #include "sim/base/picture/whole_picture.h"
@@ -32,24 +33,24 @@ struct PictureChannels {
   std::vector<int> of_file;
 };
 
-PictureChannels picture_channels(const OIIO::ImageSpec& spec, bool by_name, const std::string& path) {
+PictureChannels picture_channels(const PictureLayout& layout, bool by_name, const std::string& path) {
   PictureChannels found;
   const auto take = [&](const char* name, int channel) {
     found.names.emplace_back(name);
     found.of_file.push_back(channel);
   };
   const auto named = [&](const char* name) {
-    const auto at = std::find(spec.channelnames.begin(), spec.channelnames.end(), name);
-    return at == spec.channelnames.end() ? -1 : static_cast<int>(at - spec.channelnames.begin());
+    const auto at = std::find(layout.channel_names.begin(), layout.channel_names.end(), name);
+    return at == layout.channel_names.end() ? -1 : static_cast<int>(at - layout.channel_names.begin());
   };
-  int alpha = spec.alpha_channel;
+  int alpha = layout.alpha_channel;
   if (by_name) {
     alpha = named("A");
     if (named("R") >= 0 && named("G") >= 0 && named("B") >= 0) {
       for (const char* name : {"R", "G", "B"}) take(name, named(name));
     } else if (named("Y") >= 0) {
       take("Y", named("Y"));
-    } else if (spec.nchannels == 1) {
+    } else if (layout.channels == 1) {
       alpha = -1;
       take("Y", 0);
     } else {
@@ -57,7 +58,7 @@ PictureChannels picture_channels(const OIIO::ImageSpec& spec, bool by_name, cons
     }
   } else {
     std::vector<int> colours;
-    for (int c = 0; c < spec.nchannels; ++c)
+    for (int c = 0; c < layout.channels; ++c)
       if (c != alpha) colours.push_back(c);
     if (colours.empty()) throw failure(ErrorKind::unreadable_input, path, "has no colour");
     if (colours.size() < 3) {
@@ -90,7 +91,6 @@ std::pair<int, int> stored_place(int orientation, int x, int y, int stored_width
 }  // namespace
 
 PictureFile read_picture(const std::string& path) {
-  configure_library();
   const auto unreadable = [&](const std::string& problem, const std::string& expected = {}) {
     return failure(ErrorKind::unreadable_input, path, problem, expected);
   };
@@ -108,33 +108,34 @@ PictureFile read_picture(const std::string& path) {
                                                        {ImageFormat::tiff, "tiff"},
                                                        {ImageFormat::jpeg, "jpeg"}};
   // By name, as in read_exr().
-  const auto input = OIIO::ImageInput::create(decoders.at(format));
-  OIIO::ImageSpec spec, wish;
-  wish.attribute("oiio:UnassociatedAlpha", 1);  // else integers are multiplied while sRGB-encoded
-  if (!input || !input->open(path, spec, wish)) {
-    throw unreadable("cannot be read as " + decoders.at(format) + ": " +
-                     (input ? input->geterror() : OIIO::geterror()));
-  }
-  if (spec.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
-  check_size(spec, path);
-  const PictureChannels channels = picture_channels(spec, format == ImageFormat::exr, path);
+  const CodecSettings settings = {
+      {"oiio:UnassociatedAlpha", 1}};  // else integers are multiplied while sRGB-encoded
+  OpenProblem problem;
+  const auto input =
+      module_functions<OpenImageIo>().open(decoders.at(format), path, nullptr, settings, problem);
+  if (!input) throw unreadable("cannot be read as " + decoders.at(format) + ": " + problem.words);
+  PictureLayout layout = input->layout();
+  if (layout.deep) throw unreadable("is a deep EXR, which has no single value per pixel");
+  check_size(layout, path);
+  const PictureChannels channels = picture_channels(layout, format == ImageFormat::exr, path);
 
-  std::vector<float> stored(static_cast<std::size_t>(spec.width) * spec.height * spec.nchannels);
-  // A file cut short may be read with "success" and an error string beside it.
-  const bool complete = input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, stored.data());
-  if (!complete || input->has_error()) throw unreadable("is truncated or damaged: " + input->geterror());
+  std::vector<float> stored(static_cast<std::size_t>(layout.width) * layout.height * layout.channels);
+  if (!input->read(layout.channels, PixelType::float32, stored.data(), problem.words))
+    throw unreadable("is truncated or damaged: " + problem.words);
+  // Black, and transparent where there is an alpha, outside of the data window.
+  if (format == ImageFormat::exr) stored = framed(std::move(stored), layout, 0.0f, path);
 
   PictureFile file;
-  file.floating = spec.format.is_floating_point();
-  file.colour_times_alpha =
-      channels.names.back() == "A" && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
-  const int orientation = spec.get_int_attribute("Orientation", 1);
+  file.floating = layout.floating;
+  file.colour_times_alpha = channels.names.back() == "A" && !layout.unassociated_alpha;
+  const int orientation = layout.orientation;
   const bool turned = orientation >= 5 && orientation <= 8;
-  file.image = Image(turned ? spec.height : spec.width, turned ? spec.width : spec.height, channels.names);
+  file.image =
+      Image(turned ? layout.height : layout.width, turned ? layout.width : layout.height, channels.names);
   for (int y = 0; y < file.image.height; ++y) {
     for (int x = 0; x < file.image.width; ++x) {
-      const auto [from_x, from_y] = stored_place(orientation, x, y, spec.width, spec.height);
-      const std::size_t from = (static_cast<std::size_t>(from_y) * spec.width + from_x) * spec.nchannels;
+      const auto [from_x, from_y] = stored_place(orientation, x, y, layout.width, layout.height);
+      const std::size_t from = (static_cast<std::size_t>(from_y) * layout.width + from_x) * layout.channels;
       for (int c = 0; c < file.image.channels(); ++c) {
         const float value = stored[from + channels.of_file[c]];
         if (!std::isfinite(value)) throw unreadable("holds values that are no finite numbers");

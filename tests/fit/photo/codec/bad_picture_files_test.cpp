@@ -282,5 +282,18 @@ TEST(BadPictureFiles, AFileIsKnownByItsContents) {
   }
 }
 
+// Bytes that are missing out of the middle of a JPEG leave too few blocks for its last rows, which libjpeg
+// fills up with a warning.
+TEST(BadPictureFiles, AJpegWithBytesMissingIsRefused) {
+  const tests::TemporaryFolder folder;
+  const std::string whole = tests::bytes_of(tests::source_folder() + "/data/examples/h000/photo.jpg");
+  constexpr std::size_t kMissing = 200;
+  for (std::size_t at = whole.size() / 3; at + 2 * kMissing < whole.size(); at += whole.size() / 12) {
+    tests::put(folder / "cut.jpg", whole.substr(0, at) + whole.substr(at + kMissing));
+    tests::expect_error(sim::ErrorKind::unreadable_input,
+                        [&] { read_photo(folder / "cut.jpg", Decoding::automatic); });
+  }
+}
+
 }  // namespace
 }  // namespace vegard::fit::bad_picture_files_test

@@ -224,7 +224,7 @@ TEST(FilesOfImagers, AreReadAsTheyAre) {
     EXPECT_EQ(metadata.site, "gill");
     EXPECT_EQ(metadata.longitude_deg, known.longitude_deg);
     EXPECT_EQ(metadata.exposure_s, known.exposure_s);
-    EXPECT_EQ(metadata.contradiction, "");
+    EXPECT_TRUE(metadata.contradictions.empty());
     const Photo photo = read_photo(file + "#" + known.last, Decoding::automatic);
     EXPECT_EQ(photo.file_name, name_of_frame(known.file, last));
     EXPECT_EQ(photo.linear.width, known.width);

@@ -23,7 +23,7 @@ using tests::expect_words;
 const std::string kTar = tests::source_folder() + "/tests/data/imagers/minute.png.tar";
 
 /// A ustar header (POSIX) of a regular file.
-std::string header_of(const std::string& name, const std::string& octal_size) {
+std::string header_of(const std::string& name, const std::string& octal_size, const std::string& kind = "0") {
   std::string head(512, '\0');
   const auto put = [&](std::size_t at, const std::string& text) { head.replace(at, text.size(), text); };
   put(0, name);
@@ -31,7 +31,8 @@ std::string header_of(const std::string& name, const std::string& octal_size) {
   put(124, octal_size);
   put(136, "00000000000");
   put(148, "        ");
-  put(156, "0");
+  put(156, kind);
+  if (kind != "0") put(157, "other.png");
   put(257, std::string("ustar\0"
                        "00",
                        8));
@@ -85,6 +86,18 @@ TEST(TarFrames, AreRefusedWhereTheTarIsDamaged) {
   });
   const std::string nothing = header_of("readme.txt", "00000000000") + std::string(1024, '\0');
   expect_words(ErrorKind::unreadable_input, {"it", "no PNG"}, [&] { FrameReader(nothing, "it"); });
+}
+
+// A hard (1) or symbolic link (2) holds no picture, and a minute without one frame would look whole.
+TEST(TarFrames, LinksAreRefused) {
+  const std::string whole = tests::bytes_of(kTar);
+  for (const char* kind : {"1", "2"}) {
+    const std::string linked = header_of("linked.png", "00000000000", kind) + whole;
+    expect_words(ErrorKind::unreadable_input, {"it", "linked.png", "link"},
+                 [&] { FrameReader(linked, "it"); });
+  }
+  const std::string other = header_of("linked.txt", "00000000000", "2") + whole;
+  EXPECT_NO_THROW(FrameReader(other, "it"));
 }
 
 TEST(TarFrames, MakeNoRoomForWhatAHeaderPromises) {

@@ -113,5 +113,24 @@ TEST(CatalogueSky, IsAboveAndApart) {
   }
 }
 
+// A wide field has enough stars to magnitude 4; a field of 12 degrees needs fainter ones, and gets no more
+// than there are.
+TEST(FaintestForField, IsDeeperInNarrowFields) {
+  const std::vector<fit::StarSighting> sky = fit::catalogue_sky({69.7, 18.8, 100.0, true}, 2459000.5, 6.0);
+  const auto shown = [&](const fit::SkyCamera& camera, double faintest) {
+    int n = 0;
+    for (const fit::ExpectedStar& one : fit::expected_stars(camera, kFrame, sky))
+      n += sky[static_cast<std::size_t>(one.star)].magnitude <= faintest;
+    return n;
+  };
+  const fit::SkyCamera wide = known_camera(sim::LensModel::equidistant, 250.0, 120.0, 60.0, 0.0);
+  EXPECT_EQ(fit::faintest_for_field(wide, kFrame, sky, 4.0), 4.0);
+  const fit::SkyCamera narrow = known_camera(sim::LensModel::pinhole, 1500.0, 120.0, 60.0, 0.0);
+  const double deeper = fit::faintest_for_field(narrow, kFrame, sky, 4.0, 12);
+  EXPECT_GT(deeper, 4.0);
+  EXPECT_EQ(shown(narrow, deeper), 12);
+  EXPECT_EQ(shown(narrow, fit::faintest_for_field(narrow, kFrame, sky, 4.0, 1000)), shown(narrow, 6.0));
+}
+
 }  // namespace
 }  // namespace vegard::tests::identification_test

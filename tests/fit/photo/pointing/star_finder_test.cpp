@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/star_field.h"
@@ -38,12 +39,27 @@ TEST(StarFinder, CentresToAHundredthOfAPixel) {
   }
 }
 
-// A slope s pulls a star of height A and the weight's own width, sigma, by 4 sigma^2 s / A: 5.76 s / A.
-TEST(StarFinder, IsPulledByASlopeAsItSays) {
+// A slope s that is left would pull a star of height A and the weight's own width, sigma, by
+// 4 sigma^2 s / A: 5.76 s / A.
+TEST(StarFinder, IsNotPulledByASlope) {
   const auto found = fit::find_stars(sky_with({{35.0, 30.5, 0.3}}, 1.2, 0.0, 1, 0.001));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].x_px - 35.0, 5.76 * 0.001 / 0.3, 0.1 * 5.76 * 0.001 / 0.3);
+  EXPECT_NEAR(found[0].x_px, 35.0, 0.1 * 5.76 * 0.001 / 0.3);
   EXPECT_NEAR(found[0].y_px, 30.5, 1e-3);
+}
+
+// A star ten times the noise, where the light grows by the noise from pixel to pixel: taken for noise, the
+// slope would hide it. A neighbour in its ring is no slope.
+TEST(StarFinder, FindsInTwilightWhatStandsOutOfItsNoise) {
+  for (const double neighbour : {0.0, 0.2}) {
+    const auto found =
+        fit::find_stars(sky_with({{35.0, 30.5, 0.1}, {40.5, 30.5, neighbour}}, 1.2, 0.01, 7, 0.01));
+    const auto there = std::find_if(found.begin(), found.end(), [](const fit::FoundStar& one) {
+      return std::hypot(one.x_px - 35.0, one.y_px - 30.5) < 0.6;
+    });
+    ASSERT_NE(there, found.end()) << neighbour;
+    EXPECT_LT(std::hypot(there->x_px - 35.0, there->y_px - 30.5), 4.0 * there->sigma_px + 0.1) << neighbour;
+  }
 }
 
 // The errors told are those made: chi2 over 100 draws of two coordinates has a standard deviation of 0.1 of

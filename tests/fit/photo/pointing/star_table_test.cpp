@@ -73,5 +73,23 @@ TEST(StarTable, RefusesBadTables) {
   expect_error(sim::ErrorKind::unreadable_input, [] { fit::read_star_table("/nowhere/stars.csv", {}); });
 }
 
+TEST(StarTable, SemicolonsTabsAndCapitals) {
+  for (const char* text : {"x_px;y_px;ra_deg;dec_deg\n646,6580;310,4019;213,9153;19,1824\n",
+                           "x_px\ty_px\tra_deg\tdec_deg\n646.6580\t310.4019\t213.9153\t19.1824\n",
+                           "X_PX,Y_PX,RA_DEG,DEC_DEG\n646.6580,310.4019,213.9153,19.1824\n"}) {
+    const auto stars = fit::parse_star_table(text, "stars.csv", kSky);
+    ASSERT_EQ(stars.size(), 1u) << text;
+    EXPECT_EQ(stars[0].x_px, 646.658);
+    const auto enu =
+        sim::direction_of_star({{213.9153, 19.1824}, 0.0, 0.0}, *kSky.observer, *kSky.julian_date);
+    EXPECT_EQ(stars[0].enu, enu) << text;
+  }
+}
+
+TEST(StarTable, BytesOfZeroAreNoTable) {
+  const std::string text("x_px,y_px,azimuth_deg,elevation_deg\n1,2,3,4\n\0\0\0\0", 48);
+  EXPECT_NE(refused(text).find("stars.csv:3"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace vegard::tests::star_table_test

@@ -13,7 +13,7 @@ namespace vegard::tests {
 
 /// A map's directory with a flux of 4 mW m-2 and 2 keV in all of 40 x 40 cells, NaN in the first column.
 inline std::string made_map(const std::string& directory, const std::string& time,
-                            const std::string& flux = "absolute") {
+                            const std::string& flux = "absolute", const std::string& spectrum = "") {
   std::filesystem::create_directories(directory);
   sim::Image image(40, 40, {"Q", "E0", "Qe", "Ee", "s"});
   for (int y = 0; y < 40; ++y)
@@ -27,6 +27,7 @@ inline std::string made_map(const std::string& directory, const std::string& tim
       {"CRVAL2", 100.0, ""},    {"CDELT2", 2.0, ""},     {"HEIGHTKM", 110.0, ""}, {"SITELAT", 65.1, ""},
       {"SITELONG", -147.4, ""}, {"FLUXCAL", flux, ""}};
   if (!time.empty()) keywords.push_back({"DATE-OBS", time, ""});
+  if (!spectrum.empty()) keywords.push_back({"SPECTRUM", spectrum, ""});
   sim::write_fits(directory + "/precipitation.fits", image, keywords, true);
   std::ofstream(directory + "/map.json")
       << R"({"kind": "vegard map", "version": "1", "verdict_line": "good", "verdicts": [{"quantity": "energy",

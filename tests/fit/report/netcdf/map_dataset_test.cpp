@@ -34,6 +34,13 @@ TEST(MapDataset, HasPlacesErrorsAndCurtains) {
   const sim::NetcdfDataset relative = map_dataset(made_map(folder / "r", "", "relative"));
   EXPECT_EQ(relative.find("energy_flux")->attribute("units"), "1");
   EXPECT_EQ(relative.find("time"), nullptr);
+  const auto energy = [&](const std::string& spectrum) {
+    return map_dataset(made_map(folder / ("s" + spectrum), "", "absolute", spectrum))
+        .find("energy")
+        ->attribute("long_name");
+  };
+  EXPECT_NE(energy("").find("Maxwellian"), std::string::npos);
+  EXPECT_NE(energy("kappa").find("kappa"), std::string::npos);
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ TEST(ModelInputs, RefusesWhatItCannotScaleOrDate) {
   const tests::TemporaryFolder folder;
   const std::string relative = made_map(folder / "r", "2014-03-10T06:05:33", "relative"),
                     undated = made_map(folder / "u", ""),
-                    dated = made_map(folder / "d", "2014-03-10T06:05:33");
+                    dated = made_map(folder / "d", "2014-03-10T06:05:33"),
+                    narrow = made_map(folder / "n", "2014-03-10T06:05:33", "absolute", "gaussian");
   const auto refused = [&](sim::ErrorKind kind, const std::vector<std::string>& maps, double factor,
                            std::optional<double> time) {
     return tests::expect_error(kind, [&] { model_inputs(maps, EarthFrame::geographic, 0.1, factor, time); });
@@ -92,6 +93,7 @@ TEST(ModelInputs, RefusesWhatItCannotScaleOrDate) {
   EXPECT_NE(refused(sim::ErrorKind::unreadable_input, {relative}, 0.0, {}).find("--flux-factor"),
             std::string::npos);
   EXPECT_NE(refused(sim::ErrorKind::unreadable_input, {undated}, 0.0, {}).find("--time"), std::string::npos);
+  EXPECT_NE(refused(sim::ErrorKind::unreadable_input, {narrow}, 0.0, {}).find("gaussian"), std::string::npos);
   EXPECT_NE(refused(sim::ErrorKind::usage, {dated, dated}, 0.0, {}).find("of the time"), std::string::npos);
   EXPECT_NE(refused(sim::ErrorKind::usage, {dated, undated}, 0.0, 5.0).find("--time"), std::string::npos);
   EXPECT_NE(refused(sim::ErrorKind::usage, {dated}, -1.0, {}).find("--flux-factor"), std::string::npos);

@@ -50,7 +50,17 @@ TEST(ResultJson, HasTheDocumentedKeysInTheirOrder) {
   for (const auto& [key, value] : json["parameters"][0].items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"path", "meaning", "value", "unit", "sigma", "interval68",
                                             "why_no_sigma", "initial", "min", "max", "at_limit", "moved",
-                                            "moved_sigma"}));
+                                            "moved_sigma", "by_bands"}));
+}
+
+TEST(ResultJson, HasWhatThePictureAsksOfTheTables) {
+  const Photo photo = tests::small_photo();
+  FitResult result = tests::small_fit(photo);
+  result.tables = {{630.0, 557.7, 0.83, 0.07, 0.3}, {427.8, 557.7, 1.02, 0.01, 0.15}};
+  const Json json = Json::parse(result_json(result));
+  EXPECT_EQ(json["tables"].size(), 2u);
+  EXPECT_EQ(json["tables"]["630.0"],
+            Json({{"over_nm", 557.7}, {"factor", 0.83}, {"ln_sigma", 0.07}, {"ln_sigma_of_tables", 0.3}}));
 }
 
 TEST(ResultJson, KeepsEveryNumberExactly) {

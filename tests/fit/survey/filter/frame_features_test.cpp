@@ -16,7 +16,7 @@
 namespace vegard::fit::frame_features_test {
 namespace {
 
-using F = FrameFeature;
+using F = SkyFeature;
 using Enu = std::array<double, 3>;
 using Rgb = std::array<double, 3>;
 
@@ -52,7 +52,7 @@ Photo picture_of(const sim::Scene& scene, const std::function<Rgb(const Enu& enu
   return photo;
 }
 
-FrameFeatures features_of(const sim::Scene& scene, const Photo& photo, double utc_s = kNight_s) {
+SkyFeatures features_of(const sim::Scene& scene, const Photo& photo, double utc_s = kNight_s) {
   return frame_features(photo, scene, filter_cells(scene, {}), utc_s);
 }
 
@@ -68,7 +68,7 @@ Rgb band(const Enu& enu, double azimuth_deg, double height_deg) {
 TEST(FrameFeatures, TellAnArcFromABandAcrossIt) {
   const sim::Scene scene = northern_scene();
   // An arc along magnetic east (azimuth 100), its line 30 degrees above the northern horizon.
-  const FrameFeatures arc =
+  const SkyFeatures arc =
       features_of(scene, picture_of(scene, [](const Enu& enu) { return band(enu, 100.0, 30.0); }));
   EXPECT_GT(feature(arc, F::banded), 0.9);
   EXPECT_GT(feature(arc, F::crosswise), 0.9);
@@ -76,7 +76,7 @@ TEST(FrameFeatures, TellAnArcFromABandAcrossIt) {
   EXPECT_GT(feature(arc, F::green), 0.4);
   EXPECT_LT(feature(arc, F::lamp_peak), 0.2);
   // One that runs from the north up through the zenith, such as the Milky Way.
-  const FrameFeatures other =
+  const SkyFeatures other =
       features_of(scene, picture_of(scene, [](const Enu& enu) { return band(enu, 10.0, 80.0); }));
   EXPECT_LT(feature(other, F::banded), 0.5);
   EXPECT_LT(feature(other, F::crosswise), 0.0);
@@ -109,12 +109,12 @@ TEST(FrameFeatures, TellTheMoonFromALampByItsPlace) {
       return Rgb{light, light, light};
     };
   };
-  const FrameFeatures of_moon = features_of(scene, picture_of(scene, blob(moon)));
+  const SkyFeatures of_moon = features_of(scene, picture_of(scene, blob(moon)));
   EXPECT_GT(feature(of_moon, F::moon_peak), 0.8);
   EXPECT_LT(feature(of_moon, F::lamp_peak), 0.2);
   EXPECT_GT(feature(of_moon, F::moon_light), 0.4);
   // A quarter of an hour's turn of the sky is enough for it not to be the Moon any more, an hour certainly.
-  const FrameFeatures later = features_of(scene, picture_of(scene, blob(moon)), kNight_s + 3600.0);
+  const SkyFeatures later = features_of(scene, picture_of(scene, blob(moon)), kNight_s + 3600.0);
   EXPECT_LT(feature(later, F::moon_peak), 0.1);
   EXPECT_GT(feature(later, F::lamp_peak), 0.8);
 }
@@ -128,7 +128,7 @@ TEST(FrameFeatures, KnowTheSun) {
   // Local midnight of 13 October: 90 - 65 + 7.9 degrees of declination below.
   EXPECT_NEAR(feature(features_of(scene, photo, *sim::utc_seconds("2014-10-13T22:26:00Z")), F::sun_elevation),
               -32.9, 0.2);
-  const FrameFeatures morning = features_of(scene, photo, *sim::utc_seconds("2014-10-14T05:00:00Z"));
+  const SkyFeatures morning = features_of(scene, photo, *sim::utc_seconds("2014-10-14T05:00:00Z"));
   EXPECT_NEAR(feature(morning, F::sun_elevation), -4.5, 1.0);
   EXPECT_GT(feature(morning, F::sunward), 0.2);
   EXPECT_NEAR(feature(morning, F::blue), 1.0 / 3.0, 1e-3);
@@ -138,14 +138,14 @@ TEST(FrameFeatures, KnowTheSun) {
 TEST(FrameFeatures, LeaveOutWhatIsMasked) {
   const sim::Scene scene = northern_scene();
   Photo photo = picture_of(scene, [](const Enu& enu) { return band(enu, 100.0, 30.0); });
-  const FrameFeatures without = features_of(scene, photo);
+  const SkyFeatures without = features_of(scene, photo);
   std::vector<std::uint8_t> kept(static_cast<std::size_t>(scene.camera.width) * scene.camera.height, 1);
   for (int y = 40; y < 80; ++y)
     for (int x = 100; x < 140; ++x) {
       kept[static_cast<std::size_t>(y) * scene.camera.width + x] = 0;
       for (int c = 0; c < 3; ++c) photo.linear.at(x, y, c) = 1.0f;
     }
-  const FrameFeatures masked = frame_features(photo, scene, filter_cells(scene, kept), kNight_s);
+  const SkyFeatures masked = frame_features(photo, scene, filter_cells(scene, kept), kNight_s);
   EXPECT_EQ(feature(masked, F::clipped), feature(without, F::clipped));
   EXPECT_GT(feature(features_of(scene, photo), F::clipped), feature(without, F::clipped) + 1.0);
   EXPECT_LT(feature(masked, F::lamp_peak), 0.2);

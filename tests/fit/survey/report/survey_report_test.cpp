@@ -196,5 +196,32 @@ TEST(SurveyReport, WritesAPageForEachNightAndOneForAll) {
   EXPECT_FALSE(std::filesystem::exists(folder / "other"));
 }
 
+// All fits ask for the same: half a standard deviation of a mode, of which 630.0 nm has 30 %.
+TEST(SurveyReport, SaysWhatTheNightAsksOfTheTables) {
+  const tests::TemporaryFolder folder;
+  const SqliteFile database(made_database(folder, made_nights_plan()), SqliteFile::Opening::read);
+  SurveyReportOptions options;
+  options.keograms = false;
+  write_survey_report(database, folder / "pages", options);
+  const std::string page = bytes_of(folder / "pages/night-2019-03-01.html");
+  EXPECT_NE(page.find("630.0 nm over 557.7 nm"), std::string::npos);
+  EXPECT_NE(page.find("night-2019-03-01-physics.csv"), std::string::npos);
+  const std::string table = bytes_of(folder / "pages/night-2019-03-01-physics.csv");
+  EXPECT_NE(table.find("\ncamera,file,time_utc,physics,name,"), std::string::npos);
+  EXPECT_NE(
+      table.find("\nabisko,gill/0.png,2019-03-01T20:00:00Z,used,distance of the main sheet,km,220,3.25,"),
+      std::string::npos);
+  // A report is written again in the place of one.
+  options.overwrite = true;
+  write_survey_report(database, folder / "pages", options);
+  EXPECT_EQ(bytes_of(folder / "pages/night-2019-03-01-physics.csv"), table);
+  SqliteFile spoilt(folder / "nights.sqlite", SqliteFile::Opening::write);
+  spoilt.run("UPDATE result SET physics = '{\"modes\": 3}' WHERE work = 'fit'");
+  EXPECT_NE(tests::expect_error(sim::ErrorKind::unreadable_input,
+                                [&] { write_survey_report(spoilt, folder / "other", options); })
+                .find("nights.sqlite"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace vegard::fit::survey_report_test

@@ -67,5 +67,28 @@ TEST(CsvTable, SaysWhichRowIsOutOfOrderOrLimits) {
   EXPECT_EQ(message([&] { table.require_within("y", -1.0, 2.0); }), "");
 }
 
+TEST(CsvTable, SemicolonsTabsAndCapitalsAreReadAsWell) {
+  for (const char* text :
+       {"altitude_km;rate\n100,5;1e3\n110;-2\n", "altitude_km\trate\n100.5\t1e3\n110\t-2\n",
+        "Altitude_KM,Rate\n100.5,1e3\n110,-2\n"}) {
+    const CsvTable table = read_csv_table(text, "a.csv");
+    EXPECT_TRUE(table.has("altitude_km"));
+    EXPECT_EQ(table.column("altitude_km"), (std::vector<double>{100.5, 110.0})) << text;
+    EXPECT_EQ(table.column("rate"), (std::vector<double>{1e3, -2.0})) << text;
+  }
+  // Two columns that differ by capitals alone are two.
+  const CsvTable gases = read_csv_table("NO,No\n1,2\n", "a.csv");
+  EXPECT_EQ(gases.column("No"), (std::vector<double>{2.0}));
+  EXPECT_FALSE(gases.has("no"));
+}
+
+TEST(CsvCell, NoFormulaForASpreadsheet) {
+  EXPECT_EQ(csv_cell("=1+1"), "\"'=1+1\"");
+  EXPECT_EQ(csv_cell("@SUM(A1)"), "\"'@SUM(A1)\"");
+  EXPECT_EQ(csv_cell("-2+3"), "\"'-2+3\"");
+  EXPECT_EQ(csv_cell("sky_-2.png"), "sky_-2.png");
+  EXPECT_EQ(csv_number(-2.0), "-2");
+}
+
 }  // namespace
 }  // namespace vegard::sim::csv_table_test

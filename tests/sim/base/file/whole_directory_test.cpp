@@ -77,6 +77,22 @@ TEST(WholeDirectory, WithoutCommitNothingRemains) {
   EXPECT_EQ(folder.entries(), 0);
 }
 
+// A signal ends the process in the midst of it: nothing of what is not finished stays.
+TEST(WholeDirectory, OfAnEndedProcessNothingRemains) {
+  TemporaryFolder folder;
+  WholeDirectory finished(folder / "finished", false, kind());
+  WholeDirectory run(folder / "run", false, kind());
+  put(finished.file("result.json"), "{}");
+  put(run.file("result.json"), "{}");
+  fs::create_directory(run.file("plots"));
+  put(run.file("plots/a.svg"), "<svg/>");
+  finished.commit();
+  EXPECT_EQ(folder.entries(), 2);
+  delete_unfinished_files();
+  EXPECT_EQ(folder.entries(), 1);
+  EXPECT_TRUE(fs::exists(folder / "finished/result.json"));
+}
+
 TEST(WholeDirectory, MakesMissingParents) {
   TemporaryFolder folder;
   WholeDirectory run(folder / "runs/today/run/", false, kind());

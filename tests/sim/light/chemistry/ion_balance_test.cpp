@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace vegard::sim::ion_balance_test {
 namespace {
@@ -85,6 +87,57 @@ TEST(IonBalance, AddsToTheNightsLayer) {
   EXPECT_NEAR(ion_balance(air, p, Reactions::standard(), 1e8).electrons /
                   ion_balance(air, p, Reactions::standard()).electrons,
               1.0, 1e-3);
+}
+
+// What is made at a rate P from the onset on and lost at a rate L is P/L (1 - exp(-L t)); at a rate P t,
+// P/L (t - (1 - exp(-L t))/L); without losses P t and P t^2/2. Exact between moments of any distance.
+TEST(AtomsSinceOnset, RememberWhatMadeThem) {
+  const std::vector<double> steps = {0.5, 1.0, 3.0, 10.0}, steadily(5, 7.0);
+  std::vector<double> at = {0.0}, growing = {0.0};
+  for (const double step : steps) {
+    at.push_back(at.back() + step);
+    growing.push_back(7.0 * at.back());
+  }
+  for (const double loss : {1e-9, 1e-4, 0.02, 1.0, 400.0}) {
+    const std::vector<double> losses(5, loss), even = atoms_since_onset(steps, steadily, losses),
+                                               rising = atoms_since_onset(steps, growing, losses);
+    EXPECT_EQ(even.front(), 0.0);
+    for (std::size_t t = 1; t < at.size(); ++t) {
+      const double x = loss * at[t], grown = -std::expm1(-x) / x;
+      EXPECT_NEAR(even[t] / (7.0 * at[t] * grown), 1.0, 1e-9) << loss;
+      // By its series where the difference would cancel.
+      const double late = x < 1e-2 ? 0.5 - x / 6.0 + x * x / 24.0 : (1.0 - grown) / x;
+      EXPECT_NEAR(rising[t] / (7.0 * at[t] * at[t] * late), 1.0, 1e-6) << loss;
+    }
+  }
+  EXPECT_EQ(atoms_since_onset({}, {6.0}, {2.0}), std::vector<double>{3.0});
+}
+
+// Atoms of recombination in pure O2, whose electrons grow as sqrt(P/alpha) tanh(t sqrt(P alpha)): P tanh^2
+// are made. Electrons are within 8 % at 20 s and 5 % from 60 s on (above), their square within twice as much.
+TEST(AtomsSinceOnset, FollowIonsThatGrow) {
+  const ReactingAir air{110.0, 240.0, 240.0, 0.0, 1e12, 0.0, 0.0, 0.0};
+  IonProduction p;
+  p.o2p = 1000.0;
+  const double alpha = Reactions::standard().at(240.0, 240.0).o2p_e(), per_s = std::sqrt(p.o2p * alpha);
+  for (const double seconds : {20.0, 60.0}) {
+    const IonHistory history = ion_history(air, p, Reactions::standard(), seconds);
+    std::vector<double> made;
+    for (const IonDensities& ions : history.ions) made.push_back(alpha * ions.electrons * ions.o2p);
+    for (const double lifetime_s : {0.7, 30.0}) {
+      const double atoms =
+          atoms_since_onset(history.step_s, made, std::vector<double>(made.size(), 1.0 / lifetime_s)).back();
+      constexpr int kSteps = 20000;
+      const double step = seconds / kSteps;
+      double exact = 0.0;
+      for (int i = 0; i < kSteps; ++i) {
+        const double t = (i + 0.5) * step, grown = std::tanh(t * per_s);
+        exact += p.o2p * grown * grown * std::exp(-(seconds - t) / lifetime_s) * step;
+      }
+      EXPECT_NEAR(atoms / exact, 1.0, seconds < 60.0 ? 0.16 : 0.10)
+          << seconds << " s, " << lifetime_s << " s";
+    }
+  }
 }
 
 TEST(IonBalance, OfNothingIsNothing) {

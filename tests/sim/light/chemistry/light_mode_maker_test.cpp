@@ -37,6 +37,7 @@ TEST(LightModeMaker, ModesCarryTheVarianceOfTheDraws) {
 
   TableRequest usual = request;
   usual.mono_kev.clear();
+  usual.refinement *= kModeRefinement;
   const MadeLight before =
       made_light({SpectrumKind::maxwellian, 1.0, 8.0, 1.0}, usual, table_degradation(usual));
   double square = 0.0;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,13 +19,14 @@ namespace {
 
 constexpr double kCoarse = 0.4;  // of the energies, so that a test is quick: columns change by 0.3 %
 
-AuroralRun run_of(double energy_kev, double flux_mw_m2 = 1.0, double oxygen = 1.0) {
+AuroralRun run_of(double energy_kev, double flux_mw_m2 = 1.0, double oxygen = 1.0,
+                  double seconds = std::numeric_limits<double>::infinity()) {
   IncidentSpectrum spectrum;
   spectrum.energy_kev = energy_kev;
   const Degradation all = degradation(energy_grid(1e3 * highest_energy_kev(spectrum), kCoarse));
   return auroral_run(all, field_air(with_oxygen_factor(standard_air_table(), oxygen), 90.0, 0.5),
                      incident_flux(spectrum, all.grid, flux_mw_m2), PitchAngles::isotropic,
-                     Reactions::standard());
+                     Reactions::standard(), seconds);
 }
 
 const SourcedLine& line_of(const AuroralRun& run, const std::string& column) {
@@ -64,15 +67,44 @@ TEST(LineSources, AtomsLiveAsLongAsTheBlurHasThem) {
   }
 }
 
-// A step of precipitation: red after its own lifetime at each altitude, blue at once.
+/// The light of one source of a line.
+const std::vector<double>& light_by(const AuroralRun& run, const std::string& column,
+                                    const std::string& name) {
+  for (const LineSource& source : line_of(run, column).sources)
+    if (source.name == name) return source.photons_cm3_s;
+  throw std::runtime_error("no source " + name);
+}
+
+// Atoms that electrons excite from the onset on shine as A P tau (1 - exp(-t/tau)), tau by altitude. Those of
+// O(1D) are also lost to thermal electrons, which become more: 1 % where they count.
 TEST(LineSources, SlowLinesComeLate) {
-  const SourcedLine& red = line_of(usual_run(), "ver_6300");
-  const SourcedLine later = after_seconds(red, 30.0);
-  const std::vector<double> full = red.photons_cm3_s(), grown = later.photons_cm3_s();
-  for (std::size_t m = 0; m < full.size(); ++m)
-    EXPECT_NEAR(grown[m], full[m] * (1.0 - std::exp(-30.0 / red.lifetime_s[m])), 1e-9 * full[m]);
-  const SourcedLine& blue = line_of(usual_run(), "ver_4278");
-  EXPECT_EQ(after_seconds(blue, 0.001).photons_cm3_s(), blue.photons_cm3_s());
+  constexpr double kSeconds = 30.0;
+  const AuroralRun run = run_of(0.5, 1.0, 1.0, kSeconds);
+  const auto expect_grown = [&](const char* column, const char* state, Reaction light, double tolerance) {
+    const std::vector<double>&shines = light_by(run, column, "O + e"),
+          &lives = line_of(run, column).lifetime_s;
+    const auto& excitations = gas_collisions(Gas::o).excitations;
+    const auto found = std::find_if(excitations.begin(), excitations.end(),
+                                    [&](const auto& excitation) { return excitation.name == state; });
+    ASSERT_NE(found, excitations.end());
+    const std::vector<double>& made =
+        run.rates.excitation_cm3_s[static_cast<std::size_t>(Gas::o)]
+                                  [static_cast<std::size_t>(found - excitations.begin())];
+    const double by_light = Reactions::standard().value(light);
+    for (std::size_t m = 0; m < shines.size(); ++m) {
+      const double grown = by_light * made[m] * lives[m] * -std::expm1(-kSeconds / lives[m]);
+      EXPECT_NEAR(shines[m], grown, tolerance * grown) << column << " at " << run.column.altitude_km[m];
+    }
+  };
+  expect_grown("ver_5577", "O 1S", Reaction::o1s_5577, 1e-9);
+  expect_grown("ver_6300", "O 1D", Reaction::o1d_6300, 0.01);
+}
+
+// N(2D) and what it makes come last: at 200 km it lives for some minutes.
+TEST(LineSources, HoursAreASteadyState) {
+  const AuroralRun steady = run_of(1.0), hours = run_of(1.0, 1.0, 1.0, 1e6);
+  for (const char* slow : {"ver_5200", "ver_5577", "ver_6300"})
+    EXPECT_NEAR(rayleigh_of(hours, slow) / rayleigh_of(steady, slow), 1.0, 0.01) << slow;
 }
 
 TEST(LineSources, LightGoesWithTheFluxWhereChemistryIsLinear) {

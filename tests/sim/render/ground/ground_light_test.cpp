@@ -7,7 +7,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/random.h"
-#include "sim/light/height_profile.h"
+#include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/ground_grid.h"
 #include "sim/scene/file/scene_toml.h"
@@ -41,10 +41,11 @@ FilmGeometry film_of(const Scene& scene) {
   return {0.0, 0.0, 1.0, 1.0, scene.camera.width, scene.camera.height};
 }
 
-GroundLight light_of(const Scene& scene, const GroundGrid& grid, int threads = 1) {
+GroundLight light_of(const Scene& scene, const GroundGrid& grid, int threads = 1,
+                     const ElectronSpectrum& spectrum = {}) {
   const FilmGeometry film = film_of(scene);
   const std::vector<std::uint8_t> wanted(static_cast<std::size_t>(film.rows) * film.columns, 1);
-  return GroundLight(scene, scene.site, grid, film, wanted, kEnergies, 1.0, threads);
+  return GroundLight(scene, scene.site, grid, film, wanted, kEnergies, 1.0, threads, 1.0, spectrum);
 }
 
 std::vector<float> random_numbers(std::size_t count, std::uint32_t which) {
@@ -77,17 +78,23 @@ TEST(GroundLight, HasTheColumnOfTheTablesStraightUp) {
   // km with the remainder handed on, bins hold means: 0.1 % is left for the last of both.
   const Scene scene = looking_up();
   const GroundGrid grid(SquareCells{-200.0, -200.0, 5.0, 80, 80});
-  const GroundLight light = light_of(scene, grid);
-  for (std::size_t e = 0; e < kEnergies.size(); ++e) {
-    std::vector<float> map(light.numbers(), 0.0f), rayleighs;
-    for (std::size_t i = e; i < map.size(); i += kGroundEnergies) map[i] = 1.0f;
-    light.forward(map, rayleighs);
-    const HeightProfile profile =
-        maxwellian_profile(emission_source(scene), scene.emission.lines, kEnergies[e]);
-    const std::size_t middle = (15 * 40 + 20) * 3;
-    for (int line = 0; line < 3; ++line) {
-      const double column = column_below(profile, line, HeightProfile::kTopKm).rayleigh;
-      EXPECT_NEAR(rayleighs[middle + line], column, 1e-3 * column) << kEnergies[e] << " keV, line " << line;
+  using Kind = ElectronSpectrum::Kind;
+  for (const Kind kind : {Kind::maxwellian, Kind::mono, Kind::gaussian, Kind::kappa}) {
+    ElectronSpectrum spectrum;
+    spectrum.kind = kind;
+    const GroundLight light = light_of(scene, grid, 1, spectrum);
+    for (std::size_t e = 0; e < kEnergies.size(); ++e) {
+      std::vector<float> map(light.numbers(), 0.0f), rayleighs;
+      for (std::size_t i = e; i < map.size(); i += kGroundEnergies) map[i] = 1.0f;
+      light.forward(map, rayleighs);
+      const HeightProfile profile =
+          electron_profile(emission_source(scene), scene.emission.lines, spectrum, kEnergies[e]);
+      const std::size_t middle = (15 * 40 + 20) * 3;
+      for (int line = 0; line < 3; ++line) {
+        const double column = column_below(profile, line, HeightProfile::kTopKm).rayleigh;
+        EXPECT_NEAR(rayleighs[middle + line], column, 1e-3 * column)
+            << spectrum_word(kind) << ", " << kEnergies[e] << " keV, line " << line;
+      }
     }
   }
 }

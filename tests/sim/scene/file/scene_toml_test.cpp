@@ -553,8 +553,7 @@ tied = [
   const Scene again = parse(text);
   expect_same(scene, again);
   EXPECT_TRUE(std::signbit(again.sky.level[2]));
-  EXPECT_EQ(text.substr(0, 18), "# found by a fit\n#");
-  EXPECT_NE(text.find("# in two lines: ? ? København\n"), std::string::npos);
+  EXPECT_NE(text.find("\n# found by a fit\n# in two lines: ? ? København\n"), std::string::npos);
   EXPECT_NE(text.find("length_km = "), std::string::npos);
   EXPECT_EQ(write_scene(again), write_scene(scene));
 }

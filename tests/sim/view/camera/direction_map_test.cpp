@@ -32,6 +32,19 @@ TEST(DirectionMap, OfACameraIsWhereItsPixelsCentresLook) {
   }
 }
 
+TEST(DirectionMap, IsTheSameForAnyNumberOfThreadsAndTellsItsProgress) {
+  const Camera camera = tests::small_scene().camera;
+  const DirectionMap one = direction_map(camera, 1);
+  double last = 0.0;
+  const DirectionMap many = direction_map(camera, 4, [&](double share) {
+    EXPECT_GT(share, last);
+    last = share;
+  });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_EQ(one.azimuth_deg, many.azimuth_deg);
+  EXPECT_EQ(one.elevation_deg, many.elevation_deg);
+}
+
 TEST(DirectionMap, FillValuesLookNowhere) {
   const DirectionMap map = direction_map(angles("a", {0, 0, 45, -999, 12, kNaN, -90, 370, 1e30f}),
                                          angles("e", {0, 20, 0, 30, -999, 40, 50, 60, 70}), "a", "e");

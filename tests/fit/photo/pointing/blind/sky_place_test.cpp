@@ -78,7 +78,8 @@ TEST(SkyPlace, TurnsTheCameraToTheObserversSky) {
     fit::FoundStar point;
     if (!fit::place_of_star(recognition.best.camera, sky[i].enu, point.x_px, point.y_px)) continue;
     if (point.x_px < 0.0 || point.y_px < 0.0 || point.x_px > 640.0 || point.y_px > 480.0) continue;
-    recognition.best.matches.push_back({static_cast<int>(i), static_cast<int>(recognition.points.size())});
+    recognition.best.agreement.matches.push_back(
+        {static_cast<int>(i), static_cast<int>(recognition.points.size())});
     recognition.points.push_back(point);
   }
   const sim::Observer observer{0.0, 0.0, 0.0, true};
@@ -104,7 +105,8 @@ TEST(SkyPlace, WritesATableOfStars) {
   ASSERT_TRUE(found.found);
   const fit::SkyOfPicture sky{*sim::julian_date("2020-12-22T00:00:00Z"),
                               sim::Observer{60.0, 20.0, 0.0, true}};
-  EXPECT_EQ(fit::parse_star_table(fit::stars_csv(found), "stars.csv", sky).size(), found.best.matches.size());
+  EXPECT_EQ(fit::parse_star_table(fit::stars_csv(found), "stars.csv", sky).size(),
+            found.best.agreement.matches.size());
 }
 
 }  // namespace

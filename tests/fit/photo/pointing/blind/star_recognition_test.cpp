@@ -54,7 +54,7 @@ TEST(StarRecognition, GivesTheSameAnswerAgain) {
   const fit::StarRecognition one = fit::recognise_stars(field.points, field.frame);
   const fit::StarRecognition other = fit::recognise_stars(field.points, field.frame);
   EXPECT_EQ(one.best.camera.numbers, other.best.camera.numbers);
-  EXPECT_EQ(one.best.log10_false, other.best.log10_false);
+  EXPECT_EQ(one.best.agreement.log10_false, other.best.agreement.log10_false);
 }
 
 }  // namespace

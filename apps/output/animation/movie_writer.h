@@ -1,0 +1,35 @@
+// OpenCV's encoder and decoder of movies, which a module calls (sim/base/module.h): FFmpeg is behind them.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace vegard::apps {
+
+enum class MoviePicture { good, unreadable, of_other_size };
+
+/// One MP4.
+class MovieWriter {
+ public:
+  virtual ~MovieWriter() = default;
+
+  /// Begins a movie of the size of the picture in the file `first`.
+  virtual MoviePicture open(const std::string& path, const std::string& first, double frames_per_second) = 0;
+  /// Returns the codec's name, empty if there is none for such a movie.
+  virtual std::string codec() const = 0;
+  /// Adds the picture of a file.
+  virtual MoviePicture write(const std::string& picture) = 0;
+  virtual void finish() = 0;
+  /// After finish(): true if the file decodes to so many frames of the size and rate. The writer does not
+  /// report a full disk.
+  virtual bool is_whole(std::size_t frames) const = 0;
+};
+
+struct MovieModule {
+  static constexpr const char* module = "vegard_movie";
+
+  std::unique_ptr<MovieWriter> (*writer)();
+};
+
+}  // namespace vegard::apps
