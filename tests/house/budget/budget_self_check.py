@@ -52,6 +52,15 @@ class Budgets(unittest.TestCase):
             '<testcase name="cli.skipped" time="900" status="notrun"/></testsuite>')
         return self.run_budget("tests", *arguments)
 
+    def run_of_sleeping_tests(self, first, seconds, *arguments):
+        """The first run took `first` of one entry; it takes `seconds` now, and the references a tenth of one."""
+        entries = {"cli.fit": seconds, "cli.render": 0.1, "house.budget_reference_1": 0.1}
+        (self.folder / "CTestTestfile.cmake").write_text("".join(f"add_test({name} sleep {value})\n" for name, value in entries.items()))
+        (self.folder / "tests.xml").write_text("<testsuite>" + "".join(
+            f'<testcase name="{name}" time="{first if name == "cli.fit" else value}" status="run"/>'
+            for name, value in entries.items()) + "</testsuite>")
+        return self.run_budget("tests", *arguments)
+
     def written_build(self):
         code, said = self.build({**UNITS, **REFERENCES}, "--write")
         self.assertEqual(code, 0, said)
@@ -139,20 +148,60 @@ class Budgets(unittest.TestCase):
         self.assertEqual(code, 0, said)
         code, said = self.run_of_tests({name: 3.0 * seconds for name, seconds in ENTRIES.items()})
         self.assertEqual(code, 0, said)
-        code, said = self.run_of_tests({**ENTRIES, "Spline": 30.0})
+        code, said = self.run_of_tests({**ENTRIES, "Spline": 30.0}, "--once")
         self.assertEqual(code, 1, said)
         self.assertIn("Spline of sim takes 30.00 references", said)
-        code, said = self.run_of_tests({**ENTRIES, "cli.fit": 42.0})
+        code, said = self.run_of_tests({**ENTRIES, "cli.fit": 42.0}, "--once")
         self.assertEqual(code, 1, said)
         self.assertIn("cli takes 52.00 references, of 30.00 in the budget; most grown: cli.fit from 20.00 to 42.00", said)
+
+    def test_commits_to_nothing_where_a_test_failed(self):
+        self.run_of_tests(ENTRIES, "--write")
+        before = (self.folder / "budget.json").read_text()
+        failing = (self.folder / "tests.xml").read_text().replace('<testcase name="cli.fit" time="20.0" status="run"/>',
+                                                                  '<testcase name="cli.fit" time="20.0" status="fail"/>')
+        self.assertIn('status="fail"', failing)
+        (self.folder / "tests.xml").write_text(failing)
+        code, said = self.run_budget("tests", "--write")
+        self.assertEqual(code, 77, said)
+        self.assertIn("cli.fit", said)
+        self.assertEqual((self.folder / "budget.json").read_text(), before)
 
     def test_judges_a_part_of_the_tests(self):
         self.run_of_tests(ENTRIES, "--write")
         part = {name: seconds for name, seconds in ENTRIES.items() if name != "cli.render"}
         code, said = self.run_of_tests(part)
         self.assertEqual(code, 0, said)
-        code, said = self.run_of_tests({**part, "cli.fit": 60.0})
+        code, said = self.run_of_tests({**part, "cli.fit": 60.0}, "--once")
         self.assertEqual(code, 1, said)
+
+    def test_runs_again_what_took_long(self):
+        self.run_of_sleeping_tests(0.1, 0.1, "--write")
+        code, said = self.run_of_sleeping_tests(2.0, 0.1)
+        self.assertEqual(code, 0, said)
+        self.assertIn("1 of 1 that took long: cli.fit\n", said)
+        code, said = self.run_of_sleeping_tests(2.0, 0.8)  # 8 references where 2 · 1 + 3 are allowed
+        self.assertEqual(code, 1, said)
+        self.assertIn("cli.fit of cli takes", said)
+
+    def test_runs_again_for_a_tenth_of_the_time_of_all_at_most(self):
+        entries = {f"cli.case_{i}": 10.0 for i in range(30)}
+        self.run_of_tests({**entries, "house.budget_reference_1": 1.0}, "--write")
+        code, said = self.run_of_tests({**{name: 30.0 for name in entries}, "house.budget_reference_1": 1.0})
+        self.assertEqual(code, 1, said)
+        self.assertIn("once more, one at a time, 3 of 30 that took long", said)
+
+    def test_allows_for_starts_that_take_longer_than_what_they_compute(self):
+        fast = {**ENTRIES, "house.budget_start_1": 0.2}
+        self.run_of_tests(fast, "--write")
+        slow = {**fast, "house.budget_start_1": 0.6, "cli.render": 20.0, "cli.fit": 40.0}  # as 1 + 0.5 * (3 - 1) = 2 allows
+        code, said = self.run_of_tests(slow, "--once")
+        self.assertEqual(code, 0, said)
+        code, said = self.run_of_tests({**slow, "house.budget_start_1": 0.2}, "--once")
+        self.assertEqual(code, 1, said)
+        code, said = self.run_of_tests({**slow, "Spline": 30.0}, "--once")  # computes alone
+        self.assertEqual(code, 1, said)
+        self.assertIn("Spline of sim takes 30.00 references", said)
 
 
 if __name__ == "__main__":
