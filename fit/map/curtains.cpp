@@ -24,6 +24,7 @@ constexpr double kMinMean = 0.12;            // of a curtain's own, likewise
 constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kMinFaintMean = 0.04;  // of those below
 constexpr double kMinLength_km = 30.0;
 constexpr double kStep_km = 5.0;
+constexpr double kAround_km = 10.0;    // of a curtain, where replicates must have as much light
 constexpr double kSides_km = 6.0;      // of a ridge that must be in view, or as much as its cell is deep
 constexpr double kMinPiece_km = 10.0;  // of a ridge that is joined to others
 constexpr double kFoundHeight = 0.5;   // of the best map's ridge, that a perturbed solution must have
@@ -41,6 +42,10 @@ bool is_in_all(double best, const std::vector<double>& others) {
   double squares = 0.0;
   for (const double other : others) squares += std::pow(other - best, 2);
   return others.empty() || std::sqrt(squares / static_cast<double>(others.size())) <= best;
+}
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 /// The highest value within the smoothing's full width at half maximum: ridges nearer than that are one.
@@ -140,8 +145,13 @@ class CurtainFinder {
         best_(smoothed_flux(result.cells)),
         in_view_(rasterised(result, raster_, {result.border_in_view.begin(), result.border_in_view.end()})),
         field_(raster_, best_.smooth) {
-    for (const std::vector<CellFlux>& replicate : result.replicates)
+    const std::vector<double> around =
+        smoothed_raster(raster_, best_.flux.flux, kAround_km / raster_.step_km);
+    const double light = product(around, best_.smooth);
+    for (const std::vector<CellFlux>& replicate : result.replicates) {
       replicates_.push_back(smoothed_flux(replicate));
+      scales_.push_back(light / std::max(1e-30, product(around, replicates_.back().smooth)));
+    }
     for (std::size_t r = 0; r < replicates_.size(); ++r) {
       borders_.emplace_back(
           scene_with(result.scene, result.numbers,
@@ -213,23 +223,18 @@ class CurtainFinder {
     // Where the picture is not explained, the map's errors are larger than the noise that was drawn.
     const double unexplained = std::sqrt(std::max(1.0, result_.chi2_per_value()));
     // A ridge whose place differs a little is in both of them.
-    // The light as a whole differs by what is not known of energies and tables, which makes no ridges.
-    const auto sum = [](const std::vector<double>& values) {
-      return std::max(1e-30, std::accumulate(values.begin(), values.end(), 0.0));
-    };
-    const double all = sum(best_.smooth);
-    const auto add = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    const auto add = [&](const std::vector<double>& a, double scale_a, const std::vector<double>& b,
+                         double scale_b) {
       std::vector<double> chance = highest_around(raster_, b);
-      const double of_a = all / sum(a), of_b = all / sum(b);
       for (std::size_t i = 0; i < a.size(); ++i)
-        chance[i] = unexplained * std::max(0.0, of_a * a[i] - of_b * chance[i]);
+        chance[i] = unexplained * std::max(0.0, scale_a * a[i] - scale_b * chance[i]);
       nulls_.push_back(std::move(chance));
     };
     for (const auto& [a, b] : pairs) {
-      add(replicates_[a].smooth, replicates_[b].smooth);
-      add(replicates_[b].smooth, replicates_[a].smooth);
+      add(replicates_[a].smooth, scales_[a], replicates_[b].smooth, scales_[b]);
+      add(replicates_[b].smooth, scales_[b], replicates_[a].smooth, scales_[a]);
     }
-    if (pairs.empty() && !replicates_.empty()) add(replicates_[0].smooth, best_.smooth);
+    if (pairs.empty() && !replicates_.empty()) add(replicates_[0].smooth, scales_[0], best_.smooth, 1.0);
   }
 
   double cell_km(sim::EastNorth foot) const {
@@ -346,7 +351,7 @@ class CurtainFinder {
       for (std::size_t r = 0; r < replicates_.size(); ++r) {
         const RidgeSection other =
             ridge_section(raster_, replicates_[r].smooth, replicates_[r].flux, foot, across, kStep_km);
-        whole_of_replicates[r] += other.flux * other.width_km;
+        whole_of_replicates[r] += scales_[r] * other.flux * other.width_km;
         spread.add(other, best, is_other_spectrum(r));
         spread.border.add(border_km(other.ln_energy, r) - border, is_other_spectrum(r));
       }
@@ -354,9 +359,9 @@ class CurtainFinder {
       ridge.place_error_km.push_back(place);
       ridge.height.push_back(height_at(best_.smooth, foot, across, place).height);
       int found = 0;
-      for (const SmoothedFlux& replicate : replicates_)
-        found +=
-            height_at(replicate.smooth, foot, across, place).height >= kFoundHeight * ridge.height.back();
+      for (std::size_t r = 0; r < replicates_.size(); ++r)
+        found += scales_[r] * height_at(replicates_[r].smooth, foot, across, place).height >=
+                 kFoundHeight * ridge.height.back();
       spread.found_in = replicates_.empty()
                             ? sim::kNaN
                             : static_cast<double>(found) / static_cast<double>(replicates_.size());
@@ -483,6 +488,9 @@ class CurtainFinder {
   const SmoothedFlux best_;
   const std::vector<double> in_view_;
   std::vector<SmoothedFlux> replicates_;
+  /// Factors that give each replicate the light of the best map about its curtains: as a whole light differs
+  /// by what is not known of energies and tables, which makes no ridges.
+  std::vector<double> scales_;
   std::vector<std::vector<double>> nulls_;  // smoothed
   std::vector<LowerBorderTable> borders_;   // by replicate
   RidgeField field_;
