@@ -160,9 +160,10 @@ class Mapping {
   std::vector<CellFlux> replicate(std::vector<MapObservation>& fine, const MapResult& best,
                                   const std::vector<MapLight>& truth, std::uint32_t number,
                                   const sim::ElectronSpectrum& spectrum, double from, double to);
-  /// The pictures for numbers beside the map that are drawn from what is known of them.
-  std::vector<MapObservation> pictures_drawn(const std::vector<MapObservation>& fine,
-                                             const sim::GroundGrid& grid, std::uint32_t number,
+  /// The pictures for numbers beside the map that are drawn from what is known of them. If all of these are
+  /// of the light, `fine` take it and nothing is returned: the lines of sight, the larger part, stay.
+  std::vector<MapObservation> pictures_drawn(std::vector<MapObservation>& fine, const sim::GroundGrid& grid,
+                                             std::uint32_t number,
                                              const sim::ElectronSpectrum& spectrum) const;
   void set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
                       MapObservation& picture) const;
@@ -380,12 +381,20 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
   return blurred;
 }
 
-std::vector<MapObservation> Mapping::pictures_drawn(const std::vector<MapObservation>& fine,
+std::vector<MapObservation> Mapping::pictures_drawn(std::vector<MapObservation>& fine,
                                                     const sim::GroundGrid& grid, std::uint32_t number,
                                                     const sim::ElectronSpectrum& spectrum) const {
-  std::vector<MapObservation> all = pictures(
-      1, scenes_of(scene_with(scene_, numbers_, drawn_numbers(scene_.seed, numbers_, number)), photos_),
-      &fine);
+  const std::vector<sim::Scene> drawn =
+      scenes_of(scene_with(scene_, numbers_, drawn_numbers(scene_.seed, numbers_, number)), photos_);
+  const bool of_light =
+      std::all_of(numbers_.begin(), numbers_.end(), [](const MapNumber& number) { return number.mode >= 0; });
+  if (of_light) {
+    for (std::size_t p = 0; p < fine.size(); ++p)
+      fine[p].look_by_light_of(drawn[p], energy_nodes(spectrum), kFluxOfRates, options_.altitude_scale,
+                               spectrum);
+    return {};
+  }
+  std::vector<MapObservation> all = pictures(1, drawn, &fine);
   look(all, grid, spectrum);
   return all;
 }
@@ -435,9 +444,7 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, cons
                                          const std::vector<MapLight>& truth, std::uint32_t number,
                                          const sim::ElectronSpectrum& spectrum, double from, double to) {
   const auto work = [&] {
-    std::vector<MapObservation> drawn;
-    if (!numbers_.empty() || spectrum.kind != options_.spectrum.kind)
-      drawn = pictures_drawn(fine, best.grid, number, spectrum);
+    std::vector<MapObservation> drawn = pictures_drawn(fine, best.grid, number, spectrum);
     std::vector<MapObservation>& pictures = drawn.empty() ? fine : drawn;
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
     for (std::size_t p = 0; p < pictures.size(); ++p) {

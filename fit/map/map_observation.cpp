@@ -13,6 +13,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/quantile.h"
+#include "sim/base/parallel.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
@@ -391,8 +392,9 @@ double MapObservation::sky_at(std::size_t cell, const std::vector<double>& sky) 
 double MapObservation::residual(const MapLight& light, MapLight& residual) {
   residual.assign(cells() * 3, 0.0f);
   sky_.assign(cells() * 3, 0.0f);
-  double chi2 = 0.0;
-  for (int c = 0; c < 3; ++c) {
+  std::array<double, 3> chi2{};
+  sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
+    const int c = static_cast<int>(channel);
     const std::vector<double> sky =
         solve_sky(c, [&](std::size_t i) { return weight_[i] * (static_cast<double>(data_[i]) - light[i]); });
     for (std::size_t cell = 0; cell < cells(); ++cell) {
@@ -404,23 +406,24 @@ double MapObservation::residual(const MapLight& light, MapLight& residual) {
       double r = model - data_[i];
       // Stored as none, it is none or less.
       if (clips_ && model < 0.0 && data_[i] <= noise_[i]) r = -data_[i];
-      chi2 += weight_[i] * r * r;
+      chi2[channel] += weight_[i] * r * r;
       residual[i] = static_cast<float>(weight_[i] * r);
     }
-  }
-  return chi2;
+  });
+  return chi2[0] + chi2[1] + chi2[2];
 }
 
 void MapObservation::take_sky_away(const MapLight& light, MapLight& weighted) const {
   weighted.assign(cells() * 3, 0.0f);
-  for (int c = 0; c < 3; ++c) {
+  sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
+    const int c = static_cast<int>(channel);
     const std::vector<double> sky =
         solve_sky(c, [&](std::size_t i) { return static_cast<double>(weight_[i]) * light[i]; });
     for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const std::size_t i = cell * 3 + c;
+      const std::size_t i = cell * 3 + channel;
       if (weight_[i] != 0.0f) weighted[i] = static_cast<float>(weight_[i] * (light[i] - sky_at(cell, sky)));
     }
-  }
+  });
 }
 
 }  // namespace vegard::fit

@@ -64,7 +64,17 @@ class MapObservation {
   void look_at(const sim::Site& home, const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
                double rates_at_flux_mw_m2, double altitude_scale = 1.0,
                const sim::ElectronSpectrum& spectrum = {});
+  /// Takes the light of other electrons, or of other emission tables, for the forward operator that
+  /// look_at() has made: `scene` differs from the picture's own in its emission alone.
+  void look_by_light_of(const sim::Scene& scene, const std::vector<double>& energies_kev,
+                        double rates_at_flux_mw_m2, double altitude_scale,
+                        const sim::ElectronSpectrum& spectrum) {
+    light_->set_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum);
+  }
   const sim::GroundLight& light() const { return *light_; }
+  /// As GroundLight's.
+  void keep(const std::vector<std::uint8_t>& cells) { light_->keep(cells); }
+  void keep_all() { light_->keep_all(); }
 
   /// The light of a map, without the sky.
   void forward(const std::vector<float>& map, MapLight& out) const;

@@ -32,6 +32,9 @@ std::vector<std::vector<Near>> neighbourhoods(const sim::GroundGrid& grid, doubl
 }
 
 constexpr double kEpsilon = 1e-3;  // of the brightest neighbourhood: less light counts as none
+constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light does not come back
+constexpr int kDarkFrom = 40;      // the step from which cells may count as dark
+constexpr double kFewer = 0.8;     // of the cells: so many are left when lists are made anew
 constexpr double kLevel = 5e-4;    // relative fall from revision to revision that is no longer waited for
 
 /// Gains that are not known, by least squares with the skies solved for: those of R and B beside G where the
@@ -83,8 +86,13 @@ class MapSolver {
         light_(pictures.size()),
         residual_(pictures.size()),
         along_(pictures.size()) {
-    for (std::size_t p = 0; p < pictures_.size(); ++p) pictures_[p].forward(x_, light_[p]);
+    see_light();
   }
+  ~MapSolver() {
+    for (MapObservation& picture : pictures_) picture.keep_all();
+  }
+  MapSolver(const MapSolver&) = delete;
+  MapSolver& operator=(const MapSolver&) = delete;
 
   MapSolution run() {
     for (int it = 0; it < options_.steps; ++it) {
@@ -92,6 +100,7 @@ class MapSolver {
       if (revised) {
         if (it >= options_.gains_from) solve_gains(pictures_, light_);
         reweight();
+        if (it >= kDarkFrom) leave_out_dark_cells();
         find_scale();
       }
       evaluate();
@@ -149,6 +158,30 @@ class MapSolver {
             static_cast<float>(options_.energy_bond / std::pow(smooth_[c] + epsilon, 2));
       }
     }
+  }
+
+  void see_light() {
+    for (std::size_t p = 0; p < pictures_.size(); ++p) pictures_[p].forward(x_, light_[p]);
+  }
+
+  /// Puts out cells about which there is next to no light, and takes them out of the lines of sight: most of
+  /// the ground, and of the work. A cell without light stays so, as steps are in proportion to it.
+  void leave_out_dark_cells() {
+    float most = 0.0f;
+    for (const float q : smooth_) most = std::max(most, q);
+    const auto dark = static_cast<float>(kDark * most);
+    std::vector<std::uint8_t> kept(cells_);
+    std::size_t count = 0;
+    for (std::size_t c = 0; c < cells_; ++c) {
+      kept[c] = smooth_[c] > dark || flux_[c] > dark ? 1 : 0;
+      count += kept[c];
+    }
+    if (static_cast<double>(count) > kFewer * static_cast<double>(kept_)) return;
+    kept_ = count;
+    for (std::size_t i = 0; i < n_; ++i)
+      if (kept[i / kGroundEnergies] == 0) x_[i] = 0.0f;
+    for (MapObservation& picture : pictures_) picture.keep(kept);
+    see_light();
   }
 
   /// The multiplicative method's scale, x over the positive part of the gradient.
@@ -259,6 +292,7 @@ class MapSolver {
   std::vector<MapLight> light_, residual_, along_;  // by picture; along_: the light of step_
   double chi2_ = 0.0, length_ = 1.0, objective_before_ = std::numeric_limits<double>::infinity();
   int steps_ = 0;
+  std::size_t kept_ = cells_;  ///< cells that have not been left out
 };
 
 }  // namespace

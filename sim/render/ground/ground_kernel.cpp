@@ -93,6 +93,10 @@ HWY_INLINE void spread_lines(const SightLines& lines, const GroundRates& rates, 
     Energies of_line[kLines];
     for (int line = 0; line < kLines; ++line)
       of_line[line] = fill(light[ray * rates.lines + first_line + line]);
+    if (lines.first[ray] == lines.first[ray + 1]) continue;
+    // A ray is often in one cell for some stretches: its sum is written when the ray leaves it.
+    float* cell = flux + std::size_t{lines.stretch[lines.first[ray]].cell} * kGroundEnergies;
+    Energies in_cell = load(cell);
     for (std::size_t i = lines.first[ray]; i < lines.first[ray + 1]; ++i) {
       const SightStretch stretch = lines.stretch[i];
       const float* rate =
@@ -100,9 +104,15 @@ HWY_INLINE void spread_lines(const SightLines& lines, const GroundRates& rates, 
       Energies sum = times(load(rate), of_line[0]);
       for (int line = 1; line < kLines; ++line)
         sum = plus(sum, times(load(rate + line * kGroundEnergies), of_line[line]));
-      float* cell = flux + std::size_t{stretch.cell} * kGroundEnergies;
-      store(plus(load(cell), times(sum, fill(km(stretch)))), cell);
+      float* const there = flux + std::size_t{stretch.cell} * kGroundEnergies;
+      if (there != cell) {
+        store(in_cell, cell);
+        cell = there;
+        in_cell = load(cell);
+      }
+      in_cell = plus(in_cell, times(sum, fill(km(stretch))));
     }
+    store(in_cell, cell);
   }
 }
 

@@ -90,12 +90,51 @@ GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid&
       rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum)),
       transmission_(transmissions(scene, film)) {
   assert(energies_kev.size() <= kGroundEnergies);
-  const std::size_t all = sight_.stretch.size();
+  share_work();
+}
+
+void GroundLight::share_work() {
+  const SightLines& lines = in_use();
+  const std::size_t all = lines.stretch.size();
+  first_of_share_.clear();
   for (int share = 0; share < kShares; ++share)
     first_of_share_.push_back(static_cast<std::size_t>(
-        std::lower_bound(sight_.first.begin(), sight_.first.end() - 1, all * share / kShares) -
-        sight_.first.begin()));
-  first_of_share_.push_back(sight_.rays());
+        std::lower_bound(lines.first.begin(), lines.first.end() - 1, all * share / kShares) -
+        lines.first.begin()));
+  first_of_share_.push_back(lines.rays());
+}
+
+void GroundLight::keep(const std::vector<std::uint8_t>& kept) {
+  assert(kept.size() * kGroundEnergies == numbers_);
+  const SightLines& from = in_use();
+  SightLines left;
+  left.first.reserve(from.first.size());
+  left.first.push_back(0);
+  left.stretch.reserve(static_cast<std::size_t>(
+      std::count_if(from.stretch.begin(), from.stretch.end(),
+                    [&](const SightStretch& stretch) { return kept[stretch.cell] != 0; })));
+  for (std::size_t ray = 0; ray < from.rays(); ++ray) {
+    for (std::size_t i = from.first[ray]; i < from.first[ray + 1]; ++i)
+      if (kept[from.stretch[i].cell] != 0) left.stretch.push_back(from.stretch[i]);
+    left.first.push_back(left.stretch.size());
+  }
+  kept_ = std::move(left);
+  all_ = false;
+  share_work();
+}
+
+void GroundLight::keep_all() {
+  kept_ = {};
+  all_ = true;
+  share_work();
+}
+
+void GroundLight::set_rates(const Scene& scene, const std::vector<double>& energies_kev,
+                            double rates_at_flux_mw_m2, double altitude_scale,
+                            const ElectronSpectrum& spectrum) {
+  assert(energies_kev.size() <= kGroundEnergies);
+  assert(static_cast<int>(scene.emission.lines.size()) == lines_of_light_);
+  rate_ = mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum);
 }
 
 void GroundLight::forward(const std::vector<float>& map, std::vector<float>& rayleighs) const {
@@ -104,7 +143,7 @@ void GroundLight::forward(const std::vector<float>& map, std::vector<float>& ray
   constexpr std::size_t kRun = 512;
   parallel_for((sight_.rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
     const std::size_t first = run * kRun, last = std::min(first + kRun, sight_.rays());
-    sum_light(sight_, rates(), map.data(), first, last, rayleighs.data());
+    sum_light(in_use(), rates(), map.data(), first, last, rayleighs.data());
     for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
       rayleighs[i] *= transmission_[i];
   });
@@ -117,7 +156,7 @@ void GroundLight::add_adjoint(const std::vector<float>& rayleighs, std::vector<f
   sums_.resize(kShares);
   parallel_for(kShares, threads_, [&](std::size_t share, int) {
     sums_[share].assign(numbers_, 0.0f);
-    spread_light(sight_, rates(), weighted_.data(), first_of_share_[share], first_of_share_[share + 1],
+    spread_light(in_use(), rates(), weighted_.data(), first_of_share_[share], first_of_share_[share + 1],
                  sums_[share].data());
   });
   constexpr std::size_t kRun = 4096;

@@ -52,10 +52,21 @@ class GroundLight {
               double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0,
               const ElectronSpectrum& spectrum = {}, const std::atomic<bool>* stop = nullptr);
 
+  /// Takes other rates, of a scene with the same lines, air, camera and field; the rays stay as they are. Two
+  /// threads must not call it, or anything else, at once.
+  void set_rates(const Scene& scene, const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
+                 double altitude_scale, const ElectronSpectrum& spectrum);
+
+  /// Leaves out the stretches over cells that are not `kept` (one entry per cell, 0: not) from now on until
+  /// keep_all(): forward() takes their flux as 0, and add_adjoint() adds nothing to them. What was left out
+  /// before stays out.
+  void keep(const std::vector<std::uint8_t>& kept);
+  void keep_all();
+
   int lines() const { return lines_of_light_; }
   std::size_t rays() const { return sight_.rays(); }
-  std::size_t numbers() const { return numbers_; }  ///< size of a map: cells x kGroundEnergies
-  const SightLines& sight() const { return sight_; }
+  std::size_t numbers() const { return numbers_; }    ///< size of a map: cells x kGroundEnergies
+  const SightLines& sight() const { return sight_; }  ///< of all cells
   const GroundRates rates() const { return {lines_of_light_, rate_.data()}; }
 
   /// Computes rayleighs[ray * lines + line] from a map [cell * kGroundEnergies + energy].
@@ -66,7 +77,11 @@ class GroundLight {
   void add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const;
 
  private:
-  SightLines sight_;
+  const SightLines& in_use() const { return all_ ? sight_ : kept_; }
+  void share_work();
+
+  SightLines sight_, kept_;
+  bool all_ = true;
   int lines_of_light_ = 0, threads_ = 0;
   std::size_t numbers_ = 0;
   std::vector<float> rate_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "sim/base/number/constants.h"
@@ -148,6 +149,36 @@ TEST(GroundLight, DoesNotDependOnThreads) {
   two.add_adjoint(b, back_b);
   EXPECT_EQ(a, b);
   EXPECT_EQ(back_a, back_b);
+}
+
+TEST(GroundLight, LeavesOutCells) {
+  const Scene scene = looking_north();
+  const GroundGrid grid(rings_resolved(0.02, 4.0, 500.0));
+  GroundLight light = light_of(scene, grid);
+  const std::vector<float> x = random_numbers(light.numbers(), 4), y = random_numbers(light.rays() * 3, 5);
+  std::vector<float> whole, part, of_kept, none = x, back(light.numbers(), 0.0f);
+  std::vector<std::uint8_t> kept(static_cast<std::size_t>(grid.cells()));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    kept[i / kGroundEnergies] = i / kGroundEnergies % 3 == 0 ? 1 : 0;
+    if (kept[i / kGroundEnergies] == 0) none[i] = 0.0f;
+  }
+  light.forward(x, whole);
+  light.forward(none, of_kept);
+  light.keep(kept);
+  light.forward(x, part);
+  EXPECT_EQ(part, of_kept);  // what is 0 adds nothing to any sum
+  light.add_adjoint(y, back);
+  std::size_t lit = 0;
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    if (kept[i / kGroundEnergies] == 0) {
+      ASSERT_EQ(back[i], 0.0f) << i;
+    }
+    lit += back[i] > 0.0f ? 1 : 0;
+  }
+  EXPECT_GT(lit, 100u);
+  light.keep_all();
+  light.forward(x, part);
+  EXPECT_EQ(part, whole);
 }
 
 TEST(SightLines, LightOverAFootIsSeenWhereTheRayThroughItIs) {
