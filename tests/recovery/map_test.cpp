@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +15,7 @@
 
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
+#include "fit/map/map_verdicts.h"
 #include "fit/map/raster_grid.h"
 #include "fit/photo/photo.h"
 #include "sim/base/number/constants.h"
@@ -243,6 +246,108 @@ TEST_P(MapOfIndependentPicture, HasTheCurtainsPlaceAndEnergy) {
 
 INSTANTIATE_TEST_SUITE_P(MapRecovery, MapOfIndependentPicture,
                          testing::Values("w000", "w001", "w002", "w003"));
+
+/// Of the points of all curtains of a map, how many hold the truth in one and in two standard errors.
+struct Held {
+  int points = 0, lost = 0;  ///< lost: no true curtain is near
+  std::array<int, 2> distance{}, energy{};
+  std::vector<double> ln_energy_off;
+
+  double share(const std::array<int, 2>& of, int errors) const {
+    return points > 0 ? static_cast<double>(of[static_cast<std::size_t>(errors - 1)]) / points : 0.0;
+  }
+};
+
+/// The truth of a point is the true curtain that is nearest along its azimuth.
+Held held_by_curtains(const MapResult& result, const Truth& truth) {
+  constexpr double kStep_km = 0.25, kReach = 0.25, kFaint = 0.1;
+  const RasterGrid raster = truth_raster();
+  const std::vector<double> flux = smoothed_raster(raster, truth.flux, 1.0),
+                            by_energy = smoothed_raster(raster, truth.flux_ln_energy, 1.0);
+  const auto at = [&](const std::vector<double>& plane, double azimuth_deg, double distance_km) {
+    const double angle = azimuth_deg * sim::kRadiansPerDegree;
+    const double x = (distance_km * std::sin(angle) - raster.west_km) / raster.step_km,
+                 y = (distance_km * std::cos(angle) - raster.south_km) / raster.step_km;
+    const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
+    if (column < 0 || row < 0 || column + 1 >= raster.columns || row + 1 >= raster.rows) return 0.0;
+    const double s = x - column, t = y - row;
+    const double* p = &plane[static_cast<std::size_t>(row) * raster.columns + column];
+    return (1.0 - t) * ((1.0 - s) * p[0] + s * p[1]) +
+           t * ((1.0 - s) * p[raster.columns] + s * p[raster.columns + 1]);
+  };
+  const double brightest = *std::max_element(flux.begin(), flux.end());
+  Held held;
+  for (const Curtain& curtain : find_curtains(result))
+    for (const CurtainPoint& point : curtain.points) {
+      if (!point.border_in_view || point.at_edge) continue;
+      ++held.points;
+      double nearest_km = -1.0;
+      for (double d = (1.0 - kReach) * point.distance_km; d < (1.0 + kReach) * point.distance_km;
+           d += kStep_km) {
+        const double here = at(flux, point.azimuth_deg, d);
+        if (here > kFaint * brightest && here >= at(flux, point.azimuth_deg, d - kStep_km) &&
+            here > at(flux, point.azimuth_deg, d + kStep_km) &&
+            std::abs(d - point.distance_km) < std::abs(nearest_km - point.distance_km))
+          nearest_km = d;
+      }
+      if (nearest_km < 0.0) {
+        ++held.lost;
+        continue;
+      }
+      const double off = std::log(point.energy_kev.value) - at(by_energy, point.azimuth_deg, nearest_km) /
+                                                                at(flux, point.azimuth_deg, nearest_km);
+      held.ln_energy_off.push_back(off);
+      for (int errors = 1; errors <= 2; ++errors) {
+        const auto i = static_cast<std::size_t>(errors - 1);
+        if (std::abs(nearest_km - point.distance_km) <= errors * point.distance_error_km) ++held.distance[i];
+        if (std::abs(off) <= errors * point.energy_kev.error / point.energy_kev.value) ++held.energy[i];
+      }
+    }
+  return held;
+}
+
+/// Whether a quantity's verdict is good.
+bool is_good(const std::vector<QuantityVerdict>& verdicts, const std::string& begins) {
+  return std::any_of(verdicts.begin(), verdicts.end(), [&](const QuantityVerdict& verdict) {
+    return verdict.quantity.compare(0, begins.size(), begins) == 0 && verdict.trust == Trust::good;
+  });
+}
+
+/// The light of these pictures is not that of the program's tables, whose uncertainty must hold the
+/// difference.
+TEST_P(MapOfIndependentPicture, HoldsTheTruthWithTheProgramsOwnTables) {
+  const std::optional<fs::path> folder = photographs();
+  const std::string name = GetParam();
+  if (!folder || !fs::exists(*folder / (name + ".precipitation.fits"))) GTEST_SKIP() << "no photographs here";
+  const nlohmann::json truth = read_json(*folder / (name + ".truth.json"));
+  sim::Scene scene = scene_of(truth, 0);
+  scene.emission.tables = sim::Scene().emission.tables;
+  scene.emission.flux_law = sim::Scene().emission.flux_law;
+  const std::string picture = fs::exists(*folder / (name + ".jpg")) ? name : name + "a";
+  const MapResult result =
+      map_photos(scene, {photo_of(*folder / (picture + ".jpg"), truth.at("cameras").at(0))}, MapOptions());
+  const Held held = held_by_curtains(result, Truth(*folder / (name + ".precipitation.fits")));
+  const std::vector<QuantityVerdict> verdicts = map_verdicts(result, find_curtains(result));
+  if (held.points == 0) {  // What is not claimed is not wrong.
+    EXPECT_FALSE(is_good(verdicts, "distance") || is_good(verdicts, "energy"));
+    return;
+  }
+  for (const QuantityVerdict& verdict : verdicts)
+    std::printf("%s: %s (%s)\n", verdict.quantity.c_str(), verdict.value.c_str(), trust_name(verdict.trust));
+  std::printf(
+      "%d points, %d lost; distance %.0f, %.0f %%; ln E0 %.0f, %.0f %%, off %.2f in the median; chi2 per "
+      "value %.2f\n",
+      held.points, held.lost, 100.0 * held.share(held.distance, 1), 100.0 * held.share(held.distance, 2),
+      100.0 * held.share(held.energy, 1), 100.0 * held.share(held.energy, 2),
+      quantile(held.ln_energy_off, 0.5), result.chi2_per_value());
+  // Of a normal distribution 95 % are within two standard errors; curtains have some ten independent points.
+  if (is_good(verdicts, "distance")) {
+    EXPECT_GE(held.share(held.distance, 2), 0.88);
+  }
+  if (is_good(verdicts, "energy")) {
+    EXPECT_GE(held.share(held.energy, 2), 0.88);
+  }
+}
 
 TEST(MapRecovery, OfTwoStationsIsNearerTheTruth) {
   const std::optional<fs::path> folder = photographs();
