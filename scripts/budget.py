@@ -270,7 +270,7 @@ def write(kind, groups, budget, folder):
         if statistics.median(units) < 0.01 or known.served > 0.1 * known.known > 0.0:
             raise Unmeasured("much came from the compiler's cache: build with CCACHE_DISABLE=1 in an empty folder first")
     reference = statistics.median(references.seconds)
-    budget[kind] = {**SLACK[kind], **{key: value for key, value in budget.get(kind, {}).items() if key != "groups"},
+    budget[kind] = {**SLACK[kind], **{key: value for key, value in budget.get(kind, {}).items() if key not in ("groups", "start")},
                     **({"start": round(references.start / reference, 2)} if references.start else {}),
                     "groups": {group: {"budget": round(sum(units.values()), 2),
                                        "units": {unit: round(value, 2) for unit, value in sorted(units.items()) if value >= LISTED}}
