@@ -24,7 +24,8 @@ constexpr double kMinMean = 0.12;            // of a curtain's own, likewise
 constexpr double kFaintHigh = 0.05, kFaintLow = 0.03, kMinFaintMean = 0.04;  // of those below
 constexpr double kMinLength_km = 30.0;
 constexpr double kStep_km = 5.0;
-constexpr double kAround_km = 10.0;    // of a curtain, where replicates must have as much light
+constexpr double kAround_km = 10.0;    // about the map's light, where replicates are brought to as much
+constexpr double kMostScale = 3.0;     // more than the emission tables leave open
 constexpr double kSides_km = 6.0;      // of a ridge that must be in view, or as much as its cell is deep
 constexpr double kMinPiece_km = 10.0;  // of a ridge that is joined to others
 constexpr double kFoundHeight = 0.5;   // of the best map's ridge, that a perturbed solution must have
@@ -80,9 +81,10 @@ class MeanSquare {
     sum_[other_spectrum ? 1 : 0] += difference * difference;
     ++count_[other_spectrum ? 1 : 0];
   }
+  bool has_any() const { return count_[0] + count_[1] > 0; }
   /// What other spectra add comes on top.
   double root() const {
-    if (count_[0] + count_[1] == 0) return sim::kNaN;
+    if (!has_any()) return sim::kNaN;
     const double same = count_[0] > 0 ? sum_[0] / count_[0] : sum_[1] / count_[1];
     const double other = count_[1] > 0 ? sum_[1] / count_[1] : 0.0;
     return std::sqrt(std::max(same, other));
@@ -99,8 +101,9 @@ struct SectionSpread {
   double found_in = 0.0;  ///< share with a ridge there
 
   void add(const RidgeSection& replicate, const RidgeSection& best, bool other_spectrum) {
-    aside.add(replicate.aside_km - best.aside_km, other_spectrum);
     flux.add(replicate.flux - best.flux, other_spectrum);
+    if (!(replicate.flux > 0.0)) return;  // where there is no light, it has no place and no energy
+    aside.add(replicate.aside_km - best.aside_km, other_spectrum);
     ln_energy.add(replicate.ln_energy - best.ln_energy, other_spectrum);
     width.add(replicate.width_km - best.width_km, other_spectrum);
   }
@@ -150,7 +153,8 @@ class CurtainFinder {
     const double light = product(around, best_.smooth);
     for (const std::vector<CellFlux>& replicate : result.replicates) {
       replicates_.push_back(smoothed_flux(replicate));
-      scales_.push_back(light / std::max(1e-30, product(around, replicates_.back().smooth)));
+      const double scale = light / std::max(1e-30, product(around, replicates_.back().smooth));
+      scales_.push_back(std::clamp(scale, 1.0 / kMostScale, kMostScale));
     }
     for (std::size_t r = 0; r < replicates_.size(); ++r) {
       borders_.emplace_back(
@@ -336,7 +340,7 @@ class CurtainFinder {
     return sum >= kFoundIn * static_cast<double>(curtain.points.size());
   }
 
-  /// Fills a ridge's points; false if its flux is below its error.
+  /// Fills a ridge's points; false if its share of the flux is below its error.
   bool measure(TracedRidge& ridge) const {
     double whole = 0.0;  // flux, over length and width
     std::vector<double> whole_of_replicates(replicates_.size(), 0.0);
@@ -353,7 +357,14 @@ class CurtainFinder {
             ridge_section(raster_, replicates_[r].smooth, replicates_[r].flux, foot, across, kStep_km);
         whole_of_replicates[r] += scales_[r] * other.flux * other.width_km;
         spread.add(other, best, is_other_spectrum(r));
-        spread.border.add(border_km(other.ln_energy, r) - border, is_other_spectrum(r));
+        if (other.flux > 0.0) spread.border.add(border_km(other.ln_energy, r) - border, is_other_spectrum(r));
+      }
+      if (!replicates_.empty() && !spread.aside.has_any()) {
+        // No perturbed solution has light here: all is open.
+        spread.aside.add(resolution_km(foot), false);
+        spread.ln_energy.add(1.0, false);
+        spread.width.add(best.width_km, false);
+        spread.border.add(kThinLayer_km, false);
       }
       const double place = replicates_.empty() ? 0.0 : spread.aside.root();
       ridge.place_error_km.push_back(place);
@@ -488,8 +499,8 @@ class CurtainFinder {
   const SmoothedFlux best_;
   const std::vector<double> in_view_;
   std::vector<SmoothedFlux> replicates_;
-  /// Factors that give each replicate the light of the best map about its curtains: as a whole light differs
-  /// by what is not known of energies and tables, which makes no ridges.
+  /// A factor for each replicate that brings its light, near that of the best map, to as much. What is not
+  /// known of the emission tables changes the brightness of everything, and makes no ridges.
   std::vector<double> scales_;
   std::vector<std::vector<double>> nulls_;  // smoothed
   std::vector<LowerBorderTable> borders_;   // by replicate

@@ -161,7 +161,8 @@ class Mapping {
                                   const std::vector<MapLight>& truth, std::uint32_t number,
                                   const sim::ElectronSpectrum& spectrum, double from, double to);
   /// The pictures for numbers beside the map that are drawn from what is known of them. If all of these are
-  /// of the light, `fine` take it and nothing is returned: the lines of sight, the larger part, stay.
+  /// of the light, `fine` take it and nothing is returned: the lines of sight, the larger part, stay, and
+  /// `fine` have this light from then on.
   std::vector<MapObservation> pictures_drawn(std::vector<MapObservation>& fine, const sim::GroundGrid& grid,
                                              std::uint32_t number,
                                              const sim::ElectronSpectrum& spectrum) const;
@@ -422,18 +423,25 @@ MapSolution Mapping::solve_drawn(std::vector<MapObservation>& pictures, const Ma
   // A little light everywhere, so that what the prior has put out may come back.
   // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
   std::vector<float> start = best.map, factor(static_cast<std::size_t>(best.grid.cells()));
-  double most = 0.0;
+  double most = 0.0, flux_of_all = 0.0, ln_energy_of_all = 0.0;
   for (const float x : start) most = std::max(most, static_cast<double>(x));
+  for (const CellFlux& cell : best.cells) {
+    flux_of_all += cell.flux_mw_m2;
+    ln_energy_of_all += static_cast<double>(cell.flux_mw_m2) * cell.ln_energy;
+  }
+  ln_energy_of_all /= std::max(1e-30, flux_of_all);
   const auto draw = [&](std::size_t c, std::uint32_t what) {
     return normal(scene_.seed, number, 0xfff0u + what, static_cast<std::uint32_t>(c));
   };
   for (std::size_t c = 0; c < factor.size(); ++c) {
     factor[c] = static_cast<float>(std::exp(kCellPriorSpread * draw(c, 0u)));
     const double flux = kFluxSpread * draw(c, 1u), tilt = kTiltSpread * draw(c, 2u);
+    // A cell without light has no energy of its own.
+    const double about = best.cells[c].flux_mw_m2 > 0.0f ? best.cells[c].ln_energy : ln_energy_of_all;
     for (std::size_t k = 0; k < energies_.size(); ++k) {
       float& x = start[c * kGroundEnergies + k];
       x += static_cast<float>(1e-4 * most);
-      x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - best.cells[c].ln_energy)));
+      x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - about)));
     }
   }
   return solve(pictures, best.grid, std::move(start), best.sparsity * std::exp(spread), kReplicateSteps,
@@ -665,19 +673,21 @@ bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km) {
 std::vector<CellError> cell_errors(const MapResult& result) {
   std::vector<CellError> errors(result.cells.size());
   for (std::size_t c = 0; c < errors.size(); ++c) {
-    double flux = 0.0, energy = 0.0;
+    double flux = 0.0, energy = 0.0, lit = 0.0;
     for (const std::vector<CellFlux>& replicate : result.replicates) {
       flux += std::pow(replicate[c].flux_mw_m2 - result.cells[c].flux_mw_m2, 2);
+      if (replicate[c].flux_mw_m2 == 0.0f && replicate[c].ln_energy == 0.0f) continue;  // no light near it
       energy += std::pow(replicate[c].ln_energy - result.cells[c].ln_energy, 2);
+      lit += 1.0;
     }
     const auto count = static_cast<double>(result.replicates.size());
     const double cell_flux = result.cells[c].flux_mw_m2;
     errors[c].relative_flux =
         count > 0.0 && cell_flux > 0.0 ? std::sqrt(flux / count) / cell_flux : sim::kNaN;
     errors[c].ln_energy =
-        count > 0.0 ? std::hypot(kEnergyInflation * std::sqrt(energy / count),
-                                 static_cast<double>(result.cells[c].ln_energy) - result.ln_energy_around[c])
-                    : sim::kNaN;
+        lit > 0.0 ? std::hypot(kEnergyInflation * std::sqrt(energy / lit),
+                               static_cast<double>(result.cells[c].ln_energy) - result.ln_energy_around[c])
+                  : sim::kNaN;
   }
   return errors;
 }
