@@ -32,9 +32,9 @@ std::vector<std::vector<Near>> neighbourhoods(const sim::GroundGrid& grid, doubl
 }
 
 constexpr double kEpsilon = 1e-3;  // of the brightest neighbourhood: less light counts as none
-constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light does not come back
+constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light, with less around, is put out
 constexpr int kDarkFrom = 40;      // the step from which cells may count as dark
-constexpr double kFewer = 0.8;     // of the cells: so many are left when lists are made anew
+constexpr double kFewer = 0.8;     // of their cells: lines of sight are made anew once no more are left
 constexpr double kLevel = 5e-4;    // relative fall from revision to revision that is no longer waited for
 
 /// Gains that are not known, by least squares with the skies solved for: those of R and B beside G where the

@@ -106,7 +106,18 @@ void GroundLight::share_work() {
 
 void GroundLight::keep(const std::vector<std::uint8_t>& kept) {
   assert(kept.size() * kGroundEnergies == numbers_);
-  const SightLines& from = in_use();
+  if (!all_) {  // in place, as the lists are large
+    std::size_t to = 0, from = 0;
+    for (std::size_t ray = 0; ray < kept_.rays(); ++ray) {
+      for (; from < kept_.first[ray + 1]; ++from)
+        if (kept[kept_.stretch[from].cell] != 0) kept_.stretch[to++] = kept_.stretch[from];
+      kept_.first[ray + 1] = to;
+    }
+    kept_.stretch.resize(to);
+    share_work();
+    return;
+  }
+  const SightLines& from = sight_;
   SightLines left;
   left.first.reserve(from.first.size());
   left.first.push_back(0);

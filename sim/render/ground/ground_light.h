@@ -59,7 +59,7 @@ class GroundLight {
 
   /// Leaves out the stretches over cells that are not `kept` (one entry per cell, 0: not) from now on until
   /// keep_all(): forward() takes their flux as 0, and add_adjoint() adds nothing to them. What was left out
-  /// before stays out.
+  /// before stays out. Two threads must not call these, or anything else, at once.
   void keep(const std::vector<std::uint8_t>& kept);
   void keep_all();
 

@@ -176,9 +176,36 @@ TEST(GroundLight, LeavesOutCells) {
     lit += back[i] > 0.0f ? 1 : 0;
   }
   EXPECT_GT(lit, 100u);
+  // What was left out before stays out.
+  std::vector<float> fewer = none;
+  std::vector<std::uint8_t> other(kept.size());
+  for (std::size_t i = 0; i < fewer.size(); ++i) {
+    other[i / kGroundEnergies] = i / kGroundEnergies % 2 == 0 ? 1 : 0;
+    if (other[i / kGroundEnergies] == 0) fewer[i] = 0.0f;
+  }
+  light.keep(other);
+  light.forward(x, part);
   light.keep_all();
+  light.forward(fewer, of_kept);
+  EXPECT_EQ(part, of_kept);
   light.forward(x, part);
   EXPECT_EQ(part, whole);
+}
+
+TEST(GroundLight, WithOtherRatesIsOneMadeForThem) {
+  Scene scene = looking_north();
+  const GroundGrid grid(rings_resolved(0.02, 4.0, 500.0));
+  GroundLight light = light_of(scene, grid);
+  const std::vector<float> x = random_numbers(light.numbers(), 6);
+  std::vector<float> before, after, made;
+  light.forward(x, before);
+  scene.emission.modes = {1.0, -0.5};
+  const ElectronSpectrum gaussian{ElectronSpectrum::Kind::gaussian, 0.25, 5.0};
+  light.set_rates(scene, kEnergies, 1.0, 1.0, gaussian);
+  light.forward(x, after);
+  light_of(scene, grid, 1, gaussian).forward(x, made);
+  EXPECT_EQ(after, made);
+  EXPECT_NE(after, before);
 }
 
 TEST(SightLines, LightOverAFootIsSeenWhereTheRayThroughItIs) {
