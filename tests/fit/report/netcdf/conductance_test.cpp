@@ -1,5 +1,5 @@
 // Conductances by Robinson et al. 1987.
-#include "fit/map/conductance.h"
+#include "fit/report/netcdf/conductance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fit/map/conductance.h"
+#include "fit/report/netcdf/conductance.h"
 
 #include <cmath>
 
