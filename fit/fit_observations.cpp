@@ -346,20 +346,40 @@ class FitRun {
     return uncertainty_of(journal_.step("error bars", [&] { return output_of(error_bars()); }), free_.size());
   }
 
+  ChiSquareRise chi2_rise() const {
+    const auto at = [this](const std::vector<double>& step) {
+      std::vector<double> moved = cost_->coordinates(values_);
+      for (std::size_t k = 0; k < free_.size(); ++k) moved[k] += step[k];
+      return moved;
+    };
+    const double unit = r_.error_inflation * r_.error_inflation;
+    ChiSquareRise rise;
+    rise.rise = [this, at, unit](const std::vector<double>& step) {
+      const std::vector<double> moved = at(step);
+      return (cost_->at(cost_->values(moved.data()), false).chi2 - point_.chi2) / unit -
+             2.0 * log_of_limits(free_, values_, step);
+    };
+    rise.half_gradient = [this, at, unit](const std::vector<double>& step) -> std::vector<double> {
+      const std::vector<double> moved = at(step);
+      const auto rows = static_cast<std::size_t>(cost_->num_residuals());
+      std::vector<double> residuals(rows), jacobian(rows * moved.size()), gradient(moved.size(), 0.0);
+      const double* parameters[] = {moved.data()};
+      double* jacobians[] = {jacobian.data()};
+      if (!cost_->Evaluate(parameters, residuals.data(), jacobians)) return {};
+      for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t k = 0; k < gradient.size(); ++k)
+          gradient[k] += jacobian[i * gradient.size() + k] * residuals[i] / unit;
+      return gradient;
+    };
+    return rise;
+  }
+
   Uncertainty error_bars() const {
     const std::vector<std::vector<double>> jacobians =
         sampled_jacobians(observations_, free_, values_, anchors_, options_.threads);
     Uncertainty u = sampled_uncertainty(observations_, free_, values_, settled_.prior, anchors_,
                                         r_.error_inflation, jacobians);
-    drop_flat_directions(
-        [&](const std::vector<double>& step) {
-          std::vector<double> moved = cost_->coordinates(values_);
-          for (std::size_t k = 0; k < free_.size(); ++k) moved[k] += step[k];
-          moved = cost_->values(moved.data());
-          return (cost_->at(moved, false).chi2 - point_.chi2) / (r_.error_inflation * r_.error_inflation) -
-                 2.0 * log_of_limits(free_, values_, step);
-        },
-        bounded_by_prior(settled_.prior, free_.size()), u);
+    drop_flat_directions(chi2_rise(), bounded_by_prior(settled_.prior, free_.size()), u);
     without_anchors(anchors_, free_, values_, u);
     BandRows rows = photo_rows(observations_, *cost_, point_, jacobians, r_.error_inflation);
     without_anchors(anchors_, free_, values_, rows.jacobian);

@@ -137,11 +137,63 @@ constexpr double kFarthest = 8.0;         // times as far out
 constexpr double kOwes = 0.5;             // of a variance
 constexpr double kProbed = 0.1;           // of a normalised axis' square
 constexpr double kPartOfDirection = 0.5;  // of a standard deviation
+// Of the parabola's rise: what a straight probe finds where chi2 is one.
+constexpr double kStraightLeast = 0.6, kStraightMost = 1.6;
+constexpr int kFollowed = 4;           // steps down to the bottom of a valley
+constexpr double kFollowedFall = 0.1;  // of what is left, by a step that is worth another
+
+/// Chi2 about an answer.
+class Surroundings {
+ public:
+  Surroundings(const ChiSquareRise& rise, const Uncertainty& u) : rise_(rise) {
+    const auto n = static_cast<Eigen::Index>(u.sigma.size());
+    covariance_.resize(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index k = 0; k < n; ++k) covariance_(i, k) = u.covariance[i][k];
+  }
+
+  double rise(const Eigen::VectorXd& step) const {
+    return rise_.rise({step.data(), step.data() + step.size()});
+  }
+
+  /// Goes from a step down to the bottom of the valley, with the coordinate that it changes most held.
+  Eigen::VectorXd follow(Eigen::VectorXd step) const {
+    Eigen::Index held = 0;
+    double most = -1.0;
+    for (Eigen::Index i = 0; i < step.size(); ++i) {
+      if (!(covariance_(i, i) > 0.0)) continue;
+      const double share = std::abs(step(i)) / std::sqrt(covariance_(i, i));
+      if (share > most) held = i, most = share;
+    }
+    if (most <= 0.0) return step;
+    const Eigen::VectorXd column = covariance_.col(held) / std::sqrt(covariance_(held, held));
+    const Eigen::MatrixXd others = covariance_ - column * column.transpose();
+    double high = rise(step);
+    for (int i = 0; i < kFollowed; ++i) {
+      const std::vector<double> gradient = rise_.half_gradient({step.data(), step.data() + step.size()});
+      if (gradient.empty()) return step;
+      const Eigen::VectorXd lower =
+          step - others * Eigen::Map<const Eigen::VectorXd>(gradient.data(), step.size());
+      const double low = rise(lower);
+      if (!(low < high)) return step;
+      const bool worth = high - low > kFollowedFall * high;
+      step = lower;
+      high = low;
+      if (!worth) break;
+    }
+    return step;
+  }
+  bool can_follow() const { return static_cast<bool>(rise_.half_gradient); }
+
+ private:
+  const ChiSquareRise& rise_;
+  Eigen::MatrixXd covariance_;
+};
 
 }  // namespace
 
-void drop_flat_directions(const std::function<double(const std::vector<double>& step)>& rise,
-                          const std::vector<bool>& bounded, Uncertainty& u) {
+void drop_flat_directions(const ChiSquareRise& rise, const std::vector<bool>& bounded, Uncertainty& u) {
+  const Surroundings around(rise, u);
   const auto n = static_cast<Eigen::Index>(u.sigma.size());
   Eigen::VectorXd sigma(n);
   for (Eigen::Index i = 0; i < n; ++i) sigma(i) = std::sqrt(std::max(0.0, u.covariance[i][i]));
@@ -155,20 +207,39 @@ void drop_flat_directions(const std::function<double(const std::vector<double>& 
   for (Eigen::Index i = 0; i < n; ++i) variance[i] = u.covariance[i][i];
   for (Eigen::Index a = 0; a < n; ++a) {
     if (axes.values(a) <= 0.0) continue;
-    const Eigen::VectorXd axis = sigma.cwiseProduct(axes.vectors.col(a)) * std::sqrt(axes.values(a));
+    Eigen::VectorXd axis = sigma.cwiseProduct(axes.vectors.col(a)) * std::sqrt(axes.values(a));
     double probed = 0.0;
     for (Eigen::Index i = 0; i < n; ++i)
       if (!bounded[i]) probed += axes.vectors(i, a) * axes.vectors(i, a);
     if (probed < kProbed) continue;
-    const auto is_flat = [&](double side) {
-      std::vector<double> step(n);
-      for (Eigen::Index i = 0; i < n; ++i) step[i] = side * axis(i);
-      const double rose = rise(step);
-      return std::isfinite(rose) && rose < kMinRise * kProbe * kProbe;
-    };
+    const auto is_flat = [](double rose) { return std::isfinite(rose) && rose < kMinRise * kProbe * kProbe; };
+    const double rose[] = {around.rise(-kProbe * axis), around.rise(kProbe * axis)};
+    // Where chi2 is no parabola along the axis, this may be no valley's bottom.
+    const bool bent = around.can_follow() && axes.values(a) > 1.0 &&
+                      std::any_of(std::begin(rose), std::end(rose), [](double r) {
+                        return !(r > kStraightLeast * kProbe * kProbe && r < kStraightMost * kProbe * kProbe);
+                      });
     double longer = 1.0;
-    for (const double side : {-kProbe, kProbe})
-      while (longer <= kFarthest && is_flat(longer * side)) longer *= 2.0;
+    Eigen::VectorXd along = axis;
+    for (const int side : {0, 1}) {
+      Eigen::VectorXd at = (side == 0 ? -kProbe : kProbe) * axis;
+      double far = 1.0, high = rose[side];
+      while (far <= kFarthest) {
+        if (bent && !is_flat(high)) {
+          at = around.follow(at);
+          high = around.rise(at);
+        }
+        if (!is_flat(high)) break;
+        far *= 2.0;
+        if (far > kFarthest) break;
+        at *= 2.0;
+        high = around.rise(at);
+      }
+      if (far <= longer) continue;
+      longer = far;
+      along = at / (kProbe * std::min(far, kFarthest));
+    }
+    axis = along;
     if (longer == 1.0) continue;
     if (longer <= kFarthest) {
       for (Eigen::Index i = 0; i < n; ++i)

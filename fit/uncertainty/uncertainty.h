@@ -23,7 +23,7 @@ struct Uncertainty {
   std::vector<std::vector<double>> covariance;
   /// Directions that the data do not determine, each with a largest component of 1.
   std::vector<std::vector<double>> undetermined;
-  double inflation = 1.0;          ///< already applied to sigma
+  double inflation = 1.0;  ///< already applied to sigma
   /// By how much more the scatter of the bands widens the error bar of every coordinate (band_scatter.h); not
   /// applied yet.
   std::vector<double> by_bands{};
@@ -58,18 +58,25 @@ Uncertainty uncertainty(const std::vector<std::vector<double>>& jacobians, int r
 // Tests whether chi2 is a parabola about the answer, as error bars from its curvature assume, and corrects
 // the error bars where it is not.
 
+/// Chi2 at the answer plus a step, in coordinates, less chi2 at the answer, divided by the inflation squared;
+/// and half of its gradient there, which may be left out, or be empty where it is not known.
+struct ChiSquareRise {
+  std::function<double(const std::vector<double>& step)> rise;
+  std::function<std::vector<double>(const std::vector<double>& step)> half_gradient = nullptr;
+};
+
 /// Evaluates chi2 three standard deviations to either side of the answer along every principal axis of the
 /// covariance. If on either side chi2 rises by less than a quarter of the parabola's rise, chi2 is not a
-/// parabola. If chi2 rises enough twice, four or eight times as far out, the axis' standard deviation is
+/// parabola. If it rises by much more or less than the parabola, the axis may miss the bottom of a valley:
+/// with the coordinate that it changes most held, the others go down by the gradient, and chi2 is asked
+/// there. If chi2 rises enough twice, four or eight times as far out, the axis' standard deviation is
 /// multiplied by this factor. If it does not, the data do not bound the parameters in this direction (for
 /// example a sheet's end at the edge of the picture: moving it outwards raises chi2, moving it inwards does
 /// not). Then the axis is removed from the covariance and added to the undetermined directions, and
-/// coordinates whose error bar is due to it by more than half lose their error bar. `rise(step)` returns chi2
-/// at the answer plus `step`, in coordinates, less chi2 at the answer, divided by the inflation squared.
+/// coordinates whose error bar is due to it by more than half lose their error bar.
 ///
 /// `bounded` marks coordinates that are bounded by other knowledge than the data: an axis that consists
 /// almost only of these is not tested.
-void drop_flat_directions(const std::function<double(const std::vector<double>& step)>& rise,
-                          const std::vector<bool>& bounded, Uncertainty& u);
+void drop_flat_directions(const ChiSquareRise& rise, const std::vector<bool>& bounded, Uncertainty& u);
 
 }  // namespace vegard::fit

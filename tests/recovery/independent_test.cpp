@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -130,7 +131,16 @@ TEST_P(MorePhotographs, AreFittedToTheirTruth) {
   const Json truth = read_json(*folder / (name + ".truth.json"));
   const Photo photo = read_photo((*folder / (name + ".jpg")).string(), Decoding::automatic);
   const FitResult result = fit_photo(start_scene(truth), photo, FitOptions{});
-  expect_targets(result, true_sheet(truth));
+  const sim::Sheet sheet = true_sheet(truth);
+  expect_targets(result, sheet);
+  // The middle along the sheet has an error bar that holds it, or none (h002).
+  const sim::EastNorth found = result.best.sheets.at(0).center_km;
+  const double off = std::hypot(found.east - sheet.center_km.east, found.north - sheet.center_km.north);
+  double square = 0.0;
+  for (const FittedParameter& p : result.parameters)
+    if (p.path.find("center_km") != std::string::npos)
+      square += p.sigma ? *p.sigma * *p.sigma : std::numeric_limits<double>::infinity();
+  EXPECT_LT(off, kSigmas * std::sqrt(square));
 }
 
 INSTANTIATE_TEST_SUITE_P(Independent, MorePhotographs, ::testing::Values("h001", "h002", "h003"),

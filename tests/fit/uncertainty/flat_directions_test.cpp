@@ -25,7 +25,7 @@ TEST(FlatDirections, AParabolaHasNone) {
   for (double correlation : {0.0, 0.6, -0.95}) {
     Uncertainty u = two(correlation);
     const Uncertainty before = u;
-    drop_flat_directions([&](const std::vector<double>& x) { return parabola(before, x); }, {false, false},
+    drop_flat_directions({[&](const std::vector<double>& x) { return parabola(before, x); }}, {false, false},
                          u);
     EXPECT_TRUE(u.undetermined.empty());
     EXPECT_EQ(u.sigma, before.sigma);
@@ -38,10 +38,10 @@ TEST(FlatDirections, AValleyThatEndsFartherOutIsLonger) {
   Uncertainty u = two(0.0);
   const Uncertainty before = u;
   drop_flat_directions(
-      [&](const std::vector<double>& x) {
+      {[&](const std::vector<double>& x) {
         const double sigmas = x[0] / 2.0;
         return parabola(before, {0.0, x[1]}) + (sigmas > 0.0 ? sigmas * sigmas : sigmas < -5.0 ? 9.0 : 0.0);
-      },
+      }},
       {false, false}, u);
   EXPECT_TRUE(u.undetermined.empty());
   EXPECT_DOUBLE_EQ(u.sigma[0], 4.0);
@@ -53,15 +53,41 @@ TEST(FlatDirections, AWallOnOneSideOnlyIsNoErrorBar) {
   Uncertainty u = two(0.0);
   const Uncertainty before = u;
   drop_flat_directions(
-      [&](const std::vector<double>& x) {
+      {[&](const std::vector<double>& x) {
         return parabola(before, {std::max(0.0, x[0]), x[1]});  // the first may fall as it likes
-      },
+      }},
       {false, false}, u);
   EXPECT_TRUE(std::isnan(u.sigma[0]));
   EXPECT_DOUBLE_EQ(u.sigma[1], 0.5);
   ASSERT_EQ(u.undetermined.size(), 1u);
   EXPECT_NE(u.undetermined[0][0], 0.0);
   EXPECT_EQ(u.undetermined[0][1], 0.0);
+}
+
+// A wall on one side, and on the other a valley that is flat along itself. The covariance at the answer,
+// which is at the wall's foot, has the valley's direction not quite right: straight along its axis chi2
+// rises.
+TEST(FlatDirections, AValleyBesideAWallIsFollowed) {
+  constexpr double kSlope = 0.25, kAcross = 0.05;  // of the valley: dy / dx, and its width
+  Uncertainty u = two(0.0);
+  const double beside = 1.05 * kSlope;  // of the covariance's axis
+  u.covariance = {{4.0, 4.0 * beside}, {4.0 * beside, 4.0 * beside * beside + kAcross * kAcross}};
+  for (int i = 0; i < 2; ++i) u.sigma[i] = std::sqrt(u.covariance[i][i]);
+  const auto wall = [](double x) { return std::max(0.0, x) / 2.0; };
+  const auto off = [&](const std::vector<double>& x) { return (x[1] - kSlope * x[0]) / kAcross; };
+  const ChiSquareRise rise{
+      [&](const std::vector<double>& x) { return off(x) * off(x) + wall(x[0]) * wall(x[0]); },
+      [&](const std::vector<double>& x) {
+        return std::vector<double>{-kSlope * off(x) / kAcross + 0.5 * wall(x[0]), off(x) / kAcross};
+      }};
+  Uncertainty straight = u;
+  drop_flat_directions({rise.rise}, {false, false}, straight);
+  EXPECT_TRUE(straight.undetermined.empty());  // else there is nothing to follow
+  drop_flat_directions(rise, {false, false}, u);
+  ASSERT_EQ(u.undetermined.size(), 1u);
+  EXPECT_NEAR(u.undetermined[0][1] / u.undetermined[0][0], kSlope, 1e-3);  // 2 % of what its axis was off
+  EXPECT_TRUE(std::isnan(u.sigma[0]));
+  EXPECT_TRUE(std::isnan(u.sigma[1]));
 }
 
 }  // namespace
