@@ -157,10 +157,10 @@ class CurtainFinder {
       scales_.push_back(std::clamp(scale, 1.0 / kMostScale, kMostScale));
     }
     for (std::size_t r = 0; r < replicates_.size(); ++r) {
-      borders_.emplace_back(
-          scene_with(result.scene, result.numbers,
-                     drawn_numbers(result.scene.seed, result.numbers, static_cast<std::uint32_t>(r))),
-          spectrum_of(r));
+      borders_.emplace_back(r < result.replicate_values.size()
+                                ? scene_with(result.scene, result.numbers, result.replicate_values[r])
+                                : result.scene,
+                            spectrum_of(r));
     }
     make_nulls();
     for (int c = 0; c < result.grid.cells(); ++c)
@@ -467,7 +467,6 @@ class CurtainFinder {
     p.azimuth_deg = std::atan2(foot.east, foot.north) / sim::kRadiansPerDegree;
     if (p.azimuth_deg < 0.0) p.azimuth_deg += 360.0;
     p.border_in_view = raster_value(raster_, in_view_, foot) > 0.5;
-    p.at_edge = is_at_edge(result_, foot);
     p.found_in = spread.found_in;
     // A ridge's place is not known better than a part of the cells it is made of.
     p.lateral_error_km = std::hypot(spread.aside.root(), cell_km(foot) / std::sqrt(12.0));
@@ -491,7 +490,14 @@ class CurtainFinder {
     // A border that is higher is farther away at the same elevation.
     p.distance_error_km =
         std::hypot(p.distance_error_km, p.lower_border_km.error * p.distance_km / p.lower_border_km.value);
+    p.at_edge = is_at_edge(result_, foot) || (std::isfinite(p.distance_error_km) && may_be_beyond(p));
     return p;
+  }
+
+  /// Whether the map's ground ends within two standard errors of a point.
+  bool may_be_beyond(const CurtainPoint& p) const {
+    const double farther = 1.0 + 2.0 * p.distance_error_km / std::max(1e-9, p.distance_km);
+    return !result_.grid.reaches(farther * p.foot_km.east, farther * p.foot_km.north);
   }
 
   const MapResult& result_;

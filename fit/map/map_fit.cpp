@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "fit/map/map_grid.h"
@@ -22,9 +23,10 @@ constexpr double kMinEnergy_kev = 0.4, kMaxEnergy_kev = 14.0;  // E0 of Maxwelli
 constexpr double kFluxOfRates = 1.0;                           // mW m^-2, the tables' own
 constexpr double kFilmCells = 40000.0;
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
-constexpr double kFineCost = 3.5;  // of a step on the fine film, in those on the coarse one
-constexpr double kUsualTrials = 5.0;
+constexpr double kFineCost = 3.5;     // of a step on the fine film, in those on the coarse one
+constexpr double kUsualTrials = 6.0;  // one of them for the modes of the tables
 constexpr int kCoarseSteps = 160, kFineSteps = 320, kReplicateSteps = 80;
+constexpr int kStepsOfModes = 160;  // steps of the map to one of the modes
 // Priors are tried from the strongest on, until what is left out has been predicted worse for so many in a
 // row. There are no weaker ones: of real photographs left-out blocks of the coarse film ask for ever weaker
 // ones, which make up for the film's coarseness, explain the fine film no better, and leave error bars up to
@@ -33,8 +35,7 @@ constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
 constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
-constexpr double kPriorSpread = 0.7;       // standard deviation of the logarithm of a replicate's sparsity
-constexpr double kErrorReach_cells = 4.0;  // over which a model's error is alike
+constexpr double kPriorSpread = 0.7;  // standard deviation of the logarithm of a replicate's sparsity
 // How far a replicate starts from the best map, as standard deviations of logarithms: by cell the prior's
 // strength, the flux, and the spectrum's slope (d ln x / d ln E).
 constexpr double kCellPriorSpread = 1.0, kFluxSpread = 0.7, kTiltSpread = 1.4;
@@ -124,7 +125,11 @@ class Mapping {
         options_(options),
         scenes_(scenes_of(scene, photos)),
         numbers_(numbers_of(scene)),
-        share_(options) {}
+        share_(options) {
+    for (const MapNumber& number : numbers_)
+      if (number.mode >= 0) centre_.push_back(number.value);
+    modes_ = centre_;
+  }
 
   MapResult run();
 
@@ -139,37 +144,39 @@ class Mapping {
   std::vector<MapObservation> pictures(int coarseness) const { return pictures(coarseness, scenes_); }
   std::vector<MapObservation> pictures(int coarseness, const std::vector<sim::Scene>& scenes,
                                        const std::vector<MapObservation>* like = nullptr) const;
-  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const {
-    look(pictures, grid, options_.spectrum);
-  }
+  /// With the light of the map's electrons, for any modes.
+  void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid);
   void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
             const sim::ElectronSpectrum& spectrum) const;
   std::vector<float> flat_start(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
-  void keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const;
-  MapSolution solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                    std::vector<float> start, double sparsity, int steps, const std::string& stage,
-                    double from, double to, std::vector<float> cell_factor = {}) const;
+  void keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid);
+  MapSolution solve(std::vector<MapObservation>& pictures, std::vector<float> start, double sparsity,
+                    int steps, const std::string& stage, double from, double to) const;
+  MapSolution solve(std::vector<MapObservation>& pictures, std::vector<float> start, const std::string& stage,
+                    double from, double to, MapSolverOptions options) const;
   /// Solves with one prior after the other, each time without some cells, and writes how well it predicts
   /// them.
-  StepOutput try_priors(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                        const std::vector<float>& start) const;
-  double choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                         const std::vector<float>& start, MapResult& result);
+  StepOutput try_priors(std::vector<MapObservation>& pictures, const std::vector<float>& start) const;
+  double choose_sparsity(std::vector<MapObservation>& pictures, const std::vector<float>& start,
+                         MapResult& result);
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapObservation>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
-  std::vector<CellFlux> replicate(std::vector<MapObservation>& fine, const MapResult& best,
-                                  const std::vector<MapLight>& truth, std::uint32_t number,
-                                  const sim::ElectronSpectrum& spectrum, double from, double to);
-  /// The pictures for numbers beside the map that are drawn from what is known of them. If all of these are
-  /// of the light, `fine` take it and nothing is returned: the lines of sight, the larger part, stay, and
-  /// `fine` have this light from then on.
+  /// The shift of the modes that a replicate has, of what is drawn for it.
+  Eigen::VectorXd drawn_shift(const std::vector<double>& values) const;
+  /// Adds one to the result, unless it was stopped.
+  void add_replicate(std::vector<MapObservation>& fine, const std::vector<MapLight>& truth,
+                     std::uint32_t number, MapResult& result);
+  /// The pictures for values of the numbers beside the map. If all of these are modes of the light, `fine`
+  /// take this light and nothing is returned: the lines of sight, the larger part, stay, and `fine` have it
+  /// from then on.
   std::vector<MapObservation> pictures_drawn(std::vector<MapObservation>& fine, const sim::GroundGrid& grid,
-                                             std::uint32_t number,
+                                             const std::vector<double>& values,
                                              const sim::ElectronSpectrum& spectrum) const;
   void set_drawn_data(const MapLight& truth, std::uint32_t number, std::uint32_t p,
                       MapObservation& picture) const;
+  /// `shift`: of the modes from those of the best map.
   MapSolution solve_drawn(std::vector<MapObservation>& pictures, const MapResult& best, std::uint32_t number,
-                          double from, double to) const;
+                          const Eigen::VectorXd& shift, double from, double to) const;
   void tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const;
   bool stopped() const { return options_.stop != nullptr && *options_.stop; }
   void require_going() const {
@@ -183,6 +190,11 @@ class Mapping {
   std::vector<MapNumber> numbers_;
   WorkShares share_;
   std::vector<double> energies_ = energy_nodes(options_.spectrum);
+  /// Coefficients of the modes of the tables' uncertainty, and what they are before a picture is looked at.
+  std::vector<double> modes_, centre_;
+  MapNeighbours near_;                                        ///< of the grid in use
+  MapModes learnt_;                                           ///< of the modes, from the pictures
+  std::vector<std::shared_ptr<const sim::ModeRates>> rates_;  ///< of the map's electrons, by picture
 };
 
 /// The films get the sizes that those of `like` have.
@@ -219,7 +231,15 @@ void Mapping::look(std::vector<MapObservation>& pictures, const sim::GroundGrid&
   require_going();  // light that was not finished is none to go on with
 }
 
-void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) const {
+void Mapping::look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) {
+  look(pictures, grid, options_.spectrum);
+  for (std::size_t p = rates_.size(); p < pictures.size(); ++p)
+    rates_.push_back(std::make_shared<sim::ModeRates>(scenes_[p], energies_, kFluxOfRates,
+                                                      options_.altitude_scale, options_.spectrum));
+  for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].set_light(rates_[p], modes_);
+}
+
+void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid) {
   std::vector<std::vector<bool>> seen;
   for (const MapObservation& picture : pictures) {
     seen.emplace_back(grid.cells(), false);
@@ -261,20 +281,27 @@ std::vector<float> Mapping::flat_start(std::vector<MapObservation>& pictures,
   return map;
 }
 
-MapSolution Mapping::solve(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                           std::vector<float> start, double sparsity, int steps, const std::string& stage,
-                           double from, double to, std::vector<float> cell_factor) const {
+MapSolution Mapping::solve(std::vector<MapObservation>& pictures, std::vector<float> start, double sparsity,
+                           int steps, const std::string& stage, double from, double to) const {
   MapSolverOptions o;
-  o.cell_factor = std::move(cell_factor);
   o.steps = steps;
   o.sparsity = sparsity;
+  o.modes = modes_;
+  o.modes_centre = centre_;
+  o.modes_steps = steps / kStepsOfModes;
+  return solve(pictures, std::move(start), stage, from, to, std::move(o));
+}
+
+MapSolution Mapping::solve(std::vector<MapObservation>& pictures, std::vector<float> start,
+                           const std::string& stage, double from, double to, MapSolverOptions o) const {
   o.stop = options_.stop;
   const auto values = static_cast<double>(all_values(pictures));
+  const int steps = o.steps;
   if (options_.progress)
     o.progress = [&](int step, double chi2) {
       if (step % 10 == 0) options_.progress(stage, chi2 / values, from + (to - from) * step / steps);
     };
-  return solve_map(pictures, grid, static_cast<int>(energies_.size()), std::move(start), o);
+  return solve_map(pictures, near_, static_cast<int>(energies_.size()), std::move(start), o);
 }
 
 std::vector<float> Mapping::recorded(const std::string& name, int cells,
@@ -291,6 +318,7 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells,
         value.push_back(solution.map[i]);
       }
     out.numbers["chi2"] = {solution.chi2};
+    out.numbers["modes"] = solution.modes;
     out.numbers["size"] = {static_cast<double>(solution.map.size())};
     for (const MapObservation& picture : pictures)
       for (const double g : picture.gain) out.numbers["gain"].push_back(g);
@@ -307,14 +335,15 @@ std::vector<float> Mapping::recorded(const std::string& name, int cells,
   for (std::size_t i = 0; i < place.size(); ++i)
     map[out.count_of(place[i], "place", size - 1)] = static_cast<float>(value[i]);
   chi2 = out.number_at("chi2");
+  modes_ = out.numbers_at("modes", centre_.size());
+  for (MapObservation& picture : pictures) picture.set_modes(modes_);
   const std::vector<double>& gain = out.numbers_at("gain", 3 * pictures.size());
   for (std::size_t p = 0; p < pictures.size(); ++p)
     for (std::size_t c = 0; c < 3; ++c) pictures[p].gain[c] = gain[3 * p + c];
   return map;
 }
 
-StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                               const std::vector<float>& start) const {
+StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const std::vector<float>& start) const {
   std::vector<std::vector<std::uint8_t>> left_out;
   for (std::size_t p = 0; p < pictures.size(); ++p)
     left_out.push_back(left_out_blocks(pictures[p], scene_.seed, static_cast<std::uint32_t>(p)));
@@ -322,11 +351,23 @@ StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const sim:
   const int count = static_cast<int>(std::size(kTrials));
   double least = std::numeric_limits<double>::infinity();
   int worse = 0;
+  // All are tried with the same modes, which the usual one teaches.
+  std::vector<double> modes;
+  if (!modes_.empty())
+    modes = solve(pictures, start, kUsualSparsity, kCoarseSteps, "choosing the prior", 0.0,
+                  share_.prior / kUsualTrials)
+                .modes;
   for (int t = 0; t < count && worse < kWorseTrials && !stopped(); ++t) {
-    for (std::size_t p = 0; p < pictures.size(); ++p) pictures[p].leave_out(left_out[p]);
-    const MapSolution s = solve(pictures, grid, start, kTrials[t], kCoarseSteps, "choosing the prior",
-                                share_.prior * std::min(1.0, t / kUsualTrials),
-                                share_.prior * std::min(1.0, (t + 1) / kUsualTrials));
+    for (std::size_t p = 0; p < pictures.size(); ++p) {
+      pictures[p].leave_out(left_out[p]);
+      pictures[p].set_modes(modes);
+    }
+    MapSolverOptions o;
+    o.steps = kCoarseSteps;
+    o.sparsity = kTrials[t];
+    const MapSolution s =
+        solve(pictures, start, "choosing the prior", share_.prior * std::min(1.0, (t + 1) / kUsualTrials),
+              share_.prior * std::min(1.0, (t + 2) / kUsualTrials), std::move(o));
     const PredictionLoss loss = prediction_loss(pictures, s.map, left_out);
     trials.numbers["sparsity"].push_back(kTrials[t]);
     trials.numbers["left_out"].push_back(loss.mean());
@@ -338,20 +379,23 @@ StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const sim:
     picture.leave_out({});
     picture.gain = {1.0, 1.0, 1.0};
   }
+  trials.numbers["modes"] = modes;
   trials.whole = !stopped();
   return trials;
 }
 
-double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
-                                const std::vector<float>& start, MapResult& result) {
-  const auto try_all = [&] { return try_priors(pictures, grid, start); };
+double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const std::vector<float>& start,
+                                MapResult& result) {
+  const auto try_all = [&] { return try_priors(pictures, start); };
   const StepOutput trials =
       options_.journal != nullptr ? options_.journal->step("prior", try_all) : try_all();
-  if (trials.numbers.empty()) return kUsualSparsity;  // stopped before the first
+  if (trials.numbers.count("sparsity") == 0) return kUsualSparsity;  // stopped before the first
   const std::vector<double>& sparsity = trials.numbers_at("sparsity");
   const std::vector<double>& left = trials.numbers_at("left_out", sparsity.size());
   const std::vector<double>& error = trials.numbers_at("error", sparsity.size());
   if (sparsity.empty()) throw trials.error_at("sparsity");
+  modes_ = trials.numbers_at("modes", centre_.size());
+  for (MapObservation& picture : pictures) picture.set_modes(modes_);
   for (std::size_t t = 0; t < left.size(); ++t) result.trials.push_back({sparsity[t], left[t], error[t]});
   return strongest_good_prior(result.trials);
 }
@@ -371,7 +415,7 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
     drawn[i] = static_cast<float>(normal(seed, static_cast<std::uint32_t>(replicate),
                                          static_cast<std::uint32_t>(picture) * 4u + 3u,
                                          static_cast<std::uint32_t>(i)));
-  const sim::BlurKernel kernel = sim::gaussian_kernel(kErrorReach_cells);
+  const sim::BlurKernel kernel = sim::gaussian_kernel(kModelErrorReach_cells);
   sim::blur_window(drawn.data(), film.rows, film.columns, {{kernel, kernel}}, {0, 0, film.rows, film.columns},
                    blurred.data(), threads);
   // The variance of a mean with these weights, both ways.
@@ -383,13 +427,11 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
 }
 
 std::vector<MapObservation> Mapping::pictures_drawn(std::vector<MapObservation>& fine,
-                                                    const sim::GroundGrid& grid, std::uint32_t number,
+                                                    const sim::GroundGrid& grid,
+                                                    const std::vector<double>& values,
                                                     const sim::ElectronSpectrum& spectrum) const {
-  const std::vector<sim::Scene> drawn =
-      scenes_of(scene_with(scene_, numbers_, drawn_numbers(scene_.seed, numbers_, number)), photos_);
-  const bool of_light =
-      std::all_of(numbers_.begin(), numbers_.end(), [](const MapNumber& number) { return number.mode >= 0; });
-  if (of_light) {
+  const std::vector<sim::Scene> drawn = scenes_of(scene_with(scene_, numbers_, values), photos_);
+  if (centre_.size() == numbers_.size()) {
     for (std::size_t p = 0; p < fine.size(); ++p)
       fine[p].look_by_light_of(drawn[p], energy_nodes(spectrum), kFluxOfRates, options_.altitude_scale,
                                spectrum);
@@ -418,11 +460,13 @@ void Mapping::set_drawn_data(const MapLight& truth, std::uint32_t number, std::u
 }
 
 MapSolution Mapping::solve_drawn(std::vector<MapObservation>& pictures, const MapResult& best,
-                                 std::uint32_t number, double from, double to) const {
+                                 std::uint32_t number, const Eigen::VectorXd& shift, double from,
+                                 double to) const {
   const double spread = kPriorSpread * normal(scene_.seed, number, 0xffffu, 0u);
   // A little light everywhere, so that what the prior has put out may come back.
   // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
-  std::vector<float> start = best.map, factor(static_cast<std::size_t>(best.grid.cells()));
+  std::vector<float> start = moved_map(best.map, learnt_.response.answer(shift)),
+                     factor(static_cast<std::size_t>(best.grid.cells()));
   double most = 0.0, flux_of_all = 0.0, ln_energy_of_all = 0.0;
   for (const float x : start) most = std::max(most, static_cast<double>(x));
   for (const CellFlux& cell : best.cells) {
@@ -444,24 +488,45 @@ MapSolution Mapping::solve_drawn(std::vector<MapObservation>& pictures, const Ma
       x *= static_cast<float>(std::exp(flux + tilt * (std::log(energies_[k]) - about)));
     }
   }
-  return solve(pictures, best.grid, std::move(start), best.sparsity * std::exp(spread), kReplicateSteps,
-               "error bars", from, to, std::move(factor));
+  MapSolverOptions o;
+  o.cell_factor = std::move(factor);
+  o.steps = kReplicateSteps;
+  o.sparsity = best.sparsity * std::exp(spread);
+  return solve(pictures, std::move(start), "error bars", from, to, std::move(o));
 }
 
-std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, const MapResult& best,
-                                         const std::vector<MapLight>& truth, std::uint32_t number,
-                                         const sim::ElectronSpectrum& spectrum, double from, double to) {
+Eigen::VectorXd Mapping::drawn_shift(const std::vector<double>& values) const {
+  Eigen::VectorXd drawn(static_cast<Eigen::Index>(modes_.size()));
+  Eigen::Index k = 0;
+  for (std::size_t i = 0; i < numbers_.size(); ++i)
+    if (numbers_[i].mode >= 0) drawn(k++) = (values[i] - numbers_[i].value) / numbers_[i].error;
+  return learnt_.spread * drawn;
+}
+
+void Mapping::add_replicate(std::vector<MapObservation>& fine, const std::vector<MapLight>& truth,
+                            std::uint32_t number, MapResult& result) {
+  const sim::ElectronSpectrum spectrum = is_of_one_station(result)
+                                             ? replicate_spectrum(options_.spectrum, static_cast<int>(number))
+                                             : options_.spectrum;
+  const double each = (1.0 - share_.map) / options_.replicates, from = share_.map + each * number;
+  std::vector<double> values = drawn_numbers(scene_.seed, numbers_, number);
+  const Eigen::VectorXd shift = drawn_shift(values);
+  for (std::size_t i = 0, k = 0; i < numbers_.size(); ++i)
+    if (numbers_[i].mode >= 0) {
+      values[i] = modes_[k] + shift(static_cast<Eigen::Index>(k));
+      ++k;
+    }
   const auto work = [&] {
-    std::vector<MapObservation> drawn = pictures_drawn(fine, best.grid, number, spectrum);
+    std::vector<MapObservation> drawn = pictures_drawn(fine, result.grid, values, spectrum);
     std::vector<MapObservation>& pictures = drawn.empty() ? fine : drawn;
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
     for (std::size_t p = 0; p < pictures.size(); ++p) {
-      pictures[p].gain = best.photos[p].gain;
+      pictures[p].gain = result.photos[p].gain;
       set_drawn_data(truth[p], number, static_cast<std::uint32_t>(p), pictures[p]);
     }
-    const MapSolution s = solve_drawn(pictures, best, number, from, to);
+    const MapSolution s = solve_drawn(pictures, result, number, shift, from, from + each);
     StepOutput out;
-    for (const CellFlux& cell : CellReader(best.grid, energies_).cells(s.map)) {
+    for (const CellFlux& cell : CellReader(result.grid, energies_).cells(s.map)) {
       out.numbers["flux"].push_back(cell.flux_mw_m2);
       out.numbers["ln_energy"].push_back(cell.ln_energy);
     }
@@ -471,12 +536,15 @@ std::vector<CellFlux> Mapping::replicate(std::vector<MapObservation>& fine, cons
   std::string name = "replicate " + std::to_string(number);
   if (spectrum.kind != options_.spectrum.kind) name += std::string(" ") + sim::spectrum_word(spectrum.kind);
   const StepOutput out = options_.journal != nullptr ? options_.journal->step(name, work) : work();
-  std::vector<CellFlux> cells(static_cast<std::size_t>(best.grid.cells()));
+  if (stopped()) return;
+  std::vector<CellFlux> cells(static_cast<std::size_t>(result.grid.cells()));
   const std::vector<double>& flux = out.numbers_at("flux", cells.size());
   const std::vector<double>& ln_energy = out.numbers_at("ln_energy", cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] = {static_cast<float>(flux[c]), static_cast<float>(ln_energy[c])};
-  return cells;
+  result.replicates.push_back(std::move(cells));
+  result.replicate_spectra.push_back(spectrum);
+  result.replicate_values.push_back(std::move(values));
 }
 
 void Mapping::tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const {
@@ -543,6 +611,7 @@ void Mapping::put_photos(std::vector<MapObservation>& pictures, MapResult& resul
     MappedPhoto photo;
     photo.name = scene_.fit.photos.empty() ? "" : scene_.fit.photos[p].name;
     photo.scene = scenes_[p];
+    if (!modes_.empty()) photo.scene.emission.modes = modes_;
     photo.film = picture.film();
     photo.data = picture.data();
     photo.sigma = picture.sigma();
@@ -564,20 +633,19 @@ void Mapping::add_replicates(std::vector<MapObservation>& fine, MapResult& resul
     truth.push_back(photo.model);
     for (std::size_t i = 0; i < truth.back().size(); ++i) truth.back()[i] += photo.sky[i];
   }
+  if (!modes_.empty() && options_.replicates > 0 && !stopped()) {
+    MapSolverOptions o;
+    o.sparsity = result.sparsity;
+    o.modes = o.modes_centre = modes_;
+    o.stop = options_.stop;
+    learnt_ = solved_modes(fine, near_, static_cast<int>(energies_.size()), result.map, o);
+  }
   for (int r = 0; r < options_.replicates && !stopped(); ++r) {
-    const sim::ElectronSpectrum spectrum =
-        is_of_one_station(result) ? replicate_spectrum(options_.spectrum, r) : options_.spectrum;
-    std::vector<CellFlux> cells;
     try {
-      cells = replicate(fine, result, truth, static_cast<std::uint32_t>(r), spectrum,
-                        share_.map + (1.0 - share_.map) * r / options_.replicates,
-                        share_.map + (1.0 - share_.map) * (r + 1) / options_.replicates);
+      add_replicate(fine, truth, static_cast<std::uint32_t>(r), result);
     } catch (const MapStopped&) {
       return;  // the map itself is there
     }
-    if (stopped()) return;
-    result.replicates.push_back(std::move(cells));
-    result.replicate_spectra.push_back(spectrum);
   }
 }
 
@@ -587,18 +655,17 @@ MapResult Mapping::run() {
   sim::GroundGrid coarse_grid = map_grid(coarse, scene_.site, farthest, 2.0);
   look(coarse, coarse_grid);
   keep_seen(coarse, coarse_grid);
+  near_ = MapNeighbours(coarse_grid);
   const std::vector<float> start = flat_start(coarse, coarse_grid);
   MapResult result(scene_, coarse_grid);
   result.numbers = numbers_;
   result.altitude_scale = options_.altitude_scale;
   result.spectrum = options_.spectrum;
   result.energies_kev = energies_;
-  result.sparsity =
-      options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, coarse_grid, start, result);
+  result.sparsity = options_.sparsity > 0.0 ? options_.sparsity : choose_sparsity(coarse, start, result);
   double chi2 = 0.0;
   const std::vector<float> rough = recorded("coarse map", coarse_grid.cells(), coarse, chi2, [&] {
-    return solve(coarse, coarse_grid, start, result.sparsity, kCoarseSteps, "coarse map", share_.prior,
-                 share_.coarse);
+    return solve(coarse, start, result.sparsity, kCoarseSteps, "coarse map", share_.prior, share_.coarse);
   });
   require_light(coarse, start, chi2);
 
@@ -607,10 +674,12 @@ MapResult Mapping::run() {
   result.grid = map_grid(fine, scene_.site, farthest, 1.0);
   keep_lit(coarse_grid, rough, result.grid);
   look(fine, result.grid);
+  near_ = MapNeighbours(result.grid);
   result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
-    return solve(fine, result.grid, refined_map(rough, coarse_grid, result.grid), result.sparsity, kFineSteps,
-                 "map", share_.coarse, share_.map);
+    return solve(fine, refined_map(rough, coarse_grid, result.grid), result.sparsity, kFineSteps, "map",
+                 share_.coarse, share_.map);
   });
+  if (!modes_.empty()) result.scene.emission.modes = modes_;
   result.cells = CellReader(result.grid, energies_).cells(result.map);
   for (const CellFlux& cell : CellReader(result.grid, energies_, kWideReach_km).cells(result.map))
     result.ln_energy_around.push_back(cell.ln_energy);

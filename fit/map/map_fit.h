@@ -85,8 +85,8 @@ struct MapResult {
   MapResult(sim::Scene mapped, sim::GroundGrid cells_of_map)
       : scene(std::move(mapped)), grid(std::move(cells_of_map)) {}
 
-  sim::Scene scene;
-  std::vector<MapNumber> numbers;  ///< numbers for which each replicate has its own values
+  sim::Scene scene;                ///< its emission has the modes that were found
+  std::vector<MapNumber> numbers;  ///< numbers for which each replicate has its own values, as known before
   double altitude_scale = 1.0;     ///< factor on the altitudes of light in the tables
   sim::ElectronSpectrum spectrum;
   sim::GroundGrid grid;
@@ -97,6 +97,7 @@ struct MapResult {
   std::vector<std::vector<CellFlux>> replicates;         ///< perturbed solutions
   std::vector<sim::ElectronSpectrum> replicate_spectra;  ///< of each; its E0 is that of `spectrum` at the
                                                          ///< same mean energy
+  std::vector<std::vector<double>> replicate_values;  ///< of `numbers`, with the modes as each has found them
   std::vector<std::uint8_t>
       border_in_view;  ///< whether light at the cell's lower border is in a used part of a picture
   std::vector<float> sensitivity;  ///< signal-to-noise ratio of 1 mW m^-2 in this cell alone
@@ -120,7 +121,8 @@ bool is_of_one_station(const MapResult& result);
 /// kappa 4): a sharper lower border looks like a lower one.
 sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate);
 
-/// Returns the values that a replicate has of the numbers beside the map, drawn from what is known of them.
+/// Returns the values that a replicate begins with of the numbers beside the map, drawn from what is known of
+/// them.
 std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
                                   std::uint32_t replicate);
 

@@ -134,6 +134,12 @@ NoiseByLight noise_by_light(const std::vector<LightAndVariance>& windows) {
 
 }  // namespace
 
+double dot(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * b[i];
+  return sum;
+}
+
 MapObservation::MapObservation(const sim::Scene& scene, const Photo& photo,
                                const MapObservationOptions& options)
     : scene_(scene), threads_(options.threads), stop_(options.stop) {
@@ -266,8 +272,7 @@ void MapObservation::estimate_noise(const Photo& photo, const MapObservationOpti
 void MapObservation::make_sky_basis() {
   // Level; airglow by airmass, and what its layer and the air make of that; a town's or the twilight's glow
   // by its height, and round the horizon as a mean and two waves; both ways along the horizon.
-  sky_terms_ = 10;
-  sky_basis_.assign(cells() * sky_terms_, 0.0f);
+  sky_basis_.assign(cells() * kSkyTerms, 0.0f);
   const sim::CameraView<double> view = sim::camera_view(scene_.camera);
   const double observer = scene_.site.altitude_m * 1e-3;
   for (int row = 0; row < film_.rows; ++row)
@@ -276,7 +281,7 @@ void MapObservation::make_sky_basis() {
       if (!sim::enu_of_cell(view, film_, row, column, enu)) continue;
       const std::size_t cell = static_cast<std::size_t>(row) * film_.columns + column;
       const double elevation = std::asin(std::clamp(enu[2], -1.0, 1.0)) / sim::kRadiansPerDegree;
-      float* f = &sky_basis_[cell * sky_terms_];
+      float* f = &sky_basis_[cell * kSkyTerms];
       f[0] = 1.0f;
       f[1] = static_cast<float>(sim::van_rhijn(std::max(0.0, enu[2]), 97.0, observer) - 1.0);
       f[2] = static_cast<float>(std::exp(-std::max(0.0, elevation) / kTownHeight_deg));
@@ -292,12 +297,13 @@ void MapObservation::make_sky_basis() {
 
 void MapObservation::leave_out(const std::vector<std::uint8_t>& left_out) {
   weight_.assign(cells() * 3, 0.0f);
-  values_ = 0;
+  for (std::vector<std::size_t>& channel : used_) channel.clear();
   for (std::size_t i = 0; i < weight_.size(); ++i)
     if (sigma_[i] > 0.0f && (left_out.empty() || left_out[i / 3] == 0)) {
       weight_[i] = 1.0f / (sigma_[i] * sigma_[i]);
-      ++values_;
+      used_[i % 3].push_back(i);
     }
+  values_ = used_[0].size() + used_[1].size() + used_[2].size();
   factor_sky();
 }
 
@@ -305,22 +311,22 @@ void MapObservation::factor_sky() {
   // A sky that is as bright as the picture's darkest part, give or take all of it: a prior of next to no
   // weight that keeps terms which the region cannot tell apart from growing against each other.
   for (int c = 0; c < 3; ++c) {
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(sky_terms_, sky_terms_);
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(kSkyTerms, kSkyTerms);
     std::vector<double> light;
     for (std::size_t cell = 0; cell < cells(); ++cell) {
       const double w = weight_[cell * 3 + c];
       if (w == 0.0) continue;
       light.push_back(data_[cell * 3 + c]);
-      const float* f = &sky_basis_[cell * sky_terms_];
-      for (int i = 0; i < sky_terms_; ++i)
-        for (int j = 0; j <= i; ++j) normal(i, j) += w * f[i] * f[j];
+      const float* f = &sky_basis_[cell * kSkyTerms];
+      for (std::size_t i = 0; i < kSkyTerms; ++i)
+        for (std::size_t j = 0; j <= i; ++j) normal(i, j) += w * f[i] * f[j];
     }
     if (light.empty()) {
-      sky_inverse_[c].assign(static_cast<std::size_t>(sky_terms_) * sky_terms_, 0.0);
+      sky_inverse_[c].assign(static_cast<std::size_t>(kSkyTerms) * kSkyTerms, 0.0);
       continue;
     }
     const double dark = std::max(sim::quantile(light, 0.1), 1e-9);
-    for (int i = 0; i < sky_terms_; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
+    for (std::size_t i = 0; i < kSkyTerms; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
     const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd inverse = sim::inverse_of(full);
     sky_inverse_[c].assign(inverse.data(), inverse.data() + inverse.size());
@@ -334,9 +340,16 @@ void MapObservation::look_at(const sim::Site& home, const sim::GroundGrid& grid,
                                               rates_at_flux_mw_m2, threads_, altitude_scale, spectrum, stop_);
 }
 
-void MapObservation::forward(const std::vector<float>& map, MapLight& out) const {
+void MapObservation::set_light(std::shared_ptr<const sim::ModeRates> rates,
+                               const std::vector<double>& modes) {
+  rates_ = std::move(rates);
+  set_modes(modes);
+}
+
+void MapObservation::forward(const std::vector<float>& map, const std::vector<float>& rate,
+                             MapLight& out) const {
   std::vector<float> rayleighs;
-  light_->forward(map, rayleighs);
+  light_->forward(map, rate, rayleighs);
   const std::size_t lines = colour_.size();
   std::vector<float> planes(rayleighs.size()), blurred(rayleighs.size());
   for (std::size_t i = 0; i < cells(); ++i)
@@ -368,61 +381,60 @@ void MapObservation::add_adjoint(const MapLight& light, std::vector<float>& map)
 }
 
 template <class Value>
-std::vector<double> MapObservation::solve_sky(int channel, const Value& weighted) const {
-  std::vector<double> right(static_cast<std::size_t>(sky_terms_), 0.0), sky = right;
-  for (std::size_t cell = 0; cell < cells(); ++cell) {
-    const std::size_t i = cell * 3 + channel;
-    if (weight_[i] == 0.0f) continue;
+MapObservation::Sky MapObservation::solve_sky(int channel, const Value& weighted) const {
+  Sky right{}, sky{};
+  for (const std::size_t i : used_[channel]) {
     const double value = weighted(i);
-    const float* f = &sky_basis_[cell * sky_terms_];
-    for (int j = 0; j < sky_terms_; ++j) right[j] += value * f[j];
+    const float* f = &sky_basis_[i / 3 * kSkyTerms];
+    for (std::size_t j = 0; j < kSkyTerms; ++j) right[j] += value * f[j];
   }
-  for (int i = 0; i < sky_terms_; ++i)
-    for (int j = 0; j < sky_terms_; ++j) sky[i] += sky_inverse_[channel][i * sky_terms_ + j] * right[j];
+  for (std::size_t i = 0; i < kSkyTerms; ++i)
+    for (std::size_t j = 0; j < kSkyTerms; ++j) sky[i] += sky_inverse_[channel][i * kSkyTerms + j] * right[j];
   return sky;
 }
 
-double MapObservation::sky_at(std::size_t cell, const std::vector<double>& sky) const {
-  const float* f = &sky_basis_[cell * sky_terms_];
+double MapObservation::sky_at(std::size_t cell, const Sky& sky) const {
+  const float* f = &sky_basis_[cell * kSkyTerms];
   double sum = 0.0;
-  for (int j = 0; j < sky_terms_; ++j) sum += sky[j] * f[j];
+  for (std::size_t j = 0; j < kSkyTerms; ++j) sum += sky[j] * f[j];
   return sum;
 }
 
 double MapObservation::residual(const MapLight& light, MapLight& residual) {
   residual.assign(cells() * 3, 0.0f);
-  sky_.assign(cells() * 3, 0.0f);
   std::array<double, 3> chi2{};
   sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
-    const int c = static_cast<int>(channel);
-    const std::vector<double> sky =
-        solve_sky(c, [&](std::size_t i) { return weight_[i] * (static_cast<double>(data_[i]) - light[i]); });
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const std::size_t i = cell * 3 + c;
-      const double behind = sky_at(cell, sky);
-      sky_[i] = static_cast<float>(behind);
-      if (weight_[i] == 0.0f) continue;
-      const double model = light[i] + behind;
+    const Sky sky = solve_sky(static_cast<int>(channel), [&](std::size_t i) {
+      return weight_[i] * (static_cast<double>(data_[i]) - light[i]);
+    });
+    sky_[channel] = sky;
+    double sum = 0.0;
+    for (const std::size_t i : used_[channel]) {
+      const double model = light[i] + sky_at(i / 3, sky);
       double r = model - data_[i];
       // Stored as none, it is none or less.
       if (clips_ && model < 0.0 && data_[i] <= noise_[i]) r = -data_[i];
-      chi2[channel] += weight_[i] * r * r;
+      sum += weight_[i] * r * r;
       residual[i] = static_cast<float>(weight_[i] * r);
     }
+    chi2[channel] = sum;
   });
   return chi2[0] + chi2[1] + chi2[2];
+}
+
+MapLight MapObservation::sky() const {
+  MapLight light(cells() * 3);
+  for (std::size_t i = 0; i < light.size(); ++i) light[i] = static_cast<float>(sky_at(i / 3, sky_[i % 3]));
+  return light;
 }
 
 void MapObservation::take_sky_away(const MapLight& light, MapLight& weighted) const {
   weighted.assign(cells() * 3, 0.0f);
   sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
-    const int c = static_cast<int>(channel);
-    const std::vector<double> sky =
-        solve_sky(c, [&](std::size_t i) { return static_cast<double>(weight_[i]) * light[i]; });
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const std::size_t i = cell * 3 + channel;
-      if (weight_[i] != 0.0f) weighted[i] = static_cast<float>(weight_[i] * (light[i] - sky_at(cell, sky)));
-    }
+    const Sky sky = solve_sky(static_cast<int>(channel),
+                              [&](std::size_t i) { return static_cast<double>(weight_[i]) * light[i]; });
+    for (const std::size_t i : used_[channel])
+      weighted[i] = static_cast<float>(weight_[i] * (light[i] - sky_at(i / 3, sky)));
   });
 }
 

@@ -20,14 +20,21 @@
 #include "fit/photo/photo.h"
 #include "sim/render/ground/ground_grid.h"
 #include "sim/render/ground/ground_light.h"
+#include "sim/render/ground/ground_rates.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/film/blur.h"
 
 namespace vegard::fit {
 
+/// Standard deviation, in cells of the film, of the smooth errors that a model of the light has.
+inline constexpr double kModelErrorReach_cells = 4.0;
+
 /// Sums over a film's cells and channels: [cell * 3 + channel].
 using MapLight = std::vector<float>;
+
+/// The sum of products, in double precision.
+double dot(const std::vector<float>& a, const std::vector<float>& b);
 
 struct MapObservationOptions {
   int pixels_per_cell = 1;    ///< along each side of a film's cell
@@ -69,15 +76,22 @@ class MapObservation {
   void look_by_light_of(const sim::Scene& scene, const std::vector<double>& energies_kev,
                         double rates_at_flux_mw_m2, double altitude_scale,
                         const sim::ElectronSpectrum& spectrum) {
-    light_->set_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum);
+    light_->set_rates(sim::ground_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum));
   }
+  /// Gives it light for any coefficients of the modes of the tables' uncertainty.
+  void set_light(std::shared_ptr<const sim::ModeRates> rates, const std::vector<double>& modes);
+  void set_modes(const std::vector<double>& modes) { light_->set_rates(rates_->at(modes)); }
   const sim::GroundLight& light() const { return *light_; }
   /// As GroundLight's.
   void keep(const std::vector<std::uint8_t>& cells) { light_->keep(cells); }
   void keep_all() { light_->keep_all(); }
 
   /// The light of a map, without the sky.
-  void forward(const std::vector<float>& map, MapLight& out) const;
+  void forward(const std::vector<float>& map, MapLight& out) const { forward(map, light_->rate(), out); }
+  /// Its derivative by the coefficient of a mode.
+  void forward_by_mode(int mode, const std::vector<float>& map, MapLight& out) const {
+    forward(map, rates_->by_mode(mode, light_->rate()), out);
+  }
   void add_adjoint(const MapLight& light, std::vector<float>& map) const;
 
   /// Solves for the sky of a model's light and returns chi2; `residual` becomes (light + sky - data) /
@@ -86,7 +100,7 @@ class MapObservation {
   /// Subtracts from the weighted product W (light) what the sky can explain of it: for curvatures.
   void take_sky_away(const MapLight& light, MapLight& weighted) const;
   /// The sky that the last residual() found.
-  const MapLight& sky() const { return sky_; }
+  MapLight sky() const;
 
   /// The channel whose gain is that of the scene where the white balance is unknown: the first of G, R, B
   /// with data.
@@ -96,6 +110,7 @@ class MapObservation {
   std::array<double, 3> gain{1.0, 1.0, 1.0};
 
  private:
+  void forward(const std::vector<float>& map, const std::vector<float>& rate, MapLight& out) const;
   void bin(const Photo& photo, const MapObservationOptions& options);
   void want_light_around();
   void leave_out_beside(const std::vector<std::uint8_t>& clipped, std::vector<std::uint8_t>& used);
@@ -104,11 +119,13 @@ class MapObservation {
                       const std::vector<std::uint8_t>& used);
   void make_sky_basis();
   void factor_sky();
-  /// The coefficients of the sky in a channel, by least squares: `weighted(i)` is the weight of value i times
-  /// the light that the sky must explain.
+  static constexpr std::size_t kSkyTerms = 10;
+  using Sky = std::array<double, kSkyTerms>;  ///< coefficients
+  /// The sky in a channel, by least squares: `weighted(i)` is the weight of value i times the light that the
+  /// sky must explain.
   template <class Value>
-  std::vector<double> solve_sky(int channel, const Value& weighted) const;
-  double sky_at(std::size_t cell, const std::vector<double>& sky) const;
+  Sky solve_sky(int channel, const Value& weighted) const;
+  double sky_at(std::size_t cell, const Sky& sky) const;
 
   sim::Scene scene_;
   sim::FilmGeometry film_;
@@ -116,12 +133,14 @@ class MapObservation {
   const std::atomic<bool>* stop_ = nullptr;
   bool clips_ = false;  ///< whether negative light was stored as 0
   std::size_t values_ = 0;
-  MapLight data_, sigma_, noise_, weight_, sky_;
+  MapLight data_, sigma_, noise_, weight_;
+  std::array<std::vector<std::size_t>, 3> used_;  ///< values with a weight, by channel
+  std::array<Sky, 3> sky_{};                      ///< that residual() has found
   std::vector<std::uint8_t> wanted_;
   std::vector<std::array<double, 3>> colour_;  ///< per rayleigh of each line
   std::vector<sim::PlaneBlur> blur_;
   std::unique_ptr<sim::GroundLight> light_;
-  int sky_terms_ = 0;
+  std::shared_ptr<const sim::ModeRates> rates_;
   std::vector<float> sky_basis_;                    ///< [cell * terms + term]
   std::array<std::vector<double>, 3> sky_inverse_;  ///< (B' W B + prior)^-1 of a channel
 };

@@ -3,39 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "sim/base/number/constants.h"
+#include "sim/base/number/dense_solvers.h"
 
 namespace vegard::fit {
 namespace {
 
 using sim::kGroundEnergies;
 
-struct Near {
-  int cell;
-  float weight;
-};
-
-/// Weights of a cell's neighbours, which sum to 1.
-std::vector<std::vector<Near>> neighbourhoods(const sim::GroundGrid& grid, double along_km) {
-  std::vector<std::vector<Near>> all(static_cast<std::size_t>(grid.cells()));
-  for (int cell = 0; cell < grid.cells(); ++cell) {
-    const double reach = std::max(along_km, 1.01 * std::max(grid.depth_km(cell), grid.breadth_km(cell)));
-    double sum = 0.0;
-    for (const auto& near : grid.near(cell, 1.5 * reach)) {
-      const double d = std::hypot(near.east_km, near.north_km) / reach;
-      const double w = std::exp(-0.5 * d * d * 4.0) * grid.area_km2(near.cell);
-      all[cell].push_back({near.cell, static_cast<float>(w)});
-      sum += w;
-    }
-    for (Near& near : all[cell]) near.weight = static_cast<float>(near.weight / sum);
-  }
-  return all;
-}
-
+constexpr double kAlong_km = 6.0;  // smoothing length of Q' and p'
 constexpr double kEpsilon = 1e-3;  // of the brightest neighbourhood: less light counts as none
 constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light, with less around, is put out
 constexpr int kDarkFrom = 40;      // the step from which cells may count as dark
 constexpr double kFewer = 0.8;     // of their cells: lines of sight are made anew once no more are left
-constexpr double kLevel = 5e-4;    // relative fall from revision to revision that is no longer waited for
+/// Cells that share a smooth error: of the model, and of the map itself, which is sparse and has cells.
+constexpr double kSharedBy = 4.0 * sim::kPi * kModelErrorReach_cells * kModelErrorReach_cells;
+constexpr double kMaxModeStep = 1.0;  // standard deviations
+constexpr int kHalvings = 3;          // of a step of the modes that does not lead down
+constexpr double kLevel = 5e-4;       // relative fall from revision to revision that is no longer waited for
 
 /// Gains that are not known, by least squares with the skies solved for: those of R and B beside G where the
 /// white balance is unknown, and of every photograph but the first, whose scale is the map's.
@@ -65,23 +52,23 @@ void solve_gains(std::vector<MapObservation>& pictures, std::vector<MapLight>& l
   }
 }
 
-double dot(const std::vector<float>& a, const std::vector<float>& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += static_cast<double>(a[i]) * b[i];
-  return sum;
+/// A cell's flux after a change that is taken to first order: never negative.
+float moved(float flux, float change) {
+  return change >= 0.0f ? flux + change : flux > 0.0f ? flux * flux / (flux - change) : 0.0f;
 }
 
 /// The state of a solution and the steps of its loop, in the order of their calls.
 class MapSolver {
  public:
-  MapSolver(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
+  MapSolver(std::vector<MapObservation>& pictures, const MapNeighbours& near, int energies,
             std::vector<float> start, const MapSolverOptions& options)
       : pictures_(pictures),
         options_(options),
         energies_(energies),
-        cells_(static_cast<std::size_t>(grid.cells())),
+        cells_(near.of_cell.size()),
         n_(cells_ * kGroundEnergies),
-        near_(neighbourhoods(grid, options.along_km)),
+        near_(near.of_cell),
+        modes_(options.modes),
         x_(std::move(start)),
         light_(pictures.size()),
         residual_(pictures.size()),
@@ -105,7 +92,13 @@ class MapSolver {
       }
       evaluate();
       steps_ = it;
-      if (revised && it > 2 * options_.held && has_converged()) break;
+      if (revised && it > 2 * options_.held) {
+        const bool converged = has_converged();
+        if (modes_left_ > 0 && (converged || it - modes_at_ >= options_.steps / (options_.modes_steps + 1)))
+          solve_modes();
+        else if (converged)
+          break;
+      }
       if (options_.progress) options_.progress(it, chi2_);
       if (options_.stop != nullptr && *options_.stop) break;
       add_penalties();
@@ -119,7 +112,21 @@ class MapSolver {
       }
       take_step(exact_share(slope));
     }
-    return {std::move(x_), chi2_, steps_};
+    return {std::move(x_), std::move(modes_), chi2_, steps_};
+  }
+
+  MapModes learnt() {
+    reweight();
+    find_scale();
+    evaluate();
+    const double prior = modes_prior();
+    MapModes modes;
+    modes.response = response(prior);
+    const auto count = static_cast<Eigen::Index>(modes_.size());
+    const std::optional<Eigen::MatrixXd> root = sim::cholesky_root(
+        sim::inverse_of(modes.response.information / prior + Eigen::MatrixXd::Identity(count, count)));
+    modes.spread = root ? *root : Eigen::MatrixXd(Eigen::MatrixXd::Identity(count, count));
+    return modes;
   }
 
  private:
@@ -135,7 +142,7 @@ class MapSolver {
     double most = 0.0;
     for (std::size_t c = 0; c < cells_; ++c) {
       double sum = 0.0;
-      for (const Near& m : near_[c]) sum += m.weight * flux_[m.cell];
+      for (const MapNeighbours::Near& m : near_[c]) sum += m.weight * flux_[m.cell];
       smooth_[c] = static_cast<float>(sum);
       most = std::max(most, sum);
     }
@@ -150,7 +157,7 @@ class MapSolver {
       if (!options_.cell_factor.empty()) linear_[c] *= options_.cell_factor[c];
       if (options_.energy_bond <= 0.0) continue;
       double spectrum[kGroundEnergies] = {};
-      for (const Near& m : near_[c])
+      for (const MapNeighbours::Near& m : near_[c])
         for (int k = 0; k < energies_; ++k) spectrum[k] += m.weight * x_[m.cell * kGroundEnergies + k];
       for (int k = 0; k < energies_; ++k) {
         target_[c * kGroundEnergies + k] = static_cast<float>(flux_[c] * spectrum[k] / (smooth_[c] + 1e-30));
@@ -182,6 +189,79 @@ class MapSolver {
       if (kept[i / kGroundEnergies] == 0) x_[i] = 0.0f;
     for (MapObservation& picture : pictures_) picture.keep(kept);
     see_light();
+  }
+
+  /// The function itself, whose weights have just been computed. Shares of the brightest neighbourhood do not
+  /// ask how bright it is.
+  double objective(double prior) const {
+    double sum = 0.5 * chi2_, most = 0.0;
+    for (std::size_t k = 0; k < modes_.size(); ++k)
+      sum += 0.5 * prior * std::pow(modes_[k] - options_.modes_centre[k], 2);
+    for (const float q : smooth_) most = std::max(most, static_cast<double>(q));
+    for (std::size_t c = 0; c < cells_; ++c)
+      sum += options_.sparsity * (options_.cell_factor.empty() ? 1.0 : options_.cell_factor[c]) *
+             std::log1p(smooth_[c] / (kEpsilon * most));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double apart = static_cast<double>(x_[i]) - target_[i];
+      sum += 0.5 * bond_[i] * apart * apart;
+    }
+    return sum;
+  }
+
+  /// The precision of the modes' prior beside chi2, in which all values count.
+  double modes_prior() const {
+    double values = 0.0;
+    for (const MapObservation& picture : pictures_) values += static_cast<double>(picture.values());
+    // What is not explained is no noise that would average out.
+    return kSharedBy * std::max(1.0, chi2_ / std::max(1.0, values));
+  }
+
+  ModeResponse response(double prior) {
+    evaluate();
+    add_penalties();
+    // Sparsity is of shares of the light: that it wants less of all is no reason for other light.
+    double wanted = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < n_; ++i) {
+      wanted += static_cast<double>(linear_[i / kGroundEnergies]) * x_[i];
+      all += x_[i];
+    }
+    for (float& g : gradient_) g -= static_cast<float>(wanted / std::max(1e-30, all));
+    return mode_response({pictures_, x_, light_, scale_, residual_, gradient_, options_.stop},
+                         static_cast<int>(modes_.size()), prior);
+  }
+
+  /// A step of Gauss and Newton of the modes, with the map's answer, to less of the function.
+  void solve_modes() {
+    const double prior = modes_prior();
+    const ModeResponse r = response(prior);
+    if (options_.stop != nullptr && *options_.stop) return;
+    const double before = objective(prior);
+    const auto count = static_cast<Eigen::Index>(modes_.size());
+    Eigen::VectorXd towards = -r.gradient;
+    for (Eigen::Index k = 0; k < count; ++k)
+      towards(k) +=
+          prior * (options_.modes_centre[static_cast<std::size_t>(k)] - modes_[static_cast<std::size_t>(k)]);
+    const Eigen::VectorXd step =
+        sim::solve_symmetric(r.information + prior * Eigen::MatrixXd::Identity(count, count), towards);
+    const double longest = step.cwiseAbs().maxCoeff();
+    const std::vector<double> modes = modes_;
+    const std::vector<float> map = x_, change = r.answer(step);
+    double share = longest > kMaxModeStep ? kMaxModeStep / longest : 1.0;
+    for (int i = 0; i <= kHalvings; ++i, share = i < kHalvings ? 0.5 * share : 0.0) {
+      for (std::size_t k = 0; k < modes_.size(); ++k)
+        modes_[k] = modes[k] + share * step(static_cast<Eigen::Index>(k));
+      for (std::size_t n = 0; n < change.size(); ++n)
+        x_[n] = moved(map[n], static_cast<float>(share) * change[n]);
+      for (MapObservation& picture : pictures_) picture.set_modes(modes_);
+      see_light();
+      evaluate();
+      reweight();
+      if (objective(prior) <= before) break;
+    }
+    find_scale();
+    objective_before_ = std::numeric_limits<double>::infinity();
+    modes_at_ = steps_;
+    --modes_left_;
   }
 
   /// The multiplicative method's scale, x over the positive part of the gradient.
@@ -283,7 +363,10 @@ class MapSolver {
   const MapSolverOptions& options_;
   const int energies_;
   const std::size_t cells_, n_;
-  const std::vector<std::vector<Near>> near_;
+  const std::vector<std::vector<MapNeighbours::Near>>& near_;
+  std::vector<double> modes_;
+  int modes_left_ = modes_.empty() ? 0 : options_.modes_steps,
+      modes_at_ = 0;  // steps to come, the last step's
   std::vector<float> x_, x_before_, step_ = std::vector<float>(n_), scale_ = std::vector<float>(n_, 0.0f);
   std::vector<float> gradient_ = std::vector<float>(n_), gradient_before_;
   std::vector<float> flux_ = std::vector<float>(cells_), smooth_ = std::vector<float>(cells_);
@@ -297,9 +380,34 @@ class MapSolver {
 
 }  // namespace
 
-MapSolution solve_map(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
+MapNeighbours::MapNeighbours(const sim::GroundGrid& grid) : of_cell(static_cast<std::size_t>(grid.cells())) {
+  for (int cell = 0; cell < grid.cells(); ++cell) {
+    const double reach = std::max(kAlong_km, 1.01 * std::max(grid.depth_km(cell), grid.breadth_km(cell)));
+    double sum = 0.0;
+    for (const auto& near : grid.near(cell, 1.5 * reach)) {
+      const double d = std::hypot(near.east_km, near.north_km) / reach;
+      const double w = std::exp(-0.5 * d * d * 4.0) * grid.area_km2(near.cell);
+      of_cell[cell].push_back({near.cell, static_cast<float>(w)});
+      sum += w;
+    }
+    for (Near& near : of_cell[cell]) near.weight = static_cast<float>(near.weight / sum);
+  }
+}
+
+MapSolution solve_map(std::vector<MapObservation>& pictures, const MapNeighbours& near, int energies,
                       std::vector<float> start, const MapSolverOptions& options) {
-  return MapSolver(pictures, grid, energies, std::move(start), options).run();
+  return MapSolver(pictures, near, energies, std::move(start), options).run();
+}
+
+MapModes solved_modes(std::vector<MapObservation>& pictures, const MapNeighbours& near, int energies,
+                      const std::vector<float>& map, const MapSolverOptions& options) {
+  return MapSolver(pictures, near, energies, map, options).learnt();
+}
+
+std::vector<float> moved_map(const std::vector<float>& map, const std::vector<float>& change) {
+  std::vector<float> to = map;
+  for (std::size_t i = 0; i < change.size(); ++i) to[i] = moved(map[i], change[i]);
+  return to;
 }
 
 }  // namespace vegard::fit

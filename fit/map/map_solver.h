@@ -12,6 +12,11 @@
 // quadratic and is solved by scaled gradient projection (Bonettini, Zanella and Zanni 2009,
 // doi:10.1088/0266-5611/25/1/015002): steps along the gradient times x / (A'W A x), which is the direction of
 // the multiplicative method, with the step lengths of Barzilai and Borwein.
+//
+// Where the emission tables have modes of their uncertainty, their coefficients m are solved for as well,
+// with T/2 |m - m0|^2 added to the function: T is how many values count as one for what changes the light as
+// a whole, as they share smooth errors. In between m takes steps of Gauss and Newton, with the map's
+// answer (fit/map/mode_response.h).
 #pragma once
 
 #include <atomic>
@@ -19,6 +24,7 @@
 #include <vector>
 
 #include "fit/map/map_observation.h"
+#include "fit/map/mode_response.h"
 #include "sim/render/ground/ground_grid.h"
 
 namespace vegard::fit {
@@ -30,20 +36,49 @@ struct MapSolverOptions {
   double sparsity = 1.0;           ///< lambda
   double energy_bond = 10.0;       ///< mu
   std::vector<float> cell_factor;  ///< factor on lambda, by cell; empty: 1
-  double along_km = 6.0;           ///< smoothing length of Q' and p'
+  /// Coefficients of the modes of the tables' uncertainty to begin with, and the means of their normal
+  /// priors, whose standard deviation is 1. Empty: they are not solved for.
+  std::vector<double> modes, modes_centre;
+  int modes_steps = 2;  ///< steps of the modes, spread over the map's
   const std::atomic<bool>* stop = nullptr;
   std::function<void(int step, double chi2)> progress;
 };
 
+/// The cells around each, over which Q' and p' are smoothed.
+struct MapNeighbours {
+  struct Near {
+    int cell;
+    float weight;
+  };
+  std::vector<std::vector<Near>> of_cell;  ///< weights sum to 1
+
+  MapNeighbours() = default;
+  explicit MapNeighbours(const sim::GroundGrid& grid);
+};
+
 struct MapSolution {
   std::vector<float> map;
+  std::vector<double> modes;  ///< as the pictures have them now
   double chi2 = 0.0;
   int steps = 0;
 };
 
 /// Solves for the map from the initial one, `start`. MapObservation::look_at() must have been called for the
 /// grid.
-MapSolution solve_map(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid, int energies,
+MapSolution solve_map(std::vector<MapObservation>& pictures, const MapNeighbours& near, int energies,
                       std::vector<float> start, const MapSolverOptions& options);
+
+/// What the pictures have taught of the modes, at the solution.
+struct MapModes {
+  Eigen::MatrixXd spread;  ///< Cholesky's root of the coefficients' covariance
+  ModeResponse response;
+};
+
+/// `map` is the solution, and options.modes are its coefficients, which the pictures must have.
+MapModes solved_modes(std::vector<MapObservation>& pictures, const MapNeighbours& near, int energies,
+                      const std::vector<float>& map, const MapSolverOptions& options);
+
+/// A map after a change that is known to first order; no flux becomes negative.
+std::vector<float> moved_map(const std::vector<float>& map, const std::vector<float>& change);
 
 }  // namespace vegard::fit

@@ -208,10 +208,12 @@ QuantityVerdict verdict_of_height(const MapResult& result, const MainCurtain& ma
     verdict.reason =
         fmt::format("standard error {} km in the median", sim::short_number(main.border_error_km, 2));
   }
-  if (is_of_one_station(result) && verdict.trust != Trust::good)
+  if (is_of_one_station(result)) {
+    verdict.trust = std::max(verdict.trust, Trust::doubtful);
     verdict.reason +=
         "; from one station it is assumed rather than measured: it follows from the electrons' energy and "
         "spectrum, which the shape of the light hardly tells. A second station would measure it";
+  }
   return verdict;
 }
 

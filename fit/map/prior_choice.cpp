@@ -37,10 +37,11 @@ PredictionLoss prediction_loss(std::vector<MapObservation>& pictures, const std:
     MapLight model, residual;
     pictures[p].forward(map, model);
     pictures[p].residual(model, residual);
+    const MapLight sky = pictures[p].sky();
     for (std::size_t i = 0; i < model.size(); ++i) {
       const double sigma = pictures[p].sigma()[i];
       if (sigma == 0.0 || left_out[p][i / 3] == 0) continue;
-      loss.add((model[i] + pictures[p].sky()[i] - pictures[p].data()[i]) / sigma);
+      loss.add((model[i] + sky[i] - pictures[p].data()[i]) / sigma);
     }
   }
   return loss;

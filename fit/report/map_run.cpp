@@ -155,6 +155,7 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   for (const MapNumber& n : result.numbers)
     json["known_with_errors"].push_back(
         {{"number", n.label}, {"value", n.value}, {"standard_error", n.error}, {"unit", n.unit}});
+  if (!result.scene.emission.modes.empty()) json["modes"] = result.scene.emission.modes;
   json["replicates"] = result.replicates.size();
   json["cells"] = result.grid.cells();
   json["energies_kev"] = result.energies_kev;

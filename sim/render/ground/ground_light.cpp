@@ -4,11 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "sim/base/parallel.h"
-#include "sim/light/own_light.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/light/tables/emission_tables.h"
+#include "sim/render/ground/ground_rates.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"
@@ -16,43 +16,7 @@
 namespace vegard::sim {
 namespace {
 
-constexpr double kRayleighsPerKm = 0.1;  // of a rate in photons cm^-3 s^-1
-constexpr int kShares = 4;               // of the rays in an adjoint, each with sums of its own
-
-std::vector<float> mean_rates(const Scene& scene, const std::vector<double>& energies_kev, double flux,
-                              double altitude_scale, const ElectronSpectrum& spectrum) {
-  const AltitudeBins bins;
-  const auto lines = static_cast<int>(scene.emission.lines.size());
-  std::vector<float> rates(static_cast<std::size_t>(bins.bins()) * lines * kGroundEnergies, 0.0f);
-  const double at_flux = scene.emission.flux_law == FluxLaw::linear ? 1.0 : flux;
-  const OwnLight own(scene.emission.lines, scene, Sheet());
-  for (std::size_t e = 0; e < energies_kev.size(); ++e) {
-    HeightProfile profile =
-        electron_profile(emission_source(scene), own.asked_nm(), spectrum, energies_kev[e], at_flux);
-    own.add_to(profile);
-    const auto rate = [&](int line, double altitude_km) {
-      const double row = (altitude_km / altitude_scale - HeightProfile::kBottomKm) / HeightProfile::kStepKm;
-      if (row < 0.0 || row > HeightProfile::kAltitudes - 1) return 0.0;
-      const int i = std::clamp(static_cast<int>(row), 0, HeightProfile::kAltitudes - 2);
-      const double t = row - i;
-      const auto at = [&](int r) {
-        return static_cast<double>(profile.rate[static_cast<std::size_t>(r) * profile.stride + line]);
-      };
-      return ((1.0 - t) * at(i) + t * at(i + 1)) / altitude_scale;
-    };
-    for (int bin = 0; bin < bins.bins(); ++bin) {
-      const double low = bins.edge_km(bin), high = bins.edge_km(bin + 1);
-      const int steps = std::max(1, static_cast<int>((high - low) / HeightProfile::kStepKm + 0.5));
-      for (int line = 0; line < lines; ++line) {
-        double sum = 0.0;
-        for (int i = 0; i < steps; ++i) sum += rate(line, low + (high - low) * (i + 0.5) / steps);
-        rates[(static_cast<std::size_t>(bin) * lines + line) * kGroundEnergies + e] =
-            static_cast<float>(kRayleighsPerKm * sum / steps);
-      }
-    }
-  }
-  return rates;
-}
+constexpr int kShares = 4;  // of the rays in an adjoint, each with sums of its own
 
 std::vector<float> transmissions(const Scene& scene, const FilmGeometry& film) {
   const std::size_t lines = scene.emission.lines.size();
@@ -87,7 +51,7 @@ GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid&
       lines_of_light_(static_cast<int>(scene.emission.lines.size())),
       threads_(threads),
       numbers_(static_cast<std::size_t>(grid.cells()) * kGroundEnergies),
-      rate_(mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum)),
+      rate_(ground_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum)),
       transmission_(transmissions(scene, film)) {
   assert(energies_kev.size() <= kGroundEnergies);
   share_work();
@@ -140,21 +104,23 @@ void GroundLight::keep_all() {
   share_work();
 }
 
-void GroundLight::set_rates(const Scene& scene, const std::vector<double>& energies_kev,
-                            double rates_at_flux_mw_m2, double altitude_scale,
-                            const ElectronSpectrum& spectrum) {
-  assert(energies_kev.size() <= kGroundEnergies);
-  assert(static_cast<int>(scene.emission.lines.size()) == lines_of_light_);
-  rate_ = mean_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum);
+void GroundLight::set_rates(std::vector<float> rates) {
+  assert(rates.size() == rate_.size());
+  rate_ = std::move(rates);
 }
 
 void GroundLight::forward(const std::vector<float>& map, std::vector<float>& rayleighs) const {
-  assert(map.size() == numbers_);
+  forward(map, rate_, rayleighs);
+}
+
+void GroundLight::forward(const std::vector<float>& map, const std::vector<float>& rate,
+                          std::vector<float>& rayleighs) const {
+  assert(map.size() == numbers_ && rate.size() == rate_.size());
   rayleighs.resize(sight_.rays() * lines_of_light_);
   constexpr std::size_t kRun = 512;
   parallel_for((sight_.rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
     const std::size_t first = run * kRun, last = std::min(first + kRun, sight_.rays());
-    sum_light(in_use(), rates(), map.data(), first, last, rayleighs.data());
+    sum_light(in_use(), {lines_of_light_, rate.data()}, map.data(), first, last, rayleighs.data());
     for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
       rayleighs[i] *= transmission_[i];
   });

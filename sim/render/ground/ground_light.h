@@ -52,10 +52,9 @@ class GroundLight {
               double rates_at_flux_mw_m2, int threads, double altitude_scale = 1.0,
               const ElectronSpectrum& spectrum = {}, const std::atomic<bool>* stop = nullptr);
 
-  /// Takes other rates, of a scene with the same lines, air, camera and field; the rays stay as they are. Two
+  /// Takes other rates (sim/render/ground/ground_rates.h), of the same lines; the rays stay as they are. Two
   /// threads must not call it, or anything else, at once.
-  void set_rates(const Scene& scene, const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
-                 double altitude_scale, const ElectronSpectrum& spectrum);
+  void set_rates(std::vector<float> rates);
 
   /// Leaves out the stretches over cells that are not `kept` (one entry per cell, 0: not) from now on until
   /// keep_all(): forward() takes their flux as 0, and add_adjoint() adds nothing to them. What was left out
@@ -67,10 +66,14 @@ class GroundLight {
   std::size_t rays() const { return sight_.rays(); }
   std::size_t numbers() const { return numbers_; }    ///< size of a map: cells x kGroundEnergies
   const SightLines& sight() const { return sight_; }  ///< of all cells
+  const std::vector<float>& rate() const { return rate_; }
   const GroundRates rates() const { return {lines_of_light_, rate_.data()}; }
 
   /// Computes rayleighs[ray * lines + line] from a map [cell * kGroundEnergies + energy].
   void forward(const std::vector<float>& map, std::vector<float>& rayleighs) const;
+  /// The same with other rates.
+  void forward(const std::vector<float>& map, const std::vector<float>& rate,
+               std::vector<float>& rayleighs) const;
 
   /// Adds A' y to `map`; the order of summation does not depend on the number of threads. Two threads must
   /// not call it at once.

@@ -54,8 +54,25 @@ MapOptions quick() {
   return options;
 }
 
+/// With tables that are taken as exact, as those are that the picture is made with.
+sim::Scene with_exact_tables() {
+  sim::Scene scene = without_band();
+  scene.emission.uncertainty = sim::TablesUncertainty::none;
+  return scene;
+}
+
 const MapResult& result() {
-  static const MapResult mapped = map_photos(without_band(), {photo()}, quick());
+  static const MapResult mapped = map_photos(with_exact_tables(), {photo()}, quick());
+  return mapped;
+}
+
+/// With tables that are taken as uncertain; coarse, as it is slower.
+const MapResult& learnt_result() {
+  static const MapResult mapped = [] {
+    MapOptions options = quick();
+    options.pixels_per_cell = 2;
+    return map_photos(without_band(), {photo()}, options);
+  }();
   return mapped;
 }
 
@@ -73,7 +90,8 @@ TEST(MapFit, FindsTheCurtainWhereItIs) {
   EXPECT_GT(curtains[0].length_km, 150.0);
   // Points of the curve that the band follows, which lie in view: 2 % of the distance is 4 km.
   for (const sim::EastNorth truth : {sim::EastNorth{-30.0, 172.0}, {25.0, 202.0}, {60.0, 180.0}}) {
-    double nearest = 1e9, energy = 0.0;
+    double nearest = 1e9;
+    double energy = 0.0;
     for (const CurtainPoint& p : curtains[0].points) {
       const double d = std::hypot(p.foot_km.east - truth.east, p.foot_km.north - truth.north);
       if (d < nearest) {
@@ -84,6 +102,38 @@ TEST(MapFit, FindsTheCurtainWhereItIs) {
     EXPECT_LT(nearest, 4.0 + 2.5) << truth.east;  // points stand 5 km apart
     EXPECT_NEAR(std::log(energy / 4.0), 0.0, 0.1) << truth.east;
   }
+}
+
+// The picture is made with the light of another model, GLOW.
+TEST(MapFit, LearnsTheLightFromThePicture) {
+  sim::Scene other = with_band();
+  other.emission.tables = "glow";
+  const Photo photo = tests::photo_of(other, 0.0015, 5);
+  MapOptions options = quick();
+  options.replicates = 0;
+  const MapResult by_tables = map_photos(with_exact_tables(), {photo}, options),
+                  learnt = map_photos(without_band(), {photo}, options);
+  sim::Scene right = with_exact_tables();
+  right.emission.tables = "glow";
+  const MapResult known = map_photos(right, {photo}, options);
+  EXPECT_TRUE(by_tables.scene.emission.modes.empty());
+  EXPECT_GT(by_tables.chi2 - known.chi2, 0.05 * known.chi2);  // else there is nothing to learn
+  EXPECT_LT(learnt.chi2 - known.chi2, 0.1 * (by_tables.chi2 - known.chi2));
+  for (const double mode : learnt.scene.emission.modes) EXPECT_LT(std::abs(mode), 2.0);
+}
+
+TEST(MapFit, OfUncertainTablesHasTheTruthInItsErrorBars) {
+  const std::vector<Curtain> curtains = find_curtains(learnt_result());
+  ASSERT_FALSE(curtains.empty());
+  int points = 0, held = 0;
+  for (const CurtainPoint& p : curtains[0].points) {
+    ++points;
+    held += std::abs(p.energy_kev.value - 4.0) < 2.0 * p.energy_kev.error ? 1 : 0;
+    EXPECT_LT(p.energy_kev.error, 0.6 * p.energy_kev.value);
+  }
+  // 95 % if errors were independent and normal; those along a curtain are alike, and three replicates tell
+  // an error to 40 %.
+  EXPECT_GT(held, 0.7 * points);
 }
 
 TEST(MapFit, HasTheFluxOfTheBand) {
@@ -175,11 +225,13 @@ TEST(MapFit, IsTheSameForAnyNumberOfThreads) {
   MapOptions one = quick();
   one.threads = 1;
   one.replicates = 1;
+  one.pixels_per_cell = 2;
   const MapResult other = map_photos(without_band(), {photo()}, one);
-  EXPECT_EQ(other.map, result().map);
+  EXPECT_EQ(other.map, learnt_result().map);
+  EXPECT_EQ(other.scene.emission.modes, learnt_result().scene.emission.modes);
   ASSERT_EQ(other.replicates.size(), 1u);
   for (std::size_t c = 0; c < other.cells.size(); ++c)
-    ASSERT_EQ(other.replicates[0][c].flux_mw_m2, result().replicates[0][c].flux_mw_m2);
+    ASSERT_EQ(other.replicates[0][c].flux_mw_m2, learnt_result().replicates[0][c].flux_mw_m2);
 }
 
 TEST(MapFit, SaysWhatIsToBeBelieved) {
@@ -298,7 +350,7 @@ TEST(MapFit, ErrorBarsHoldWhatIsNotKnownOfTheCamera) {
   // A border at 105 km and 190 km away is seen 28 degrees high; half a degree more or less moves it by
   // 0.5 deg / (sin cos) of 28 degrees, 2.1 % or 4.0 km. Four draws (the scene's seed): their root mean square
   // lies between 0.4 and 1.7 times that with 97 % probability each side (chi2 of four).
-  sim::Scene scene = without_band();
+  sim::Scene scene = with_exact_tables();
   scene.fit.free = {{"camera.elevation_deg",
                      {},
                      {},
@@ -405,7 +457,7 @@ TEST(FindCurtains, TellsAnArcFromErrorsAndFromAPatch) {
 // Replicates of the same energies and spectrum, which differ by their tables alone. Borders are interpolated
 // between energies: 0.1 km.
 TEST(FindCurtains, HaveTheBordersOfEachReplicatesOwnTables) {
-  MapResult map = result();
+  MapResult map = learnt_result();
   ASSERT_FALSE(map.numbers.empty());
   for (std::vector<CellFlux>& replicate : map.replicates) replicate = map.cells;
   map.replicate_spectra.assign(map.replicates.size(), map.spectrum);
@@ -414,8 +466,7 @@ TEST(FindCurtains, HaveTheBordersOfEachReplicatesOwnTables) {
   const CurtainPoint& p = curtains[0].points[curtains[0].points.size() / 2];
   double square = 0.0;
   for (std::uint32_t r = 0; r < map.replicates.size(); ++r) {
-    const sim::Scene scene =
-        scene_with(map.scene, map.numbers, drawn_numbers(map.scene.seed, map.numbers, r));
+    const sim::Scene scene = scene_with(map.scene, map.numbers, map.replicate_values.at(r));
     square += std::pow(lower_border(scene, p.energy_kev.value).altitude_km -
                            lower_border(map.scene, p.energy_kev.value).altitude_km,
                        2) /
@@ -453,6 +504,7 @@ TEST(MapVerdicts, LeaveLightInTheFarthestCellsOpen) {
   MapOptions options = quick();
   options.replicates = 2;
   options.farthest_km = 180.0;
+  options.pixels_per_cell = 2;
   const MapResult map = map_photos(without_band(), {photo()}, options);
   const std::vector<QuantityVerdict> verdicts = map_verdicts(map, find_curtains(map));
   for (const std::size_t i : {1u, 2u, 3u})

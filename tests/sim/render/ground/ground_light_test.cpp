@@ -11,6 +11,7 @@
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/ground_grid.h"
+#include "sim/render/ground/ground_rates.h"
 #include "sim/scene/file/scene_toml.h"
 
 namespace vegard::sim::ground_light_test {
@@ -201,11 +202,51 @@ TEST(GroundLight, WithOtherRatesIsOneMadeForThem) {
   light.forward(x, before);
   scene.emission.modes = {1.0, -0.5};
   const ElectronSpectrum gaussian{ElectronSpectrum::Kind::gaussian, 0.25, 5.0};
-  light.set_rates(scene, kEnergies, 1.0, 1.0, gaussian);
+  light.set_rates(ground_rates(scene, kEnergies, 1.0, 1.0, gaussian));
   light.forward(x, after);
   light_of(scene, grid, 1, gaussian).forward(x, made);
   EXPECT_EQ(after, made);
   EXPECT_NE(after, before);
+}
+
+TEST(ModeRates, AreThoseOfTablesWithTheModes) {
+  Scene scene = looking_north();
+  const ModeRates rates(scene, kEnergies, 1.0, 1.0, {});
+  ASSERT_EQ(rates.modes(), emission_tables(scene).modes().count());
+  std::vector<double> modes(static_cast<std::size_t>(rates.modes()), 0.0);
+  EXPECT_EQ(rates.at(modes), ground_rates(scene, kEnergies, 1.0, 1.0, {}));
+  modes[0] = 1.2;
+  modes[1] = -0.8;
+  modes.back() = 0.5;
+  scene.emission.modes = modes;
+  const std::vector<float> linear = rates.at(modes), exact = ground_rates(scene, kEnergies, 1.0, 1.0, {});
+  ASSERT_EQ(linear.size(), exact.size());
+  // Means over bins of at most 8 km, and spectra of several energies, are exponentials' sums: second order in
+  // what the modes change within a bin.
+  double most = 0.0, moved = 0.0;
+  const std::vector<float> base = rates.at(std::vector<double>(modes.size(), 0.0));
+  for (const float rate : exact) most = std::max(most, static_cast<double>(rate));
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    EXPECT_NEAR(linear[i], exact[i], 0.02 * exact[i] + 1e-6 * most) << i;
+    moved = std::max(moved, std::abs(exact[i] - base[i]) / most);
+  }
+  EXPECT_GT(moved, 0.05);  // else there is nothing to tell
+}
+
+TEST(ModeRates, HaveTheDerivativesOfDifferences) {
+  const ModeRates rates(looking_north(), kEnergies, 1.0, 1.0, {});
+  const std::vector<double> modes(static_cast<std::size_t>(rates.modes()), 0.3);
+  const std::vector<float> here = rates.at(modes), by = rates.by_mode(1, here);
+  constexpr double kStep =
+      0.05;  // of which the third order is 1e-4 of the first where a mode changes light by 2
+  std::vector<double> ahead = modes, behind = modes;
+  ahead[1] += kStep;
+  behind[1] -= kStep;
+  const std::vector<float> more = rates.at(ahead), less = rates.at(behind);
+  double most = 0.0;
+  for (const float rate : here) most = std::max(most, static_cast<double>(rate));
+  for (std::size_t i = 0; i < here.size(); ++i)
+    EXPECT_NEAR(by[i], (more[i] - less[i]) / (2.0 * kStep), 2e-3 * std::abs(by[i]) + 1e-5 * most) << i;
 }
 
 TEST(SightLines, LightOverAFootIsSeenWhereTheRayThroughItIs) {

@@ -1,0 +1,36 @@
+// The rates of the light of a map's electrons, by bins of altitude, and how the modes of the emission tables'
+// uncertainty (sim/light/tables/light_modes.h) change them.
+#pragma once
+
+#include <vector>
+
+#include "sim/light/spectrum_profile.h"
+
+namespace vegard::sim {
+
+struct Scene;
+
+/// Returns the mean rate in rayleighs per km of 1 mW m^-2, in the layout of GroundRates
+/// (sim/render/ground/ground_light.h). The arguments are those of GroundLight.
+std::vector<float> ground_rates(const Scene& scene, const std::vector<double>& energies_kev,
+                                double flux_mw_m2, double altitude_scale, const ElectronSpectrum& spectrum);
+
+/// Rates for any coefficients of the modes. The logarithm of the light is linear in them; that of the means
+/// over bins of altitude is taken to be.
+class ModeRates {
+ public:
+  /// The modes of the scene's tables; none if it takes its tables as exact.
+  ModeRates(const Scene& scene, const std::vector<double>& energies_kev, double flux_mw_m2,
+            double altitude_scale, const ElectronSpectrum& spectrum);
+
+  int modes() const { return static_cast<int>(log_by_mode_.size()); }
+  std::vector<float> at(const std::vector<double>& coefficients) const;
+  /// Returns the derivatives of the rates by a coefficient, from the rates at the coefficients.
+  std::vector<float> by_mode(int mode, const std::vector<float>& rates) const;
+
+ private:
+  std::vector<float> rates_;  ///< where all coefficients are 0
+  std::vector<std::vector<float>> log_by_mode_;
+};
+
+}  // namespace vegard::sim
