@@ -77,6 +77,11 @@ double log_of_limits(const std::vector<FreeNumber>& free, const std::vector<doub
   return sum;
 }
 
+/// The derivative of minus the same, for one number, by its coordinate.
+double half_slope_of_limits(const FreeNumber& free, double coordinate) {
+  return std::isfinite(free.min) && std::isfinite(free.max) ? std::tanh(0.5 * coordinate) : 0.0;
+}
+
 ComparedValues compared_values(const std::vector<Observation>& observations, int unknowns) {
   ComparedValues compared;
   compared.unknowns = unknowns;
@@ -360,6 +365,7 @@ class FitRun {
              2.0 * log_of_limits(free_, values_, step);
     };
     rise.half_gradient = [this, at, unit](const std::vector<double>& step) -> std::vector<double> {
+      if (options_.stop != nullptr && *options_.stop) return {};
       const std::vector<double> moved = at(step);
       const auto rows = static_cast<std::size_t>(cost_->num_residuals());
       std::vector<double> residuals(rows), jacobian(rows * moved.size()), gradient(moved.size(), 0.0);
@@ -369,6 +375,8 @@ class FitRun {
       for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t k = 0; k < gradient.size(); ++k)
           gradient[k] += jacobian[i * gradient.size() + k] * residuals[i] / unit;
+      for (std::size_t k = 0; k < gradient.size(); ++k)
+        gradient[k] += half_slope_of_limits(free_[k], moved[k]);
       return gradient;
     };
     return rise;

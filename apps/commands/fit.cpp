@@ -319,7 +319,13 @@ int run_fit(const FitRequest& options, const std::string& command) {
     fit::check_run_directory(options.out, replaces);
   }
   std::optional<fit::StoredMap> map;
-  if (!options.from_map.empty()) map = fit::read_stored_map(options.from_map);
+  if (!options.from_map.empty()) {
+    map = fit::read_stored_map(options.from_map);
+    if (scene.emission.modes.empty() && scene.emission.uncertainty != sim::TablesUncertainty::none) {
+      scene.emission.modes = map->modes;
+      sim::validate(scene);
+    }
+  }
   std::vector<fit::PhotoFact> from_photograph;
   const std::string photo =
       options.photo.filters.empty() ? options.photo.file : filter_files(options.photo.filters).front().file;

@@ -34,7 +34,8 @@ struct CurtainPoint {
   WithError lower_border_km;   ///< where, below its peak, the light of 557.7 nm (or of the scene's brightest
                                ///< line) is half of the peak
   bool border_in_view = true;  ///< its lower border is in a used part of a picture
-  bool at_edge = false;        ///< at the end of the map's ground: its light may come from anywhere beyond
+  bool at_edge = false;        ///< the map's ground ends there, or within two standard errors: its light may
+                               ///< come from anywhere beyond
   int energy_limit = 0;   ///< 1: the energy is the largest of the map's, thus a lower limit; -1: the least
   double found_in = 0.0;  ///< share of the perturbed solutions with a ridge there; NaN without any
 };

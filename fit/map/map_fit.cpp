@@ -67,6 +67,12 @@ std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Pho
                           "the photograph " + scene.fit.photos[i].name + " sets a magnetic field of its own")
           .expected("one field for the map, that of the scene")
           .hint("field.model = \"dipole\" has at each place what belongs there");
+    const sim::Emission& light = scenes[i].emission;
+    if (light.tables != scene.emission.tables || light.uncertainty != scene.emission.uncertainty ||
+        light.modes != scene.emission.modes)
+      throw unfit_for_map(scene, "fit.photo.set",
+                          "the photograph " + scene.fit.photos[i].name + " sets emission tables of its own")
+          .expected("emission.tables, .uncertainty and .modes of all photographs");
     if (scenes[i].blur.model != sim::BlurModel::angle || scenes[i].blur.order != sim::BlurOrder::lines)
       throw unfit_for_map(scene, scenes[i].blur.model != sim::BlurModel::angle ? "blur.model" : "blur.order",
                           "a map blurs each line by its angle")

@@ -30,7 +30,9 @@ namespace vegard::fit {
 //
 // A map can compensate for their errors (if the camera's pointing is taken half a degree too high, the aurora
 // is placed farther away), so the photographs do not constrain them. Their priors (fit.free) contribute to
-// the error bars: each perturbed solution uses its own values, drawn from the priors.
+// the error bars: each perturbed solution uses its own values, drawn from the priors. The modes of the
+// emission tables are numbers too; these are solved for with the map, and drawn from what the photographs
+// leave open.
 struct MapNumber {
   std::string label;  ///< as in reports: "camera.azimuth_deg of south"
   std::string unit;   ///< empty if it has none
@@ -97,7 +99,8 @@ struct MapResult {
   std::vector<std::vector<CellFlux>> replicates;         ///< perturbed solutions
   std::vector<sim::ElectronSpectrum> replicate_spectra;  ///< of each; its E0 is that of `spectrum` at the
                                                          ///< same mean energy
-  std::vector<std::vector<double>> replicate_values;  ///< of `numbers`, with the modes as each has found them
+  std::vector<std::vector<double>>
+      replicate_values;  ///< of `numbers`; the modes drawn from what the pictures leave open
   std::vector<std::uint8_t>
       border_in_view;  ///< whether light at the cell's lower border is in a used part of a picture
   std::vector<float> sensitivity;  ///< signal-to-noise ratio of 1 mW m^-2 in this cell alone
@@ -121,8 +124,8 @@ bool is_of_one_station(const MapResult& result);
 /// kappa 4): a sharper lower border looks like a lower one.
 sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate);
 
-/// Returns the values that a replicate begins with of the numbers beside the map, drawn from what is known of
-/// them.
+/// Returns the values that a replicate has of the numbers beside the map, drawn from their priors. Modes are
+/// drawn anew from what the pictures leave open of them (MapResult::replicate_values).
 std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
                                   std::uint32_t replicate);
 

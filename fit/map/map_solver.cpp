@@ -232,6 +232,7 @@ class MapSolver {
 
   /// A step of Gauss and Newton of the modes, with the map's answer, to less of the function.
   void solve_modes() {
+    reweight();  // cells may have been put out since
     const double prior = modes_prior();
     const ModeResponse r = response(prior);
     if (options_.stop != nullptr && *options_.stop) return;
@@ -247,7 +248,7 @@ class MapSolver {
     const std::vector<double> modes = modes_;
     const std::vector<float> map = x_, change = r.answer(step);
     double share = longest > kMaxModeStep ? kMaxModeStep / longest : 1.0;
-    for (int i = 0; i <= kHalvings; ++i, share = i < kHalvings ? 0.5 * share : 0.0) {
+    for (int i = 0; i <= kHalvings + 1; ++i, share = i <= kHalvings ? 0.5 * share : 0.0) {
       for (std::size_t k = 0; k < modes_.size(); ++k)
         modes_[k] = modes[k] + share * step(static_cast<Eigen::Index>(k));
       for (std::size_t n = 0; n < change.size(); ++n)
@@ -365,8 +366,8 @@ class MapSolver {
   const std::size_t cells_, n_;
   const std::vector<std::vector<MapNeighbours::Near>>& near_;
   std::vector<double> modes_;
-  int modes_left_ = modes_.empty() ? 0 : options_.modes_steps,
-      modes_at_ = 0;  // steps to come, the last step's
+  int modes_left_ = modes_.empty() ? 0 : options_.modes_steps;  // steps of the modes that are to come
+  int modes_at_ = 0;                                            // the step of the last one
   std::vector<float> x_, x_before_, step_ = std::vector<float>(n_), scale_ = std::vector<float>(n_, 0.0f);
   std::vector<float> gradient_ = std::vector<float>(n_), gradient_before_;
   std::vector<float> flux_ = std::vector<float>(cells_), smooth_ = std::vector<float>(cells_);

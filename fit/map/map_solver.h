@@ -15,8 +15,8 @@
 //
 // Where the emission tables have modes of their uncertainty, their coefficients m are solved for as well,
 // with T/2 |m - m0|^2 added to the function: T is how many values count as one for what changes the light as
-// a whole, as they share smooth errors. In between m takes steps of Gauss and Newton, with the map's
-// answer (fit/map/mode_response.h).
+// a whole, as they share smooth errors (times chi2 per value, where that is above 1). In between m takes
+// steps of Gauss and Newton, with the map's answer (fit/map/mode_response.h).
 #pragma once
 
 #include <atomic>

@@ -152,7 +152,8 @@ QuantityVerdict verdict_of_distance(const MapResult& result, const MainCurtain& 
                                         main.azimuth_deg, sim::short_number(main.farthest_km, 3));
   if (main.at_edge > kMostAtLimit)
     return {kDistance, Trust::unconstrained, value,
-            fmt::format("{:.0f} % of its light is in the farthest cells, and may come from beyond them",
+            fmt::format("{:.0f} % of its light is in the farthest cells or may be, within its errors, and "
+                        "may come from beyond",
                         100.0 * main.at_edge)};
   QuantityVerdict verdict =
       verdict_by_error(result, kDistance, Quantity::distance, main.distance_error, value,
@@ -172,7 +173,7 @@ QuantityVerdict verdict_of_energy(const MapResult& result, const MainCurtain& ma
                   value_words(main.energy_kev, main.energy_kev * main.energy_error, "keV"));
   if (main.at_edge > kMostAtLimit)
     return {kEnergy, Trust::unconstrained, value,
-            fmt::format("{:.0f} % of its light is in the farthest cells: the energy there is open",
+            fmt::format("{:.0f} % of its light is in the farthest cells or may be: the energy there is open",
                         100.0 * main.at_edge)};
   for (const bool is_largest : {false, true})
     if ((is_largest ? main.largest_energy : main.least_energy) > kMostAtLimit)

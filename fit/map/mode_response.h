@@ -13,7 +13,8 @@
 //
 //     S = (B - A X)' W (B - A X).
 //
-// X is found by conjugate gradients, preconditioned by x / (A' W A x), which leads the solver's steps too.
+// X is found by conjugate gradients, preconditioned by x over the positive part of the gradient, which leads
+// the solver's steps too. Gains that are solved for beside the map have no part in it.
 // They are ended early: what the map could do in small is left out of its answer.
 #pragma once
 
@@ -30,10 +31,11 @@ namespace vegard::fit {
 struct MapCurvature {
   std::vector<MapObservation>& pictures;
   const std::vector<float>& map;
-  const std::vector<MapLight>& light;       ///< of the map, by picture
-  const std::vector<float>& scale;          ///< x times it preconditions
-  const std::vector<MapLight>& residual;    ///< by picture, times the weights
-  const std::vector<float>& gradient;       ///< of the whole function by the map
+  const std::vector<MapLight>& light;     ///< of the map, by picture
+  const std::vector<float>& scale;        ///< x times it preconditions
+  const std::vector<MapLight>& residual;  ///< by picture, times the weights
+  const std::vector<float>&
+      gradient;  ///< of the function by the map, but for what sparsity wants of all light
   const std::atomic<bool>* stop = nullptr;  ///< once true, what is left has no answer
 };
 
@@ -42,7 +44,7 @@ struct ModeResponse {
   Eigen::MatrixXd directions;
   std::vector<std::vector<float>> map_by_direction;  ///< X, by direction
   Eigen::MatrixXd information;                       ///< S, of all modes
-  Eigen::VectorXd gradient;  ///< of chi2 / 2 by the modes, where the map answers; without the modes' prior
+  Eigen::VectorXd gradient;  ///< of the function by the modes, where the map answers; without their prior
 
   /// The map's answer to a shift of the modes.
   std::vector<float> answer(const Eigen::VectorXd& shift) const;

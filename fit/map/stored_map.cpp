@@ -77,6 +77,7 @@ void take_facts(const RecordJson& json, StoredMap& record) {
   }
   record.altitude_scale = json.at("altitude_scale").get<double>();
   record.spectrum = json.value("spectrum", record.spectrum);
+  record.modes = json.value("modes", record.modes);
   for (const RecordJson& decoding : list(json, "decodings"))
     record.decodings.push_back(decoding.at("decoding").get<std::string>());
   for (const RecordJson& input : list(json, "inputs"))

@@ -34,7 +34,8 @@ struct StoredMap {
   std::vector<std::string> decodings;  ///< of the photographs, in the words of a report
   double altitude_scale = 1.0;
   std::string spectrum = "maxwellian";
-  std::string sha256;  ///< of all files that were read
+  std::vector<double> modes;  ///< of the emission tables' uncertainty, as the map has them
+  std::string sha256;         ///< of all files that were read
 };
 
 /// Reads a map's directory. Throws sim::Error(unreadable_input) if it is not a map's directory, was written

@@ -155,7 +155,9 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   for (const MapNumber& n : result.numbers)
     json["known_with_errors"].push_back(
         {{"number", n.label}, {"value", n.value}, {"standard_error", n.error}, {"unit", n.unit}});
-  if (!result.scene.emission.modes.empty()) json["modes"] = result.scene.emission.modes;
+  const bool has_learnt = std::any_of(result.numbers.begin(), result.numbers.end(),
+                                      [](const MapNumber& number) { return number.mode >= 0; });
+  if (has_learnt) json["modes"] = result.scene.emission.modes;
   json["replicates"] = result.replicates.size();
   json["cells"] = result.grid.cells();
   json["energies_kev"] = result.energies_kev;

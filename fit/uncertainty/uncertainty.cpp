@@ -155,17 +155,23 @@ class Surroundings {
   double rise(const Eigen::VectorXd& step) const {
     return rise_.rise({step.data(), step.data() + step.size()});
   }
+  bool can_follow() const { return static_cast<bool>(rise_.half_gradient); }
 
-  /// Goes from a step down to the bottom of the valley, with the coordinate that it changes most held.
-  Eigen::VectorXd follow(Eigen::VectorXd step) const {
-    Eigen::Index held = 0;
-    double most = -1.0;
-    for (Eigen::Index i = 0; i < step.size(); ++i) {
-      if (!(covariance_(i, i) > 0.0)) continue;
-      const double share = std::abs(step(i)) / std::sqrt(covariance_(i, i));
-      if (share > most) held = i, most = share;
-    }
-    if (most <= 0.0) return step;
+  /// The coordinate that a step changes most, in standard deviations.
+  Eigen::Index held(const Eigen::VectorXd& step) const {
+    Eigen::Index most = 0;
+    for (Eigen::Index i = 0; i < step.size(); ++i)
+      if (sigmas(step, i) > sigmas(step, most)) most = i;
+    return most;
+  }
+  /// How much a parabola rises if one coordinate steps so far and the others follow.
+  double parabola(const Eigen::VectorXd& step, Eigen::Index held) const {
+    return std::pow(sigmas(step, held), 2);
+  }
+
+  /// Goes from a step down to the bottom of the valley, with one coordinate held.
+  Eigen::VectorXd follow(Eigen::VectorXd step, Eigen::Index held) const {
+    if (!(covariance_(held, held) > 0.0)) return step;
     const Eigen::VectorXd column = covariance_.col(held) / std::sqrt(covariance_(held, held));
     const Eigen::MatrixXd others = covariance_ - column * column.transpose();
     double high = rise(step);
@@ -176,16 +182,19 @@ class Surroundings {
           step - others * Eigen::Map<const Eigen::VectorXd>(gradient.data(), step.size());
       const double low = rise(lower);
       if (!(low < high)) return step;
-      const bool worth = high - low > kFollowedFall * high;
+      const bool is_worth = high - low > kFollowedFall * high;
       step = lower;
       high = low;
-      if (!worth) break;
+      if (!is_worth) break;
     }
     return step;
   }
-  bool can_follow() const { return static_cast<bool>(rise_.half_gradient); }
 
  private:
+  double sigmas(const Eigen::VectorXd& step, Eigen::Index i) const {
+    return covariance_(i, i) > 0.0 ? std::abs(step(i)) / std::sqrt(covariance_(i, i)) : 0.0;
+  }
+
   const ChiSquareRise& rise_;
   Eigen::MatrixXd covariance_;
 };
@@ -207,29 +216,33 @@ void drop_flat_directions(const ChiSquareRise& rise, const std::vector<bool>& bo
   for (Eigen::Index i = 0; i < n; ++i) variance[i] = u.covariance[i][i];
   for (Eigen::Index a = 0; a < n; ++a) {
     if (axes.values(a) <= 0.0) continue;
-    Eigen::VectorXd axis = sigma.cwiseProduct(axes.vectors.col(a)) * std::sqrt(axes.values(a));
+    const Eigen::VectorXd axis = sigma.cwiseProduct(axes.vectors.col(a)) * std::sqrt(axes.values(a));
     double probed = 0.0;
     for (Eigen::Index i = 0; i < n; ++i)
       if (!bounded[i]) probed += axes.vectors(i, a) * axes.vectors(i, a);
     if (probed < kProbed) continue;
-    const auto is_flat = [](double rose) { return std::isfinite(rose) && rose < kMinRise * kProbe * kProbe; };
     const double rose[] = {around.rise(-kProbe * axis), around.rise(kProbe * axis)};
     // Where chi2 is no parabola along the axis, this may be no valley's bottom.
-    const bool bent = around.can_follow() && axes.values(a) > 1.0 &&
-                      std::any_of(std::begin(rose), std::end(rose), [](double r) {
-                        return !(r > kStraightLeast * kProbe * kProbe && r < kStraightMost * kProbe * kProbe);
-                      });
+    const bool is_bent =
+        around.can_follow() && axes.values(a) > 1.0 &&
+        std::any_of(std::begin(rose), std::end(rose), [](double r) {
+          return !(r > kStraightLeast * kProbe * kProbe && r < kStraightMost * kProbe * kProbe);
+        });
+    const Eigen::Index held = around.held(axis);
     double longer = 1.0;
     Eigen::VectorXd along = axis;
     for (const int side : {0, 1}) {
       Eigen::VectorXd at = (side == 0 ? -kProbe : kProbe) * axis;
-      double far = 1.0, high = rose[side];
+      double far = 1.0, high = rose[side], parabola = kProbe * kProbe;
+      const auto is_flat = [&] { return std::isfinite(high) && high < kMinRise * parabola; };
       while (far <= kFarthest) {
-        if (bent && !is_flat(high)) {
-          at = around.follow(at);
+        if (is_bent && !is_flat()) {
+          // A parabola's bottom is lower as well.
+          parabola = around.parabola(kProbe * axis, held);
+          at = around.follow(at, held);
           high = around.rise(at);
         }
-        if (!is_flat(high)) break;
+        if (!is_flat()) break;
         far *= 2.0;
         if (far > kFarthest) break;
         at *= 2.0;
@@ -239,26 +252,27 @@ void drop_flat_directions(const ChiSquareRise& rise, const std::vector<bool>& bo
       longer = far;
       along = at / (kProbe * std::min(far, kFarthest));
     }
-    axis = along;
     if (longer == 1.0) continue;
     if (longer <= kFarthest) {
       for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
-          u.covariance[i][k] += (longer * longer - 1.0) * axis(i) * axis(k);
+          u.covariance[i][k] += (longer * longer - 1.0) * along(i) * along(k);
       continue;
     }
     std::vector<double> direction(n, 0.0);
     double largest = 0.0;
     for (Eigen::Index i = 0; i < n; ++i)
-      if (sigma(i) > 0.0 && std::abs(axis(i)) > kPartOfDirection * sigma(i)) {
-        direction[i] = axis(i);
-        largest = std::max(largest, std::abs(axis(i)));
+      if (sigma(i) > 0.0 && std::abs(along(i)) > kPartOfDirection * sigma(i)) {
+        direction[i] = along(i);
+        largest = std::max(largest, std::abs(along(i)));
       }
     for (double& part : direction) part /= largest;
     u.undetermined.push_back(direction);
+    // The covariance is the sum of its own axes: what is left stays one.
     for (Eigen::Index i = 0; i < n; ++i) {
       for (Eigen::Index k = 0; k < n; ++k) u.covariance[i][k] -= axis(i) * axis(k);
-      if (axis(i) * axis(i) > kOwes * variance[i]) u.sigma[i] = std::numeric_limits<double>::quiet_NaN();
+      if (std::max(axis(i) * axis(i), along(i) * along(i)) > kOwes * variance[i])
+        u.sigma[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
   for (Eigen::Index i = 0; i < n; ++i)

@@ -125,7 +125,7 @@ std::vector<Declaration> light_rows() {
           .means("coefficients of the modes of the tables' uncertainty, in standard deviations")
           .inert_if(has_no_electrons, "nothing shines by the emission tables", "set a sheet's profile to a spectrum of electrons"),
       Row("emission", "uncertainty", &Scene::emission, &Emission::uncertainty).one_of<TablesUncertainty>({{"modes", TablesUncertainty::modes}, {"none", TablesUncertainty::none}})
-          .means("whether a fit's error bars contain the tables' uncertainty, by its modes"),
+          .means("whether fits and maps take the tables as uncertain, by their modes"),
       Row("emission", "flux_law", &Scene::emission, &Emission::flux_law).one_of<FluxLaw>({{"column", FluxLaw::column}, {"linear", FluxLaw::linear}})
           .means("light against the energy flux: by the tables' columns, or proportional"),
       Row("emission", "lag", &Scene::emission, &Emission::lag).one_of<EmissionLag>({{"lifetime", EmissionLag::lifetime}, {"none", EmissionLag::none}})

@@ -90,5 +90,44 @@ TEST(FlatDirections, AValleyBesideAWallIsFollowed) {
   EXPECT_TRUE(std::isnan(u.sigma[1]));
 }
 
+// Along the axis of eight coordinates that are all correlated chi2 is no parabola, but for each of them, with
+// the others at their best, it nearly is one.
+TEST(FlatDirections, OfManyCoordinatesAParabolaHasNone) {
+  constexpr std::size_t kCount = 8;
+  constexpr double kCorrelation = 0.1;
+  Uncertainty u;
+  u.sigma.assign(kCount, 1.0);
+  u.correlation.assign(kCount, std::vector<double>(kCount, kCorrelation));
+  for (std::size_t i = 0; i < kCount; ++i) u.correlation[i][i] = 1.0;
+  u.covariance = u.correlation;
+  const Uncertainty before = u;
+  // Its inverse is a I + b 1 1'.
+  constexpr double kOwn = 1.0 / (1.0 - kCorrelation),
+                   kCommon = -kCorrelation / ((1.0 - kCorrelation) * (1.0 + (kCount - 1.0) * kCorrelation));
+  const auto sum = [](const std::vector<double>& x) {
+    double all = 0.0;
+    for (const double one : x) all += one;
+    return all;
+  };
+  constexpr double kCubic = 0.005;  // of the sum: it adds three quarters to the rise along the axis
+  const ChiSquareRise rise{
+      [&](const std::vector<double>& x) {
+        double own = 0.0;
+        for (const double one : x) own += one * one;
+        const double all = sum(x);
+        return kOwn * own + kCommon * all * all + kCubic * all * all * std::abs(all);
+      },
+      [&](const std::vector<double>& x) {
+        const double all = sum(x);
+        std::vector<double> half;
+        for (const double one : x)
+          half.push_back(kOwn * one + kCommon * all + 1.5 * kCubic * all * std::abs(all));
+        return half;
+      }};
+  drop_flat_directions(rise, std::vector<bool>(kCount, false), u);
+  EXPECT_TRUE(u.undetermined.empty());
+  EXPECT_EQ(u.sigma, before.sigma);
+}
+
 }  // namespace
 }  // namespace vegard::fit::flat_directions_test
