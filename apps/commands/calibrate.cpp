@@ -261,6 +261,13 @@ void add_options(const Command& command, CalibrateOptions& options) {
       "Fit one lens to several pictures of a camera: calibrate A B C --same-lens -o CAMERA.toml writes "
       "CAMERA.toml, CAMERA.2.toml, CAMERA.3.toml");
   add_site_option(command, options.site);
+  command
+      .option(
+          "--star", request.by_hand,
+          "A star in --image and its place in pixels, where stars are not recognised blindly: Vega=812,344. "
+          "Two or more, with --time and --site; with --camera, whose lens is taken")
+      .one_an_occurrence()
+      .type_name("NAME=X,Y");
   command.option("--camera", request.camera, "A rough camera, or an earlier one, to start from")
       .type_name("CAMERA.toml");
   command

@@ -139,6 +139,11 @@ void check_together(const CalibrationRequest& request) {
   if (!by_maps && request.stars.empty() && request.image.empty())
     throw usage_error("STARS", "no stars",
                       "a table of stars, or --image; or --azimuth-map, --skymap, --wcs, --acc");
+  if (!request.by_hand.empty() && (by_maps || !request.stars.empty()))
+    throw usage_error("--star", "stars by hand and a table or maps",
+                      "--star with --image alone, or --camera");
+  if (!request.by_hand.empty() && request.image.empty())
+    throw usage_error("--star", "no picture has these stars", "--image with it");
   if (request.finds_points && request.image.empty())
     throw usage_error("--axy-out", "no picture has points of light", "--image with it");
   if (!request.corr_out.empty() && by_maps)

@@ -7,9 +7,9 @@
 
 #include "fit/photo/photo_facts.h"
 #include "fit/photo/pointing/lens_choice.h"
-#include "fit/photo/star_instant.h"
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/sky_map_file.h"
+#include "fit/photo/star_instant.h"
 #include "sim/base/picture/picture_metadata.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/direction_map.h"
@@ -28,6 +28,7 @@ struct KnownMaps {
 struct CalibrationRequest {
   std::string stars, image, camera, mask, decoding;  ///< files and a word; empty: none
   std::string wcs, acc;                              ///< directions by Astrometry.net, by AIDA_tools
+  std::vector<std::string> by_hand;                  ///< stars in `image` and their places, "Vega=812,344"
   std::optional<int> acc_line;
   std::optional<KnownMaps> maps;
   SkyMapFlip flip;          ///< of `wcs` and `acc`
@@ -52,7 +53,7 @@ struct CalibrationRequest {
   double first_faintest() const { return faintest.value_or(4.0); }
   bool by_directions() const { return maps || !wcs.empty() || !acc.empty(); }
   /// Whether the stars of `image` are recognised without a camera to start from.
-  bool blind() const { return !by_directions() && stars.empty() && camera.empty(); }
+  bool blind() const { return !by_directions() && stars.empty() && camera.empty() && by_hand.empty(); }
   /// The file that directions or stars come from.
   const std::string& source() const;
 };

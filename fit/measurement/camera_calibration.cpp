@@ -15,6 +15,7 @@
 #include "fit/photo/pointing/blind/deeper_stars.h"
 #include "fit/photo/pointing/blind/map_flip.h"
 #include "fit/photo/pointing/blind/star_doubts.h"
+#include "fit/photo/pointing/blind/stars_by_hand.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/exchange/aida_camera.h"
@@ -208,7 +209,7 @@ class CameraCalibrator {
     if (request_.blind()) {
       recognise_blindly();
       if (!is_placed()) return std::move(found_);
-    } else if (!maps_ && !by_table_ && !recognise_by_camera()) {
+    } else if (!maps_ && !by_table_ && !(marked_.empty() ? recognise_by_camera() : recognise_by_hand())) {
       return std::move(found_);
     }
     fit_camera();
@@ -220,6 +221,11 @@ class CameraCalibrator {
   void read_stars();
   void settle_flip();
   bool recognise_by_camera();
+  bool recognise_by_hand();
+  Identification identified(const SkyCamera& start, const std::vector<FoundStar>& points,
+                            IdentificationSettings settings);
+  bool take(const Identification& found, const SkyCamera& start, std::size_t points, const std::string& from);
+  void tell_marked(const SkyCamera& camera);
   void recognise_blindly();
   bool is_placed();
   bool depends_on_time() const;
@@ -253,6 +259,8 @@ class CameraCalibrator {
   std::optional<StarPoints> listed_;
   bool by_table_ = false;
   std::vector<StarSighting> stars_;
+  std::vector<StarSighting> marked_;     ///< by hand
+  std::vector<StarSighting> catalogue_;  ///< above the horizon, to the faintest that is known
   std::vector<char> usable_;
   std::optional<SkyCamera> start_;
   LensSettings settings_;
@@ -291,6 +299,7 @@ void CameraCalibrator::read_stars() {
   if (request_.finds_points) found_.points = points_of_picture();
   if (!request_.corr_out.empty()) require_sky(found_.sky, request_.corr_out);
   if (by_table_ && found_.frame.known) check_star_places(stars_, found_.frame, request_.stars);
+  if (!request_.by_hand.empty()) marked_ = stars_by_hand(request_.by_hand, found_.sky, "--star");
   if (says_.camera) start_ = sky_camera_of(says_.camera->camera, found_.frame);
   if (says_.instant && depends_on_time()) {
     found_.origin.instant = says_.instant;
@@ -325,41 +334,45 @@ void CameraCalibrator::settle_flip() {
       words_of(found->flip), found->stars, found->others));
 }
 
-/// Stars found among points of light and named by the catalogue; false if chance explains them as well.
-bool CameraCalibrator::recognise_by_camera() {
-  const std::vector<FoundStar> points = listed_ ? listed_->points : points_of_picture();
+/// Names points of light by the catalogue, from a camera to start from.
+Identification CameraCalibrator::identified(const SkyCamera& start, const std::vector<FoundStar>& points,
+                                            IdentificationSettings settings) {
   const SkyOfPicture& sky = found_.sky;
   if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
-  const std::vector<StarSighting> all =
-      catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
-                    sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
-  const double faintest =
-      request_.faintest.value_or(faintest_for_field(*start_, found_.frame, all, request_.first_faintest()));
-  std::vector<StarSighting> catalogue = all;
-  catalogue.erase(std::find_if(catalogue.begin(), catalogue.end(),
-                               [&](const StarSighting& one) { return one.magnitude > faintest; }),
-                  catalogue.end());
-  IdentificationSettings settings;
-  settings.faintest = faintest;
-  settings.first_magnitude = std::max(std::min(settings.first_magnitude, faintest), faintest - kFirstRange);
-  settings.twist_deg = request_.twist_deg;
-  settings.shift_px = request_.shift_px;
-  settings.scale_share = 0.01 * request_.scale_percent;
-  settings.first_radius_px = request_.radius_px;
-  settings.free = settings_.only.empty()
-                      ? free_numbers({start_->model, 0, false, false}, settings_.centre_free)
-                      : settings_.only;
+  if (catalogue_.empty())
+    catalogue_ = catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
+                               sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
+  settings.faintest = request_.faintest.value_or(
+      faintest_for_field(start, found_.frame, catalogue_, request_.first_faintest()));
+  std::vector<StarSighting> bright = catalogue_;
+  bright.erase(std::find_if(bright.begin(), bright.end(),
+                            [&](const StarSighting& one) { return one.magnitude > settings.faintest; }),
+               bright.end());
+  settings.first_magnitude =
+      std::max(std::min(settings.first_magnitude, settings.faintest), settings.faintest - kFirstRange);
+  settings.free = settings_.only.empty() ? free_numbers({start.model, 0, false, false}, settings_.centre_free)
+                                         : settings_.only;
   if (found_.photo) settings.pixels = SkyPixels(usable());
-  const Identification found = identify(*start_, found_.frame, catalogue, points, settings);
+  return identify(start, found_.frame, bright, points, settings);
+}
+
+/// Takes the stars that were found; false if chance explains them as well.
+bool CameraCalibrator::take(const Identification& found, const SkyCamera& start, std::size_t points,
+                            const std::string& from) {
+  const double faintest = request_.faintest.value_or(
+      faintest_for_field(start, found_.frame, catalogue_, request_.first_faintest()));
   tell_(fmt::format(
       "{} points of light; {} of the {} stars to magnitude {:.1f} that should be seen have one within {:.1f} "
       "px ({:.1f} would by chance)",
-      points.size(), found.stars.size(), found.in_frame, faintest, found.last_radius_px, found.by_chance));
+      points, found.stars.size(), found.in_frame, faintest, found.last_radius_px, found.by_chance));
   if (!is_trustworthy(found)) {
     found_.has_answer = false;
-    found_.chance = chance_line(found, request_.camera);
-    const std::size_t in_view = expected_stars(*start_, found_.frame, all, settings.pixels).size();
+    found_.chance = chance_line(found, from);
+    const std::size_t in_view =
+        expected_stars(start, found_.frame, catalogue_,
+                       found_.photo ? SkyPixels(usable()) : IdentificationSettings().pixels)
+            .size();
     if (in_view < kFewInView) found_.chance += narrow_line(in_view);
     tell_(found_.chance);
     return false;
@@ -367,6 +380,73 @@ bool CameraCalibrator::recognise_by_camera() {
   settings_.start = found.camera;
   stars_ = found.stars;
   return true;
+}
+
+/// Stars found among points of light and named by the catalogue; false if chance explains them as well.
+bool CameraCalibrator::recognise_by_camera() {
+  const std::vector<FoundStar> points = listed_ ? listed_->points : points_of_picture();
+  IdentificationSettings settings;
+  settings.twist_deg = request_.twist_deg;
+  settings.shift_px = request_.shift_px;
+  settings.scale_share = 0.01 * request_.scale_percent;
+  settings.first_radius_px = request_.radius_px;
+  return take(identified(*start_, points, settings), *start_, points.size(), request_.camera);
+}
+
+/// The same from a few stars that a person has named, by the lens that most agree with.
+bool CameraCalibrator::recognise_by_hand() {
+  constexpr double kReach = 0.01;  // of the picture's larger side: what a wrong lens may be off by
+  constexpr double kScale = 0.03, kTwist_deg = 3.0;
+  const std::vector<SkyCamera> starts = cameras_by_hand(marked_, found_.frame, start_);
+  if (starts.empty()) {
+    found_.has_answer = false;
+    found_.chance =
+        "no lens has these stars where they were marked: is each named as it is, and are time and site those "
+        "of the picture? No camera was written";
+    tell_(found_.chance);
+    return false;
+  }
+  const std::vector<FoundStar> points = points_of_picture();
+  IdentificationSettings settings;
+  const double reach_px = kReach * std::max(found_.frame.width_px, found_.frame.height_px);
+  settings.twist_deg = std::min(request_.twist_deg, kTwist_deg);
+  settings.shift_px = std::max(request_.shift_px, reach_px);
+  settings.scale_share = std::max(0.01 * request_.scale_percent, start_ ? 0.0 : kScale);
+  settings.first_radius_px = std::max(request_.radius_px, reach_px);
+  std::size_t best = 0;
+  std::vector<Identification> found;
+  for (const SkyCamera& start : starts) {
+    found.push_back(identified(start, points, settings));
+    if (found.back().agreement.log10_false < found[best].agreement.log10_false) best = found.size() - 1;
+  }
+  const bool is_found = take(found[best], starts[best], points.size(), "the stars that were named");
+  if (is_found) tell_marked(found[best].camera);
+  return is_found;
+}
+
+/// What is not where it was marked, and what is there.
+void CameraCalibrator::tell_marked(const SkyCamera& camera) {
+  constexpr double kOff = 0.01;  // of the picture's larger side
+  const double reach_px = kOff * std::max(found_.frame.width_px, found_.frame.height_px);
+  for (const StarSighting& star : marked_) {
+    double x = 0.0, y = 0.0;
+    const bool has_image = place_of_star(camera, star.enu, x, y);
+    if (has_image && std::hypot(x - star.x_px, y - star.y_px) < reach_px) continue;
+    const StarSighting* nearest = nullptr;
+    double least = reach_px;
+    for (const StarSighting& one : catalogue_) {
+      double u = 0.0, v = 0.0;
+      if (one.magnitude > request_.first_faintest() || !place_of_star(camera, one.enu, u, v)) continue;
+      const double off = std::hypot(u - star.x_px, v - star.y_px);
+      if (off >= least) continue;
+      least = off;
+      nearest = &one;
+    }
+    tell_(fmt::format(
+        "note: {} was marked at ({:.0f}, {:.0f}) and is {}; {}", star.name, star.x_px, star.y_px,
+        has_image ? fmt::format("at ({:.0f}, {:.0f})", x, y) : "not in the picture",
+        nearest == nullptr ? "no bright star is at the mark" : "the star at the mark is " + nearest->name));
+  }
 }
 
 void CameraCalibrator::recognise_blindly() {

@@ -26,6 +26,19 @@ expect_stdout "below the horizon"
 [[ ! -e none.toml ]] || fail "a camera below the horizon"
 # The table with time and site gives the camera as well.
 expect_exit 0 calibrate stars.csv --size 480,360 --site 0,0 --time 2020-12-22T00:00:00Z -o again.toml
+# Two stars by hand, marked as well as a finger points, and a third that is mistaken.
+marked() { awk -F, -v star="$1" -v by="$2" '/^[a-z#]/ && !x { for (i = 1; i <= NF; ++i) { if ($i == "x_px") x = i; if ($i == "y_px") y = i } }
+  $1 == star { print star "=" $x + by "," $y - by }' stars.csv; }
+by_hand=(--image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00Z)
+expect_exit 0 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "$(marked Sirius -2)" -o hand.toml
+awk '/^focal_px/ && ($3 < 249 || $3 > 251) { exit 1 }' hand.toml || fail "another scale by hand"
+expect_exit 0 calibrate "${by_hand[@]}" --camera camera.toml --free rotation --star "$(marked Betelgeuse 3)" --star "$(marked Rigel -2)" -o lens.toml
+expect_exit 5 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "Vega=10,20" --star "$(marked Sirius 0)" -o none.toml
+[[ ! -e none.toml ]] || fail "a camera by a mistaken star"
+expect_exit 2 calibrate "${by_hand[@]}" --star Betelgeuse=1,2 -o none.toml
+expect_stderr "--star | one star"
+expect_exit 2 calibrate stars.csv --size 480,360 --star Betelgeuse=1,2 --star Rigel=30,4 -o none.toml
+expect_stderr "--star"
 # Mirrored, it is told so.
 sky_to 1 >mirrored.pgm
 expect_exit 0 calibrate --image mirrored.pgm --decoding linear
