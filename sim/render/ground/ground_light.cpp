@@ -8,7 +8,6 @@
 
 #include "sim/base/parallel.h"
 #include "sim/light/spectrum_profile.h"
-#include "sim/render/ground/ground_rates.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/sky/air.h"

@@ -16,20 +16,12 @@
 #include <vector>
 
 #include "sim/light/spectrum_profile.h"
+#include "sim/render/ground/ground_rates.h"
 #include "sim/render/ground/sight_lines.h"
 
 namespace vegard::sim {
 
 struct Scene;
-
-/// Number of electron energies of a cell, side by side in a vector; if fewer are in use, the rest are 0.
-inline constexpr int kGroundEnergies = 16;
-
-/// Rates by altitude bin, line and energy: [(bin * lines + line) * kGroundEnergies + energy].
-struct GroundRates {
-  int lines = 0;
-  const float* rate = nullptr;
-};
 
 /// light[ray * lines + line] of rays first to last: the sum over stretches and energies of
 /// length x rate x flux[cell * kGroundEnergies + energy].

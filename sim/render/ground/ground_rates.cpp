@@ -7,7 +7,7 @@
 
 #include "sim/light/own_light.h"
 #include "sim/light/tables/emission_tables.h"
-#include "sim/render/ground/ground_light.h"
+#include "sim/render/ground/sight_lines.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::sim {
