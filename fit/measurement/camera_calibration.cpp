@@ -222,6 +222,7 @@ class CameraCalibrator {
   void settle_flip();
   bool recognise_by_camera();
   bool recognise_by_hand();
+  std::vector<SkyCamera> starts_by_hand() const;
   Identification identified(const SkyCamera& start, const std::vector<FoundStar>& points,
                             IdentificationSettings settings);
   bool take(const Identification& found, const SkyCamera& start, std::size_t points, const std::string& from);
@@ -393,11 +394,23 @@ bool CameraCalibrator::recognise_by_camera() {
   return take(identified(*start_, points, settings), *start_, points.size(), request_.camera);
 }
 
+/// Where no lens has all named stars at their marks, one may be mistaken: then by all but one of them.
+std::vector<SkyCamera> CameraCalibrator::starts_by_hand() const {
+  std::vector<SkyCamera> starts = cameras_by_hand(marked_, found_.frame, start_);
+  if (!starts.empty() || marked_.size() < 3) return starts;
+  for (std::size_t left = 0; left < marked_.size(); ++left) {
+    std::vector<StarSighting> others = marked_;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(left));
+    for (const SkyCamera& camera : cameras_by_hand(others, found_.frame, start_)) starts.push_back(camera);
+  }
+  return starts;
+}
+
 /// The same from a few stars that a person has named, by the lens that most agree with.
 bool CameraCalibrator::recognise_by_hand() {
   constexpr double kReach = 0.01;  // of the picture's larger side: what a wrong lens may be off by
   constexpr double kScale = 0.03, kTwist_deg = 3.0;
-  const std::vector<SkyCamera> starts = cameras_by_hand(marked_, found_.frame, start_);
+  const std::vector<SkyCamera> starts = starts_by_hand();
   if (starts.empty()) {
     found_.has_answer = false;
     found_.chance =

@@ -33,8 +33,11 @@ by_hand=(--image sky.pgm --decoding linear --site 0,0 --time 2020-12-22T00:00:00
 expect_exit 0 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "$(marked Sirius -2)" -o hand.toml
 awk '/^focal_px/ && ($3 < 249 || $3 > 251) { exit 1 }' hand.toml || fail "another scale by hand"
 expect_exit 0 calibrate "${by_hand[@]}" --camera camera.toml --free rotation --star "$(marked Betelgeuse 3)" --star "$(marked Rigel -2)" -o lens.toml
-expect_exit 5 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "Vega=10,20" --star "$(marked Sirius 0)" -o none.toml
-[[ ! -e none.toml ]] || fail "a camera by a mistaken star"
+rigel=$(marked Rigel 0)
+expect_exit 0 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "Aldebaran=${rigel#*=}" --star "$(marked Sirius 0)" -o third.toml
+expect_stdout "note: Aldebaran | Rigel"
+expect_exit 5 calibrate "${by_hand[@]}" --star "Betelgeuse=${rigel#*=}" --star "Rigel=10,20" -o none.toml
+[[ ! -e none.toml ]] || fail "a camera by mistaken stars"
 expect_exit 2 calibrate "${by_hand[@]}" --star Betelgeuse=1,2 -o none.toml
 expect_stderr "--star | one star"
 expect_exit 2 calibrate stars.csv --size 480,360 --star Betelgeuse=1,2 --star Rigel=30,4 -o none.toml
