@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "fit/map/cell_reader.h"
 #include "fit/map/map_observation.h"
 #include "fit/map/prior_choice.h"
@@ -99,6 +101,7 @@ struct MapResult {
   std::vector<std::vector<CellFlux>> replicates;         ///< perturbed solutions
   std::vector<sim::ElectronSpectrum> replicate_spectra;  ///< of each; its E0 is that of `spectrum` at the
                                                          ///< same mean energy
+  Eigen::MatrixXd modes_covariance;  ///< of the modes in `scene`; empty without modes or error bars
   std::vector<std::vector<double>>
       replicate_values;  ///< of `numbers`; the modes drawn from what the pictures leave open
   std::vector<std::uint8_t>

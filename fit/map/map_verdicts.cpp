@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/answer/tables_correction.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/quantile.h"
 
@@ -247,6 +248,23 @@ std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::ve
         v.reason += "; but the map does not explain the picture";
       }
   return verdicts;
+}
+
+std::vector<TablesCorrection> map_corrections(const MapResult& result, const std::vector<Curtain>& curtains) {
+  const MainCurtain main(curtains);
+  if (!main.exists || result.modes_covariance.size() == 0) return {};
+  LearntModes learnt;
+  const std::vector<double>& modes = result.scene.emission.modes;
+  learnt.value = Eigen::Map<const Eigen::VectorXd>(modes.data(), static_cast<Eigen::Index>(modes.size()));
+  learnt.covariance = result.modes_covariance;
+  for (std::size_t k = 0; k < modes.size(); ++k) learnt.modes.push_back(static_cast<int>(k));
+  sim::Scene curtain = result.scene;
+  curtain.sheets.assign(1, sim::Sheet());
+  curtain.sheets[0].profile = sim::ProfileKind::maxwellian;
+  // Of electrons with the mean energy that the map's have.
+  curtain.sheets[0].energy_kev =
+      main.energy_kev * sim::mean_energy_over_e0(result.spectrum) / sim::mean_energy_over_e0({});
+  return tables_corrections(lines_by_modes(curtain, learnt.modes), learnt);
 }
 
 std::string verdict_line(const std::vector<QuantityVerdict>& verdicts) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/answer/fit_result.h"
 #include "fit/answer/trust.h"
 #include "fit/map/curtains.h"
 #include "fit/map/map_fit.h"
@@ -22,6 +23,11 @@ struct QuantityVerdict {
 /// cells, and energies at either end of the map's, constrain nothing. If a map explains the picture but
 /// constrains no distance, this is said.
 std::vector<QuantityVerdict> map_verdicts(const MapResult& result, const std::vector<Curtain>& curtains);
+
+/// Returns what the pictures ask of the emission tables' light, at the energy of the brightest curtain whose
+/// lower border is in view (fit/answer/tables_correction.h): none where the tables are taken as exact,
+/// without such a curtain, or without error bars.
+std::vector<TablesCorrection> map_corrections(const MapResult& result, const std::vector<Curtain>& curtains);
 
 /// Returns the worst of the verdicts that are not good, in one line.
 std::string verdict_line(const std::vector<QuantityVerdict>& verdicts);

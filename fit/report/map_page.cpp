@@ -9,6 +9,7 @@
 #include "fit/map/raster_grid.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/report_style.h"
+#include "fit/report/report_tables.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/shown_text.h"
@@ -404,7 +405,9 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
       "of the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
       "class=\"plots\">" +
       maps(result, curtains) + "</div>\n" + count_words(result, curtains, facts.faint) + "</section>\n";
-  html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) + "</section>\n";
+  html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) +
+          corrections_list(map_corrections(result, curtains), "What it says about the emission tables:") +
+          "</section>\n";
   for (const MappedPhoto& photo : result.photos)
     html += "<section><h2>The picture" + (photo.name.empty() ? "" : " " + sim::html_text(photo.name)) +
             "</h2>\n<p>chi2 " + sim::short_number(photo.chi2, 4) + " over " + std::to_string(photo.values) +

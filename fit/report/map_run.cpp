@@ -11,6 +11,7 @@
 #include "fit/map/rasterised_map.h"
 #include "fit/map/stored_map.h"
 #include "fit/report/netcdf/run_dataset.h"
+#include "fit/report/table/mode_information_json.h"
 #include "sim/base/error.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/input_file.h"
@@ -158,6 +159,8 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   const bool has_learnt = std::any_of(result.numbers.begin(), result.numbers.end(),
                                       [](const MapNumber& number) { return number.mode >= 0; });
   if (has_learnt) json["modes"] = result.scene.emission.modes;
+  if (const std::vector<TablesCorrection> tables = map_corrections(result, curtains); !tables.empty())
+    json["tables"] = corrections_json(tables);
   json["replicates"] = result.replicates.size();
   json["cells"] = result.grid.cells();
   json["energies_kev"] = result.energies_kev;

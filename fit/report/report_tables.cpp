@@ -147,15 +147,17 @@ std::string derived_table(const FitResult& result) {
          rows + "</tbody>\n</table>\n";
 }
 
-std::string tables_list(const FitResult& result) {
+std::string corrections_list(const std::vector<TablesCorrection>& corrections, const std::string& before) {
   std::string items;
-  for (const TablesCorrection& correction : result.tables)
+  for (const TablesCorrection& correction : corrections)
     items += "<li>" + sim::html_text(correction_words(correction)) + "</li>\n";
-  return items.empty()
-             ? items
-             : "<p class=\"soft\">What it says about the emission tables, which the answer does not "
-               "use:</p>\n<ul class=\"soft\">\n" +
-                   items + "</ul>\n";
+  return items.empty() ? items
+                       : "<p class=\"soft\">" + before + "</p>\n<ul class=\"soft\">\n" + items + "</ul>\n";
+}
+
+std::string tables_list(const FitResult& result) {
+  return corrections_list(result.tables,
+                          "What it says about the emission tables, which the answer does not use:");
 }
 
 std::string parameter_table_html(const FitResult& result) {

@@ -17,7 +17,10 @@ std::string answer_sentence(const FitResult& result);
 /// Derived numbers without a card: details, and unconstrained ones with the reason; empty if there are none.
 std::string derived_table(const FitResult& result);
 
-/// A sentence for each of FitResult::tables; empty if there are none.
+/// A sentence for each correction after a line of words; empty if there are none.
+std::string corrections_list(const std::vector<TablesCorrection>& corrections, const std::string& before);
+
+/// The same of FitResult::tables.
 std::string tables_list(const FitResult& result);
 
 /// Path, meaning, value ± sigma, unit, 68 % interval, start, limits.

@@ -1,5 +1,8 @@
 #include "fit/report/table/mode_information_json.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <cstddef>
 
 #include "sim/light/tables/light_modes.h"
@@ -19,6 +22,19 @@ nlohmann::ordered_json mode_information_json(const ModeInformation& told) {
   for (const LineByModes& line : told.lines)
     json["lines"].push_back(
         {{"nm", line.wavelength_nm}, {"over_nm", line.over_nm}, {"ln_ratio_by_mode", line.ln_ratio}});
+  return json;
+}
+
+nlohmann::ordered_json corrections_json(const std::vector<TablesCorrection>& corrections) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+  };
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const TablesCorrection& c : corrections)
+    json[fmt::format("{:.1f}", c.wavelength_nm)] = {{"over_nm", c.over_nm},
+                                                    {"factor", number(c.factor)},
+                                                    {"ln_sigma", number(c.ln_sigma)},
+                                                    {"ln_sigma_of_tables", number(c.ln_sigma_of_tables)}};
   return json;
 }
 

@@ -160,16 +160,6 @@ Json chain(const FitResult& result) {
 }
 
 /// By wavelength.
-Json tables_json(const FitResult& result) {
-  Json json = Json::object();
-  for (const TablesCorrection& c : result.tables)
-    json[fmt::format("{:.1f}", c.wavelength_nm)] = {{"over_nm", c.over_nm},
-                                                    {"factor", number(c.factor)},
-                                                    {"ln_sigma", number(c.ln_sigma)},
-                                                    {"ln_sigma_of_tables", number(c.ln_sigma_of_tables)}};
-  return json;
-}
-
 Json transfer_curve_json(const FittedTransferCurve& c) {
   Json json;
   json["words"] = c.words;
@@ -264,7 +254,7 @@ std::string result_json(const FitResult& result) {
                                {"trust_reason", words(d.trust_reason)}});
     put_by_mode(d.by_mode, json["derived"].back());
   }
-  if (!result.tables.empty()) json["tables"] = tables_json(result);
+  if (!result.tables.empty()) json["tables"] = corrections_json(result.tables);
   if (!result.physics.modes.empty()) json["physics"] = mode_information_json(result.physics);
   if (result.transfer_curve) json["curve"] = transfer_curve_json(*result.transfer_curve);
   json["correlation"] = matrix_rows(result.correlation);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fit/answer/tables_correction.h"
+#include "fit/report/table/mode_information_json.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/version.h"
 #include "sim/scene/lines/emission_lines.h"
@@ -60,12 +61,7 @@ std::string shared_physics_json(const SharedPhysics& shared, const std::vector<s
   json["degrees_of_freedom"] = shared.degrees_of_freedom;
   json["chance"] = number_json(shared.chance);
   json["factor"] = number_json(shared.factor);
-  json["tables"] = PhysicsJson::object();
-  for (const TablesCorrection& c : shared.tables)
-    json["tables"][fmt::format("{:.1f}", c.wavelength_nm)] = {{"over_nm", c.over_nm},
-                                                              {"factor", c.factor},
-                                                              {"ln_sigma", c.ln_sigma},
-                                                              {"ln_sigma_of_tables", c.ln_sigma_of_tables}};
+  json["tables"] = corrections_json(shared.tables);
   json["means"] = PhysicsJson::array();
   for (const SharedMean& m : shared.means)
     json["means"].push_back({{"name", m.name},

@@ -136,6 +136,18 @@ TEST(MapFit, OfUncertainTablesHasTheTruthInItsErrorBars) {
   EXPECT_GT(held, 0.7 * points);
 }
 
+// The picture's light is that of the tables: nothing that it asks of them is beyond its error.
+TEST(MapFit, AsksNothingOfTablesThatAreRight) {
+  const std::vector<TablesCorrection> asked =
+      map_corrections(learnt_result(), find_curtains(learnt_result()));
+  ASSERT_FALSE(asked.empty());  // a picture tells a ratio of lines better than half of the tables' error
+  for (const TablesCorrection& c : asked) {
+    EXPECT_LT(std::abs(std::log(c.factor)), 3.0 * c.ln_sigma) << c.wavelength_nm;
+    EXPECT_LT(c.ln_sigma, c.ln_sigma_of_tables) << c.wavelength_nm;
+  }
+  EXPECT_TRUE(map_corrections(result(), find_curtains(result())).empty());  // exact tables
+}
+
 TEST(MapFit, HasTheFluxOfTheBand) {
   // Of all that falls on the ground in view of the camera: 12 mW m^-2 times sqrt(2 pi) 3 km along the curve.
   // The sensor's gain is the scene's own. Of stretches near the edges of the view some is cut.
