@@ -119,10 +119,10 @@ std::vector<fit::CalibrationRequest> requests_of(const CalibrateOptions& options
   const fit::CalibrationRequest& common = options.request;
   if (options.inputs.size() < 2)
     throw usage_error("--same-lens", "one picture alone", "two or more pictures or tables of one camera");
-  if (!common.image.empty() || !common.camera.empty() || !common.wcs.empty() || !common.acc.empty() ||
-      maps.any())
+  if (!common.image.empty() || !common.camera.empty() || !common.by_hand.empty() || !common.wcs.empty() ||
+      !common.acc.empty() || maps.any())
     throw usage_error("--same-lens", "its pictures are given by their names alone",
-                      "calibrate A B C --same-lens, without --image, --camera and maps");
+                      "calibrate A B C --same-lens, without --image, --camera, --star and maps");
   if (common.output.empty())
     throw usage_error("--output", "nothing to write the cameras to", "-o CAMERA.toml");
   if (!options.json.empty() || !options.plot.empty() || !options.overlay.empty() ||

@@ -42,6 +42,8 @@ expect_exit 2 calibrate "${by_hand[@]}" --star Betelgeuse=1,2 -o none.toml
 expect_stderr "--star | one star"
 expect_exit 2 calibrate stars.csv --size 480,360 --star Betelgeuse=1,2 --star Rigel=30,4 -o none.toml
 expect_stderr "--star"
+expect_exit 2 calibrate sky.pgm sky.pgm --same-lens --star Betelgeuse=1,2 --star Rigel=30,4 -o none.toml
+expect_stderr "--same-lens | --star"
 # Mirrored, it is told so.
 sky_to 1 >mirrored.pgm
 expect_exit 0 calibrate --image mirrored.pgm --decoding linear
