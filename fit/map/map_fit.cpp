@@ -645,7 +645,7 @@ void Mapping::add_replicates(std::vector<MapObservation>& fine, MapResult& resul
     o.modes = o.modes_centre = modes_;
     o.stop = options_.stop;
     learnt_ = solved_modes(fine, near_, static_cast<int>(energies_.size()), result.map, o);
-    result.modes_covariance = learnt_.spread * learnt_.spread.transpose();
+    if (!stopped()) result.modes_covariance = learnt_.spread * learnt_.spread.transpose();
   }
   for (int r = 0; r < options_.replicates && !stopped(); ++r) {
     try {

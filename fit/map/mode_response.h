@@ -14,8 +14,8 @@
 //     S = (B - A X)' W (B - A X).
 //
 // X is found by conjugate gradients, preconditioned by x over the positive part of the gradient, which leads
-// the solver's steps too. Gains that are solved for beside the map have no part in it.
-// They are ended early: what the map could do in small is left out of its answer.
+// the solver's steps too. They are ended early: small details of the map have no part in its answer. Nor have
+// gains that are solved for beside the map.
 #pragma once
 
 #include <atomic>
