@@ -20,7 +20,7 @@
 
 // Refines the curtains of a map in a fit by beams: `vegard fit --from-map`.
 //
-// Each curtain becomes a sheet along a curve (fit/map/curtain_sheets.h). All sheets are first fitted together
+// Each curtain becomes a sheet along a curve (fit/map/curtains/curtain_sheets.h). All sheets are first fitted together
 // by a descent with exact derivatives that starts from the map. Then the fit tries to leave out curves, the
 // weakest first, and to add curtains that are below the map's brightness limit, the strongest first. After
 // each change all other parameters are fitted again, and the change is kept if it lowers the BIC

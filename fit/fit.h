@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/answer/fit_result.h"
-#include "fit/map/curtain_sheets.h"
+#include "fit/map/curtains/curtain_sheets.h"
 #include "fit/photo/photo.h"
 #include "fit/search/fit_options.h"
 #include "sim/scene/structs/scene.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fit/answer/fit_result.h"
-#include "fit/map/stored_map.h"
+#include "fit/map/curtains/stored_map.h"
 #include "fit/photo/photo.h"
 #include "fit/search/fit_options.h"
 #include "sim/scene/structs/scene.h"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fit/map/stored_map.h"
+#include "fit/map/curtains/stored_map.h"
 #include "fit/needed_memory.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/result_json.h"

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_verdicts.h"
 #include "fit/map/rasterised_map.h"
 #include "fit/report/map_run.h"
 #include "python/arrays.h"

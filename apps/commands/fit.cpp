@@ -25,7 +25,7 @@
 #include "apps/output/terminal.h"
 #include "fit/answer/tables_correction.h"
 #include "fit/derivative_check.h"
-#include "fit/map/stored_map.h"
+#include "fit/map/curtains/stored_map.h"
 #include "fit/photo/photo.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/curtain_steps_table.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/measurement/main_border.h"
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "fit/border/border_distance.h"
-#include "fit/map/map_verdicts.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/measurement/measure_stages.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"

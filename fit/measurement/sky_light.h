@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "fit/border/border.h"
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_verdicts.h"
 #include "fit/measurement/words.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_facts.h"

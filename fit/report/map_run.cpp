@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "fit/map/curtains/stored_map.h"
 #include "fit/map/rasterised_map.h"
-#include "fit/map/stored_map.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/table/mode_information_json.h"
 #include "sim/base/error.h"

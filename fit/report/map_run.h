@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "fit/answer/fit_result.h"
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_verdicts.h"
 
 namespace vegard::fit {
 

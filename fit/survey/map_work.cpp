@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "fit/answer/trust.h"
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_verdicts.h"
 #include "fit/photo/photo.h"
 #include "sim/emit/aurora/foot_line.h"
 #include "sim/scene/structs/line_of.h"

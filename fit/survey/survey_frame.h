@@ -109,7 +109,7 @@ inline constexpr int kSurveyCurtains = 4;
 /// flux), share of the energy flux whose lower border is in view, chi2 per value, number of curtains. Items
 /// 1, 2, ... are curtains: their length; and for the point nearest to the site whose lower border is in view,
 /// its distance, azimuth, latitude (if the site has one), E0, energy flux and lower border. The verdict is
-/// "good" if all verdicts of the map are (fit/map/map_verdicts.h), else "doubtful"; WorkAnswer::words has
+/// "good" if all verdicts of the map are (fit/map/curtains/map_verdicts.h), else "doubtful"; WorkAnswer::words has
 /// their words. None if options.stop was set. The options' journal is not used. Throws as map_photos().
 std::optional<WorkAnswer> map_answer(const Photo& photo, const sim::Scene& scene, const MapOptions& options);
 

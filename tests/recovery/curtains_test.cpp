@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fit/fit.h"
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
 #include "fit/map/map_fit.h"
 #include "fit/map/raster_grid.h"
 #include "fit/report/table/curtain_steps_table.h"

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/map_fit.h"
-#include "fit/map/map_verdicts.h"
 #include "fit/map/raster_grid.h"
 #include "fit/photo/photo.h"
 #include "sim/base/number/constants.h"

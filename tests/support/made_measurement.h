@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "fit/map/map_verdicts.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/measurement/main_border.h"
 #include "fit/measurement/main_curtain.h"
 #include "fit/measurement/measurement.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "fit/answer/trust.h"
+#include "fit/map/curtains/stored_map.h"
 #include "fit/map/precipitation_planes.h"
-#include "fit/map/stored_map.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/report/netcdf/record_json.h"
 #include "sim/base/error.h"

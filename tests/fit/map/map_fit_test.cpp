@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
+#include "fit/map/curtains/map_verdicts.h"
 #include "fit/map/lower_border.h"
-#include "fit/map/map_verdicts.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/render/ground/sight_lines.h"
 #include "sim/scene/file/scene_toml.h"

@@ -1,4 +1,4 @@
-#include "fit/map/stored_map.h"
+#include "fit/map/curtains/stored_map.h"
 
 #include <cmath>
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fit/answer/fit_result.h"
-#include "fit/map/curtain_sheets.h"
+#include "fit/map/curtains/curtain_sheets.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {

@@ -1,4 +1,4 @@
-#include "fit/map/curtains.h"
+#include "fit/map/curtains/curtains.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include <optional>
 #include <utility>
 
+#include "fit/map/curtains/ridge_evidence.h"
+#include "fit/map/curtains/ridge_section.h"
+#include "fit/map/curtains/ridge_trace.h"
 #include "fit/map/lower_border.h"
-#include "fit/map/ridge_evidence.h"
-#include "fit/map/ridge_section.h"
-#include "fit/map/ridge_trace.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/quantile.h"
 #include "sim/light/tables/emission_tables.h"

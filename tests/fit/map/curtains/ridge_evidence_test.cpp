@@ -1,4 +1,4 @@
-#include "fit/map/ridge_evidence.h"
+#include "fit/map/curtains/ridge_evidence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fit/map/ridge_trace.h"
+#include "fit/map/curtains/ridge_trace.h"
 
 #include <algorithm>
 #include <cmath>

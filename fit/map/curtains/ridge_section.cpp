@@ -1,4 +1,4 @@
-#include "fit/map/ridge_section.h"
+#include "fit/map/curtains/ridge_section.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // A ridge point is where the smoothed flux has its maximum along the direction of its strongest curvature
 // (Steger 1998, doi:10.1109/34.659930). Points are joined at right angles to that direction, starting from
 // the brightest, as long as the next one is bright enough (hysteresis); pieces that go on in each other's
-// course become one (fit/map/ridge_evidence.h). The curve is then resampled every few kilometres.
+// course become one (fit/map/curtains/ridge_evidence.h). The curve is then resampled every few kilometres.
 //
 // Not every ridge is a curtain. A point counts only if nearly all perturbed solutions have a ridge there,
 // within the error of its place; the ridge's height must be more than chance makes, by the ridges along the

@@ -1,4 +1,4 @@
-#include "fit/map/curtain_sheets.h"
+#include "fit/map/curtains/curtain_sheets.h"
 
 #include <algorithm>
 #include <cmath>

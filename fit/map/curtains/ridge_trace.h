@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/map/curtains/ridge_evidence.h"
 #include "fit/map/raster_grid.h"
-#include "fit/map/ridge_evidence.h"
 
 namespace vegard::fit {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "fit/map/curtains/ridge_evidence.h"
 #include "fit/map/raster_grid.h"
-#include "fit/map/ridge_evidence.h"
 
 namespace vegard::fit {
 

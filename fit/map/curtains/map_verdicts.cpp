@@ -1,4 +1,4 @@
-#include "fit/map/map_verdicts.h"
+#include "fit/map/curtains/map_verdicts.h"
 
 #include <algorithm>
 #include <cmath>
