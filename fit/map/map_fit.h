@@ -122,16 +122,6 @@ struct MapResult {
 /// Whether all pictures are from one place. Such a map cannot tell the height of a border from its distance.
 bool is_of_one_station(const MapResult& result);
 
-/// Returns the spectrum with which a replicate of a one-station map is made. Every second one has that of the
-/// map, the others take turns with those of the other kinds (Maxwellian, Gaussian with a spread of 0.25,
-/// kappa 4): a sharper lower border looks like a lower one.
-sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate);
-
-/// Returns the values that a replicate has of the numbers beside the map, drawn from their priors. Modes are
-/// drawn anew from what the pictures leave open of them (MapResult::replicate_values).
-std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
-                                  std::uint32_t replicate);
-
 /// Whether cross-validation chose the weakest prior that was tried.
 bool is_prior_at_its_end(const MapResult& result);
 
