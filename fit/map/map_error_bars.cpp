@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/map/spectra_left_open.h"
 #include "sim/base/number/random.h"
 
 namespace vegard::fit {
@@ -40,20 +41,6 @@ std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t see
     squares += 2.0 * kernel.weights[k] * kernel.weights[k];
   for (float& x : blurred) x = static_cast<float>(x / squares);
   return blurred;
-}
-
-/// Returns the spectrum with which a replicate of a one-station map is made. Every second one has that of the
-/// map, the others take turns with those of the other kinds (Maxwellian, Gaussian with a spread of 0.25,
-/// kappa 4): a sharper lower border looks like a lower one.
-sim::ElectronSpectrum replicate_spectrum(const sim::ElectronSpectrum& of_map, int replicate) {
-  using Kind = sim::ElectronSpectrum::Kind;
-  if (replicate % 2 == 0) return of_map;
-  std::vector<sim::ElectronSpectrum> others;
-  for (const sim::ElectronSpectrum& other :
-       {sim::ElectronSpectrum{Kind::gaussian, 0.25, 5.0}, sim::ElectronSpectrum{Kind::kappa, 0.25, 4.0},
-        sim::ElectronSpectrum{Kind::maxwellian, 0.25, 5.0}})
-    if (other.kind != of_map.kind && others.size() < 2) others.push_back(other);
-  return others[static_cast<std::size_t>(replicate / 2) % others.size()];
 }
 
 /// Returns the values that a replicate has of the numbers beside the map, drawn from their priors.
@@ -172,9 +159,9 @@ Eigen::VectorXd Replicates::drawn_shift(const std::vector<double>& values) const
 }
 
 void Replicates::add(std::uint32_t number) {
-  const sim::ElectronSpectrum spectrum =
-      is_of_one_station(result_) ? replicate_spectrum(problem_.options.spectrum, static_cast<int>(number))
-                                 : problem_.options.spectrum;
+  const sim::ElectronSpectrum spectrum = is_of_one_station(result_)
+                                             ? replicate_spectrum(result_, static_cast<int>(number))
+                                             : problem_.options.spectrum;
   const double each = (1.0 - problem_.share.map) / problem_.options.replicates,
                from = problem_.share.map + each * number;
   std::vector<double> values = drawn_numbers(problem_.scene.seed, problem_.numbers, number);

@@ -7,6 +7,7 @@
 #include "fit/map/map_error_bars.h"
 #include "fit/map/map_grid.h"
 #include "fit/map/map_problem.h"
+#include "fit/map/spectra_left_open.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/value_check.h"
@@ -295,6 +296,8 @@ MapResult Mapping::run() {
                           problem_.share.coarse);
   });
   require_light(coarse, start, chi2);
+  if (problem_.options.replicates > 1 && is_of_one_station(problem_.scenes))
+    try_spectra(problem_, coarse, start, chi2, result);
 
   std::vector<MapObservation> fine = problem_.pictures(1);
   for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
@@ -321,10 +324,9 @@ MapResult Mapping::run() {
 }  // namespace
 
 bool is_of_one_station(const MapResult& result) {
-  return std::all_of(result.photos.begin(), result.photos.end(), [&](const MappedPhoto& photo) {
-    const sim::Site &site = photo.scene.site, &first = result.photos.front().scene.site;
-    return site.latitude_deg == first.latitude_deg && site.longitude_deg == first.longitude_deg;
-  });
+  std::vector<sim::Scene> scenes;
+  for (const MappedPhoto& photo : result.photos) scenes.push_back(photo.scene);
+  return is_of_one_station(scenes);
 }
 
 bool is_prior_at_its_end(const MapResult& result) {

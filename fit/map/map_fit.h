@@ -74,6 +74,19 @@ struct MapOptions {
   std::function<void(const std::string& stage, double chi2_per_value, double share)> progress;
 };
 
+/// How well a coarse map of electrons with another spectrum than the map's explains the pictures.
+struct SpectrumTrial {
+  sim::ElectronSpectrum spectrum;
+  double chi2_per_value = 0.0;
+  /// Fall of chi2 from that of the map's own spectrum, with values that share smooth errors counted as one,
+  /// and as if chi2 per value of the better of both were 1, where it is more.
+  double better = 0.0;
+
+  static constexpr double kTold = 9.0;  ///< the fall, or rise, of three standard errors
+  bool is_open() const { return better > -kTold; }
+  bool is_preferred() const { return better > kTold; }
+};
+
 /// One photograph and its model in the cells of the film: [cell * 3 + channel].
 struct MappedPhoto {
   std::string name;
@@ -109,6 +122,7 @@ struct MapResult {
   std::vector<float> sensitivity;  ///< signal-to-noise ratio of 1 mW m^-2 in this cell alone
   double sparsity = 0.0;
   std::vector<MapTrial> trials;
+  std::vector<SpectrumTrial> spectra;  ///< of one station's map with error bars; else empty
   double chi2 = 0.0, chi2_without_aurora = 0.0;
   std::size_t values = 0;
   std::vector<MappedPhoto> photos;

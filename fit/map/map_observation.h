@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "fit/photo/photo.h"
+#include "sim/base/number/constants.h"
 #include "sim/render/ground/ground_grid.h"
 #include "sim/render/ground/ground_light.h"
 #include "sim/render/ground/ground_rates.h"
@@ -29,6 +30,9 @@ namespace vegard::fit {
 
 /// Standard deviation, in cells of the film, of the smooth errors that a model of the light has.
 inline constexpr double kModelErrorReach_cells = 4.0;
+/// Cells that share a smooth error: of the model, and of the map itself, which is sparse and has cells. What
+/// changes the light as a whole is told by so many fewer values than there are.
+inline constexpr double kMapSharedBy = 4.0 * sim::kPi * kModelErrorReach_cells * kModelErrorReach_cells;
 
 /// Sums over a film's cells and channels: [cell * 3 + channel].
 using MapLight = std::vector<float>;

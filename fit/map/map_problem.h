@@ -75,6 +75,9 @@ class MapProblem {
   std::vector<std::shared_ptr<const sim::ModeRates>> rates_;  ///< of the map's electrons, by picture
 };
 
+/// Whether all are at one place.
+bool is_of_one_station(const std::vector<sim::Scene>& scenes);
+
 /// What is wrong with a scene for a map.
 sim::Error unfit_for_map(const sim::Scene& scene, const std::string& key, const std::string& problem);
 

@@ -18,8 +18,6 @@ constexpr double kEpsilon = 1e-3;  // of the brightest neighbourhood: less light
 constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light, with less around, is put out
 constexpr int kDarkFrom = 40;      // the step from which cells may count as dark
 constexpr double kFewer = 0.8;     // of their cells: lines of sight are made anew once no more are left
-/// Cells that share a smooth error: of the model, and of the map itself, which is sparse and has cells.
-constexpr double kSharedBy = 4.0 * sim::kPi * kModelErrorReach_cells * kModelErrorReach_cells;
 constexpr double kMaxModeStep = 1.0;  // standard deviations
 constexpr int kHalvings = 3;          // of a step of the modes that does not lead down
 constexpr double kLevel = 5e-4;       // relative fall from revision to revision that is no longer waited for
@@ -117,6 +115,7 @@ class MapSolver {
 
   MapModes learnt() {
     reweight();
+    leave_out_dark_cells();
     find_scale();
     evaluate();
     const double prior = modes_prior();
@@ -213,7 +212,7 @@ class MapSolver {
     double values = 0.0;
     for (const MapObservation& picture : pictures_) values += static_cast<double>(picture.values());
     // What is not explained is no noise that would average out.
-    return kSharedBy * std::max(1.0, chi2_ / std::max(1.0, values));
+    return kMapSharedBy * std::max(1.0, chi2_ / std::max(1.0, values));
   }
 
   ModeResponse response(double prior) {

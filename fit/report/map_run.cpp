@@ -123,6 +123,12 @@ nlohmann::ordered_json finite_or_null(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
 }
 
+void put_spectrum(const sim::ElectronSpectrum& spectrum, nlohmann::ordered_json& json) {
+  json["spectrum"] = sim::spectrum_word(spectrum.kind);
+  if (spectrum.kind == sim::ElectronSpectrum::Kind::gaussian) json["spread"] = spectrum.spread;
+  if (spectrum.kind == sim::ElectronSpectrum::Kind::kappa) json["kappa"] = spectrum.kappa;
+}
+
 }  // namespace
 
 std::string map_json(const MapResult& result, const std::vector<Curtain>& curtains,
@@ -149,9 +155,16 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
     json["prior"]["tried"].push_back(
         {{"sparsity", t.sparsity}, {"left_out_loss", t.left_out}, {"standard_error", t.error}});
   json["altitude_scale"] = result.altitude_scale;
-  json["spectrum"] = sim::spectrum_word(result.spectrum.kind);
-  if (result.spectrum.kind == sim::ElectronSpectrum::Kind::gaussian) json["spread"] = result.spectrum.spread;
-  if (result.spectrum.kind == sim::ElectronSpectrum::Kind::kappa) json["kappa"] = result.spectrum.kappa;
+  put_spectrum(result.spectrum, json);
+  json["other_spectra"] = nlohmann::ordered_json::array();
+  for (const SpectrumTrial& other : result.spectra) {
+    nlohmann::ordered_json row;
+    put_spectrum(other.spectrum, row);
+    row["chi2_per_value"] = other.chi2_per_value;
+    row["chi2_fall"] = other.better;
+    row["is_open"] = other.is_open();
+    json["other_spectra"].push_back(std::move(row));
+  }
   json["known_with_errors"] = nlohmann::ordered_json::array();
   for (const MapNumber& n : result.numbers)
     json["known_with_errors"].push_back(

@@ -185,7 +185,16 @@ QuantityVerdict verdict_of_energy(const MapResult& result, const MainCurtain& ma
                   is_largest ? "largest" : "least",
                   sim::short_number(is_largest ? result.energies_kev.back() : result.energies_kev.front(), 3),
                   is_largest ? "lower" : "upper")};
-  return verdict_by_error(result, kEnergy, Quantity::energy, main.energy_error, value, from_colour);
+  QuantityVerdict verdict =
+      verdict_by_error(result, kEnergy, Quantity::energy, main.energy_error, value, from_colour);
+  for (const SpectrumTrial& other : result.spectra)
+    if (other.is_preferred()) {
+      verdict.trust = std::max(verdict.trust, Trust::doubtful);
+      verdict.reason +=
+          fmt::format("; other electrons ({}) explain the picture better, with other energies: --spectrum {}",
+                      sim::spectrum_in_words(other.spectrum), sim::spectrum_word(other.spectrum.kind));
+    }
+  return verdict;
 }
 
 QuantityVerdict verdict_of_flux(const MapResult& result, const MainCurtain& main) {

@@ -219,16 +219,25 @@ TEST(MapFit, OneStationsErrorBarsHoldTheSpectrumOfTheElectrons) {
   options.replicates = 4;
   options.pixels_per_cell = 2;
   const MapResult map = map_photos(without_band(), {narrow}, options);
+  // A narrow spectrum is nearer to a Gaussian than to a Maxwellian, and farthest from a broad one.
+  using Kind = sim::ElectronSpectrum::Kind;
+  ASSERT_EQ(map.spectra.size(), 2u);
+  EXPECT_EQ(map.spectra[0].spectrum.kind, Kind::gaussian);
+  EXPECT_TRUE(map.spectra[0].is_preferred()) << map.spectra[0].better;
+  EXPECT_EQ(map.spectra[1].spectrum.kind, Kind::kappa);
+  EXPECT_FALSE(map.spectra[1].is_open()) << map.spectra[1].better;
   ASSERT_EQ(map.replicate_spectra.size(), 4u);
-  EXPECT_EQ(map.replicate_spectra[1].kind, sim::ElectronSpectrum::Kind::gaussian);
-  EXPECT_EQ(map.replicate_spectra[2].kind, sim::ElectronSpectrum::Kind::maxwellian);
-  EXPECT_EQ(map.replicate_spectra[3].kind, sim::ElectronSpectrum::Kind::kappa);
+  EXPECT_EQ(map.replicate_spectra[1].kind, Kind::gaussian);
+  EXPECT_EQ(map.replicate_spectra[2].kind, Kind::maxwellian);
+  EXPECT_EQ(map.replicate_spectra[3].kind, Kind::gaussian);
   const double border = lower_border(scene, 8.0, {sim::ElectronSpectrum::Kind::gaussian, 0.1}).altitude_km;
   const double off = std::abs(border_of_curtain_km(map) - border), error = border_error_km(map);
   EXPECT_GT(off, 3.0);  // else there is nothing to hold
   // Sharper than any spectrum that is drawn (0.25), and four replicates: it is 2.1 errors off.
   EXPECT_LT(off, 2.5 * error) << error;
   const std::vector<QuantityVerdict> verdicts = map_verdicts(map, find_curtains(map));
+  EXPECT_NE(verdicts[3].trust, Trust::good) << verdicts[3].value;
+  EXPECT_NE(verdicts[3].reason.find("--spectrum gaussian"), std::string::npos) << verdicts[3].reason;
   EXPECT_NE(verdicts[5].trust, Trust::good) << verdicts[5].value;
   EXPECT_NE(verdicts[5].reason.find("assumed"), std::string::npos) << verdicts[5].reason;
 }

@@ -1,0 +1,70 @@
+#include "fit/map/spectra_left_open.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace vegard::fit {
+namespace {
+
+std::vector<sim::ElectronSpectrum> other_spectra(const sim::ElectronSpectrum& of_map) {
+  using Kind = sim::ElectronSpectrum::Kind;
+  std::vector<sim::ElectronSpectrum> others;
+  for (const sim::ElectronSpectrum& other :
+       {sim::ElectronSpectrum{Kind::gaussian, 0.25, 5.0}, sim::ElectronSpectrum{Kind::kappa, 0.25, 4.0},
+        sim::ElectronSpectrum{Kind::maxwellian, 0.25, 5.0}})
+    if (other.kind != of_map.kind && others.size() < 2) others.push_back(other);
+  return others;
+}
+
+/// chi2 of the coarse map of each.
+StepOutput solutions(const MapProblem& problem, std::vector<MapObservation>& coarse,
+                     const std::vector<float>& start, const std::vector<sim::ElectronSpectrum>& others,
+                     double sparsity) {
+  StepOutput out;
+  std::vector<sim::Scene> scenes = problem.scenes;
+  if (!problem.modes.empty())
+    for (sim::Scene& scene : scenes) scene.emission.modes = problem.modes;
+  std::vector<std::array<double, 3>> gains;
+  for (const MapObservation& picture : coarse) gains.push_back(picture.gain);
+  for (const sim::ElectronSpectrum& other : others) {
+    problem.look_by_light(coarse, scenes, other);
+    MapSolverOptions o;
+    o.steps = kCoarseSteps;
+    o.sparsity = sparsity;
+    out.numbers["chi2"].push_back(
+        problem
+            .solve(coarse, start, "other spectra", problem.share.coarse, problem.share.coarse, std::move(o))
+            .chi2);
+    for (std::size_t p = 0; p < coarse.size(); ++p) coarse[p].gain = gains[p];
+  }
+  out.whole = !problem.stopped();
+  return out;
+}
+
+}  // namespace
+
+void try_spectra(MapProblem& problem, std::vector<MapObservation>& coarse, const std::vector<float>& start,
+                 double chi2, MapResult& result) {
+  const std::vector<sim::ElectronSpectrum> others = other_spectra(problem.options.spectrum);
+  const StepOutput out =
+      problem.step("spectra", [&] { return solutions(problem, coarse, start, others, result.sparsity); });
+  if (problem.stopped()) return;
+  const std::vector<double>& found = out.numbers_at("chi2", others.size());
+  const auto values = static_cast<double>(all_values(coarse));
+  for (std::size_t s = 0; s < others.size(); ++s) {
+    const double unexplained = std::max(1.0, std::min(chi2, found[s]) / values);
+    result.spectra.push_back(
+        {others[s], found[s] / values, (chi2 - found[s]) / (kMapSharedBy * unexplained)});
+  }
+}
+
+sim::ElectronSpectrum replicate_spectrum(const MapResult& result, int replicate) {
+  std::vector<sim::ElectronSpectrum> open;
+  for (const SpectrumTrial& other : result.spectra)
+    if (other.is_open()) open.push_back(other.spectrum);
+  if (replicate % 2 == 0 || open.empty()) return result.spectrum;
+  return open[static_cast<std::size_t>(replicate / 2) % open.size()];
+}
+
+}  // namespace vegard::fit
