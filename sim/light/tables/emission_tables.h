@@ -39,6 +39,9 @@ class EmissionTables {
   const FluxFactors& flux_factors() const { return flux_factors_; }
   const std::vector<StoppingAir>& air() const { return air_; }
 
+  /// The files that the tables were read from.
+  const TableFolder& folder() const { return *folder_; }
+
   /// The table of mono-energetic electrons: read at the first call, or computed from the others if the folder
   /// has no ver_mono.csv. Throws as the constructor does.
   const MonoEnergeticTable& mono() const;

@@ -126,6 +126,20 @@ AirTable read_air_table(const std::string& text, const std::string& name) {
   return table;
 }
 
+AirTable air_at(const AirTable& table, const std::vector<double>& altitudes_km) {
+  AirTable result;
+  result.altitude_km = altitudes_km;
+  for (const double altitude : altitudes_km) {
+    const AirPlace place = air_place_at(table, altitude);
+    result.temperature_k.push_back(place.temperature_k);
+    for (std::size_t g = 0; g < kGases; ++g) result.density_cm3[g].push_back(place.density_cm3[g]);
+    result.no_cm3.push_back(place.no_cm3);
+    result.n_cm3.push_back(place.n_cm3);
+    result.electron_temperature_k.push_back(place.electron_temperature_k);
+  }
+  return result;
+}
+
 FieldAir field_air(const AirTable& table, double dip_deg, double refinement) {
   constexpr double kMinStepKm = 0.2, kStepsPerHeight = 30.0, kMaxStepKm = 20.0;
   FieldAir column;

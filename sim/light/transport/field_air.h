@@ -57,6 +57,9 @@ AirTable read_air_table(const std::string& text, const std::string& name);
 /// 0, up to 90.
 FieldAir field_air(const AirTable& table, double dip_deg, double refinement = 1.0);
 
+/// Returns the table at these altitudes, with what it lacks as field_air() has it.
+AirTable air_at(const AirTable& table, const std::vector<double>& altitudes_km);
+
 /// Returns the table with `factor` times the atomic oxygen.
 AirTable with_oxygen_factor(AirTable table, double factor);
 
