@@ -18,7 +18,7 @@ AddCommand add_render_command, add_animate_command, add_preview_command, add_bri
     add_points_command, add_volume_command, add_grid_command, add_slices_command, add_sdf_command;
 AddCommand add_studio_command;
 AddCommand add_invert_command, add_electrons_command, add_atmosphere_command, add_tables_command,
-    add_lines_command, add_bodies_command;
+    add_ionosphere_command, add_lines_command, add_bodies_command;
 AddCommand add_to_netcdf_command, add_to_gemini_command, add_to_lompe_command;
 AddCommand add_params_command, add_manual_command;
 
@@ -40,8 +40,8 @@ inline std::vector<CommandGroup> command_groups() {
        {add_render_command, add_animate_command, add_preview_command, add_brightness_command,
         add_points_command, add_volume_command, add_grid_command, add_slices_command, add_sdf_command}},
       {"Electrons, air and lines",
-       {add_invert_command, add_electrons_command, add_atmosphere_command, add_tables_command,
-        add_lines_command, add_bodies_command}},
+       {add_invert_command, add_electrons_command, add_atmosphere_command, add_ionosphere_command,
+        add_tables_command, add_lines_command, add_bodies_command}},
       {"Files for other programs", {add_to_netcdf_command, add_to_gemini_command, add_to_lompe_command}},
       {"Reference", {add_params_command, add_manual_command}},
   };

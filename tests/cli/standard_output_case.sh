@@ -83,6 +83,7 @@ refused photometry counts.toml stars.pgm --camera camera.toml --exposure 200 --t
 refused electrons --spectrum mono --energy-kev 1
 refused invert --line 427.8=2300±50 --line 630.0=330±15
 refused lines --sources --energy-kev 0.1
+refused ionosphere --energy-kev 3 --flux-mw-m2 8
 refused atmosphere --list
 refused atmosphere --conditions equinox
 tried+=" tables" # a minute of work; its help is tried below, and its words go the same way

@@ -87,6 +87,7 @@ CALLS = {
     "linearise": Call("linearise p.pgm --rayleigh counts.toml --filter blue --exposure 2 -o out.fits"),
     "electrons": Call("electrons --energy-kev 1 -o out.csv", result=True, free=r"below 0.3 eV|Fang et al. 2010"),
     "atmosphere": Call("atmosphere --conditions winter_active -o out.csv", result=True, free=r"overtakes .*|O to N2.*"),
+    "ionosphere": Call("ionosphere --energy-kev 3 --flux-mw-m2 8 -o out.nc", result=True, free=r".*"),
     "invert": Call(
         "invert --line 427.8=2300±50 --line 557.7=12400±300 --line 630.0=330±15 -o out.json", result=True, free=r".*"
     ),

@@ -15,6 +15,7 @@ import random
 import statistics
 import subprocess
 import sys
+import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 REALITY = pathlib.Path(os.environ.get("VEGARD_REALITY", SOURCE.parent / "shared/reality"))
@@ -50,6 +51,16 @@ class Checks:
         if run.returncode not in (0, 5):
             sys.exit(f"{' '.join(command)}\n{run.stderr}")
         return json.loads(run.stdout)
+
+    def ionosphere(self, answer, folder, *options):
+        """Altitudes in km and the density of electrons that an answer of invert() has, m^-3."""
+        (folder / "electrons.json").write_text(json.dumps(answer), encoding="utf-8")
+        command = [self.program, "ionosphere", "electrons.json", "--uncertainty", "none", "-o", "profile.csv", "--overwrite", *options]
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if run.returncode != 0:
+            sys.exit(f"{' '.join(command)}\n{run.stderr}")
+        rows = rows_of(folder / "profile.csv")
+        return [float(row["altitude_km"]) for row in rows], [float(row["electron_density"]) for row in rows]
 
     def require(self, what, value, low, high):
         good = low <= value <= high
@@ -111,6 +122,56 @@ def poker_flat_2008(checks):
             checks.require(f"{name}: 557.7 nm over the tables', median", statistics.median(green), *within(1.0, GREEN))
 
 
+def at_altitude(altitudes, values, altitude):
+    high = next(i for i, z in enumerate(altitudes) if z >= altitude and i > 0)
+    way = (altitude - altitudes[high - 1]) / (altitudes[high] - altitudes[high - 1])
+    return math.log(values[high - 1]) * (1.0 - way) + math.log(values[high]) * way
+
+
+def peak(altitudes, logs):
+    """By a parabola through the largest value and its neighbours, evenly spaced."""
+    i = min(max(logs.index(max(logs)), 1), len(logs) - 2)
+    bend, slope = logs[i - 1] - 2.0 * logs[i] + logs[i + 1], 0.5 * (logs[i + 1] - logs[i - 1])
+    return altitudes[i] - slope / bend * (altitudes[i + 1] - altitudes[i])
+
+
+def poker_flat_2008_density(checks):
+    """The radar's density, 100 to 170 km, by the photometer's lines alone, in that night's air: shape and altitude of the peak.
+
+    Both instruments' absolute scales disagree by more than either's error, so that the scale is free."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        conditions = "--time 2008-03-26T09:00:00Z --latitude-deg 65.1 --longitude-deg -147.5 --f107 80 --ap 20 -o air.csv"
+        subprocess.run([checks.program, "atmosphere", *conditions.split()], cwd=folder, stdout=subprocess.DEVNULL, check=True)
+        place = "--latitude-deg 65.1 --longitude-deg -147.5 --time 2008-03-26T09:00:00Z --atmosphere air.csv"
+        spreads, offsets = [], []
+        for row in rows_of(REALITY / "pfisr_msp_20080326.csv")[::2]:
+            answer = checks.invert({line: (float(row[COLUMN[line]]), 0.05 * float(row[COLUMN[line]])) for line in LINES[1]})
+            altitudes, density = checks.ionosphere(answer, folder, *place.split())
+            heights = [float(key[3:-2]) for key in row if key.startswith("ne_") and 100.0 <= float(key[3:-2])]
+            radar = [math.log(float(row[f"ne_{z:g}km"])) for z in heights]
+            light = [at_altitude(altitudes, density, z) for z in heights]
+            spreads.append(100.0 * statistics.pstdev(a - b for a, b in zip(light, radar)))
+            even = [i for i, z in enumerate(heights) if z <= 130.0]
+            offsets.append(
+                peak([heights[i] for i in even], [light[i] for i in even]) - peak([heights[i] for i in even], [radar[i] for i in even])
+            )
+        checks.require("Poker Flat 2008: shape of the radar's density, median rms, %", statistics.median(spreads), 0.0, 8.0)
+        checks.require("Poker Flat 2008: peak over the radar's, median, km", statistics.median(offsets), -2.0, 2.0)
+
+
+def trex_atm_density(checks):
+    """The largest density that its notebook shows for 5 keV and 10 mW m^-2, on a plot."""
+    for row in rows_of(REALITY / "trex_atm_notebooks.csv"):
+        if not row["ne_peak_cm3"]:
+            continue
+        run = subprocess.run(
+            [checks.program, "ionosphere", "--energy-kev", "5", "--flux-mw-m2", "10", "--json"], capture_output=True, text=True, check=True
+        )
+        found = json.loads(run.stdout)["peak_density_cm3"]["value"]
+        checks.require("TREx-ATM: largest density over it", found / float(row["ne_peak_cm3"]), 0.85, 1.15)
+
+
 def glow(checks):
     """Stock GLOW 0.981, E0 0.5 to 10 keV at 5 mW m^-2, with normal errors of 3 % (seed 4)."""
     random.seed(4)
@@ -160,7 +221,7 @@ def main():
         print(f"skipped: no tables of measurements in {REALITY}")
         return 77
     checks = Checks(sys.argv[1], "--table" in sys.argv)
-    for check in (poker_flat_2008, glow, trex_atm, poker_2023):
+    for check in (poker_flat_2008, poker_flat_2008_density, glow, trex_atm, trex_atm_density, poker_2023):
         check(checks)
     for what in checks.failed:
         print(f"reality.py: {what}", file=sys.stderr)

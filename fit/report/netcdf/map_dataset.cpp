@@ -4,7 +4,6 @@
 
 #include "fit/answer/trust.h"
 #include "fit/map/curtains/stored_map.h"
-#include "fit/map/precipitation_planes.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/report/netcdf/record_json.h"
 #include "sim/base/error.h"
@@ -15,48 +14,6 @@ namespace vegard::fit {
 namespace {
 
 using sim::NetcdfDataset;
-
-void add_places(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
-  const auto columns = static_cast<std::size_t>(map.columns), rows = static_cast<std::size_t>(map.rows);
-  dataset.dimension("north", rows);
-  dataset.dimension("east", columns);
-  std::vector<double> east, north, latitude, longitude, magnetic;
-  sim::Scene scene;
-  scene.site = map.site;
-  for (std::size_t column = 0; column < columns; ++column)
-    east.push_back(map.west_km + static_cast<double>(column) * map.step_km);
-  for (std::size_t row = 0; row < rows; ++row) {
-    north.push_back(map.south_km + static_cast<double>(row) * map.step_km);
-    for (const double x : east) {
-      const sim::PlaceOnEarth place = sim::place_of_foot(scene, {x, north.back()});
-      latitude.push_back(place.latitude_deg);
-      longitude.push_back(place.longitude_deg);
-      magnetic.push_back(place.magnetic_latitude_deg);
-    }
-  }
-  dataset.real("north", "to the north in the tangent plane of the site", "km", {"north"}, north)
-      .with("standard_name", "projection_y_coordinate")
-      .with("axis", "Y");
-  dataset.real("east", "to the east in the tangent plane of the site", "km", {"east"}, east)
-      .with("standard_name", "projection_x_coordinate")
-      .with("axis", "X");
-  dataset.real("latitude", "geographic latitude on the sphere", "degrees_north", {"north", "east"}, latitude)
-      .with("standard_name", "latitude");
-  dataset.real("longitude", "geographic longitude", "degrees_east", {"north", "east"}, longitude)
-      .with("standard_name", "longitude");
-  dataset.real("magnetic_latitude", "latitude of the centred dipole of IGRF-13, 2020", "degree",
-               {"north", "east"}, magnetic);
-  dataset.real("altitude", "altitude of the feet", "km", {}, {map.height_km})
-      .with("standard_name", "altitude")
-      .with("positive", "up");
-  dataset.real("site_latitude", "latitude of the site", "degrees_north", {}, {map.site.latitude_deg});
-  dataset.real("site_longitude", "longitude of the site", "degrees_east", {}, {map.site.longitude_deg});
-  if (map.time_s)
-    dataset
-        .real("time", "when the photograph was taken", "seconds since 1970-01-01 00:00:00", {}, {*map.time_s})
-        .with("standard_name", "time")
-        .with("calendar", "standard");
-}
 
 void add_planes(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
   const std::string places =
@@ -155,6 +112,48 @@ void add_verdicts(const RecordOfRun& json, NetcdfDataset& dataset) {
 
 }  // namespace
 
+void add_map_places(const PrecipitationPlanes& map, NetcdfDataset& dataset) {
+  const auto columns = static_cast<std::size_t>(map.columns), rows = static_cast<std::size_t>(map.rows);
+  dataset.dimension("north", rows);
+  dataset.dimension("east", columns);
+  std::vector<double> east, north, latitude, longitude, magnetic;
+  sim::Scene scene;
+  scene.site = map.site;
+  for (std::size_t column = 0; column < columns; ++column)
+    east.push_back(map.west_km + static_cast<double>(column) * map.step_km);
+  for (std::size_t row = 0; row < rows; ++row) {
+    north.push_back(map.south_km + static_cast<double>(row) * map.step_km);
+    for (const double x : east) {
+      const sim::PlaceOnEarth place = sim::place_of_foot(scene, {x, north.back()});
+      latitude.push_back(place.latitude_deg);
+      longitude.push_back(place.longitude_deg);
+      magnetic.push_back(place.magnetic_latitude_deg);
+    }
+  }
+  dataset.real("north", "to the north in the tangent plane of the site", "km", {"north"}, north)
+      .with("standard_name", "projection_y_coordinate")
+      .with("axis", "Y");
+  dataset.real("east", "to the east in the tangent plane of the site", "km", {"east"}, east)
+      .with("standard_name", "projection_x_coordinate")
+      .with("axis", "X");
+  dataset.real("latitude", "geographic latitude on the sphere", "degrees_north", {"north", "east"}, latitude)
+      .with("standard_name", "latitude");
+  dataset.real("longitude", "geographic longitude", "degrees_east", {"north", "east"}, longitude)
+      .with("standard_name", "longitude");
+  dataset.real("magnetic_latitude", "latitude of the centred dipole of IGRF-13, 2020", "degree",
+               {"north", "east"}, magnetic);
+  dataset.real("altitude", "altitude of the feet", "km", {}, {map.height_km})
+      .with("standard_name", "altitude")
+      .with("positive", "up");
+  dataset.real("site_latitude", "latitude of the site", "degrees_north", {}, {map.site.latitude_deg});
+  dataset.real("site_longitude", "longitude of the site", "degrees_east", {}, {map.site.longitude_deg});
+  if (map.time_s)
+    dataset
+        .real("time", "when the photograph was taken", "seconds since 1970-01-01 00:00:00", {}, {*map.time_s})
+        .with("standard_name", "time")
+        .with("calendar", "standard");
+}
+
 NetcdfDataset map_dataset(const std::string& directory) {
   const RecordOfRun json = read_record(directory + "/map.json", "the directory of a map");
   if (record_text(json, "kind") != "vegard map")
@@ -164,7 +163,7 @@ NetcdfDataset map_dataset(const std::string& directory) {
   dataset.attribute("command", record_text(json, "command"));
   dataset.attribute("verdict_line", record_text(json, "verdict_line"));
   dataset.attribute("flux_calibration", map.flux_is_absolute ? "absolute" : "relative");
-  add_places(map, dataset);
+  add_map_places(map, dataset);
   add_planes(map, dataset);
   for (const auto& [key, long_name] :
        {std::pair<const char*, const char*>{"chi2_per_value", "chi2 per value"},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/map/precipitation_planes.h"
 #include "fit/sequence.h"
 #include "sim/base/file/netcdf_dataset.h"
 
@@ -29,6 +30,9 @@ std::vector<SequenceRow> read_sequence_rows(const std::string& directory);
 /// Converts a map of precipitation: map.json, precipitation.fits and curtains.csv. Throws
 /// sim::Error(unreadable_input) if the directory is not a map's.
 sim::NetcdfDataset map_dataset(const std::string& directory);
+
+/// Adds the dimensions north and east, the coordinates of a map's cells, its altitude, site and time.
+void add_map_places(const PrecipitationPlanes& map, sim::NetcdfDataset& dataset);
 
 /// Converts whatever `path` is: the directory of a run, a map or a sequence, or a table that table_dataset()
 /// reads. Throws sim::Error(unreadable_input).

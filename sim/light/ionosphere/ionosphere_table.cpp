@@ -41,6 +41,18 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
+/// Half of the middle 68 % of values: a few draws whose largest density is in another layer do not count.
+double half_of_the_middle(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    const double place = share * static_cast<double>(values.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(place), values.size() - 2);
+    return values[low] + (place - static_cast<double>(low)) * (values[low + 1] - values[low]);
+  };
+  constexpr double kLow = 0.1587, kHigh = 0.8413;
+  return 0.5 * (at(kHigh) - at(kLow));
+}
+
 double combined(double by_energy, double by_flux, const ElectronEstimate& of) {
   const double e = by_energy * of.ln_energy_sigma, q = by_flux * of.relative_flux_sigma;
   const double variance = e * e + q * q + 2.0 * of.correlation * e * q;
@@ -161,7 +173,8 @@ void IonosphereTable::draw(const IonosphereModel& model, int draws, int threads)
     for (std::size_t c = 0; c < 2; ++c)
       sigma_.push_back(
           sigma_of([&](const Drawn& of) { return of.ln[kIonosphereNumbers * thinned.size() + c]; }));
-    sigma_.push_back(sigma_of([](const Drawn& of) { return of.peak_km; }));
+    for (std::size_t d = 0; d < all; ++d) values[d] = drawn[node * all + d].peak_km;
+    sigma_.push_back(half_of_the_middle(values));
   }
 }
 
