@@ -78,6 +78,7 @@ CALLS = {
     "survey export": Call("survey export winter.sqlite -o out.csv"),
     "survey smooth": Call("survey smooth winter.sqlite -o out.sqlite"),
     "survey report": Call("survey report winter.sqlite -o out --no-keograms"),
+    "track": Call("track maps --along track.csv --time 2014-03-10T06:05:33Z -o out.csv", result=True, free=r".*"),
     "to-netcdf": Call("to-netcdf run -o out.nc"),
     "to-gemini": Call("to-gemini maps --out out --time 2014-03-10T06:05:33Z --step-deg 0.1", free=r"out/.*"),
     "to-lompe": Call("to-lompe maps -o out.nc --time 2014-03-10T06:05:33Z --step-deg 0.1"),
@@ -128,6 +129,7 @@ def make_inputs():
         shutil.copy("a.png", f"sky_20140221_1930{second:02}.png")
     made(["fit", "fit.toml", "--photo", "a.png", "--out", "run", "--max-evaluations", "3", *FEW], 4)
     made([*MAP, "--out", "maps", "--set", "sensor.calibration_error=0.1"], 5)
+    pathlib.Path("track.csv").write_text("time,lat,lon,alt\n2014-03-10T06:05:33Z,66.8,-0.5,460\n")
     pathlib.Path("counts.toml").write_text(
         'name = "made"\ndark_counts = 100.0\ngain_e_per_count = 1.0\n'
         '[[filter]]\nname = "green"\nline_nm = 557.7\nwidth_nm = 2.0\nwidth_error = 0.03\n'
