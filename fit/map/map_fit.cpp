@@ -18,11 +18,6 @@ namespace {
 using sim::kGroundEnergies;
 
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
-// Priors are tried from the strongest on, until what is left out has been predicted worse for so many in a
-// row. There are no weaker ones: of real photographs left-out blocks of the coarse film ask for ever weaker
-// ones, which make up for the film's coarseness, explain the fine film no better, and leave error bars up to
-// twice as wide.
-constexpr double kTrials[] = {16.0, 8.0, 4.0, 2.0, 1.0, 0.5};
 constexpr int kWorseTrials = 2;
 constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
@@ -142,7 +137,7 @@ StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const std:
   for (std::size_t p = 0; p < pictures.size(); ++p)
     left_out.push_back(left_out_blocks(pictures[p], problem_.scene.seed, static_cast<std::uint32_t>(p)));
   StepOutput trials;
-  const int count = static_cast<int>(std::size(kTrials));
+  const int count = static_cast<int>(std::size(kPriorTrials));
   double least = std::numeric_limits<double>::infinity();
   int worse = 0;
   // All are tried with the same modes, which the usual one teaches.
@@ -159,12 +154,12 @@ StepOutput Mapping::try_priors(std::vector<MapObservation>& pictures, const std:
     }
     MapSolverOptions o;
     o.steps = kCoarseSteps;
-    o.sparsity = kTrials[t];
+    o.sparsity = kPriorTrials[t];
     const MapSolution s = problem_.solve(
         pictures, start, "choosing the prior", problem_.share.prior * std::min(1.0, (t + 1) / kUsualTrials),
         problem_.share.prior * std::min(1.0, (t + 2) / kUsualTrials), std::move(o));
     const PredictionLoss loss = prediction_loss(pictures, s.map, left_out);
-    trials.numbers["sparsity"].push_back(kTrials[t]);
+    trials.numbers["sparsity"].push_back(kPriorTrials[t]);
     trials.numbers["left_out"].push_back(loss.mean());
     trials.numbers["error"].push_back(loss.error());
     worse = loss.mean() > least ? worse + 1 : 0;
@@ -322,51 +317,6 @@ MapResult Mapping::run() {
 }
 
 }  // namespace
-
-bool is_of_one_station(const MapResult& result) {
-  std::vector<sim::Scene> scenes;
-  for (const MappedPhoto& photo : result.photos) scenes.push_back(photo.scene);
-  return is_of_one_station(scenes);
-}
-
-bool is_prior_at_its_end(const MapResult& result) {
-  return result.sparsity == kTrials[std::size(kTrials) - 1];
-}
-
-bool is_border_in_view(const MapResult& result, sim::EastNorth foot_km) {
-  for (const MappedPhoto& photo : result.photos) {
-    double x = 0.0, y = 0.0;
-    if (!sim::pixel_over_foot(photo.scene, result.scene.site, foot_km, kMappedBorder_km, x, y)) continue;
-    const sim::FilmGeometry& film = photo.film;
-    const int column = static_cast<int>((x - film.x0_px) / film.cell_width_px);
-    const int row = static_cast<int>((y - film.y0_px) / film.cell_height_px);
-    const std::size_t i = (static_cast<std::size_t>(row) * film.columns + column) * 3;
-    if (photo.sigma[i] + photo.sigma[i + 1] + photo.sigma[i + 2] > 0.0f) return true;
-  }
-  return false;
-}
-
-std::vector<CellError> cell_errors(const MapResult& result) {
-  std::vector<CellError> errors(result.cells.size());
-  for (std::size_t c = 0; c < errors.size(); ++c) {
-    double flux = 0.0, energy = 0.0, lit = 0.0;
-    for (const std::vector<CellFlux>& replicate : result.replicates) {
-      flux += std::pow(replicate[c].flux_mw_m2 - result.cells[c].flux_mw_m2, 2);
-      if (replicate[c].flux_mw_m2 == 0.0f && replicate[c].ln_energy == 0.0f) continue;  // no light near it
-      energy += std::pow(replicate[c].ln_energy - result.cells[c].ln_energy, 2);
-      lit += 1.0;
-    }
-    const auto count = static_cast<double>(result.replicates.size());
-    const double cell_flux = result.cells[c].flux_mw_m2;
-    errors[c].relative_flux =
-        count > 0.0 && cell_flux > 0.0 ? std::sqrt(flux / count) / cell_flux : sim::kNaN;
-    errors[c].ln_energy =
-        lit > 0.0 ? std::hypot(kEnergyInflation * std::sqrt(energy / lit),
-                               static_cast<double>(result.cells[c].ln_energy) - result.ln_energy_around[c])
-                  : sim::kNaN;
-  }
-  return errors;
-}
 
 MapResult map_photos(const sim::Scene& scene, const std::vector<Photo>& photos, const MapOptions& options) {
   sim::require_earth(scene, "a map of precipitation");

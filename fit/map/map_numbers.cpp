@@ -1,4 +1,4 @@
-#include "fit/map/map_fit.h"
+#include "fit/map/map_numbers.h"
 
 #include <algorithm>
 #include <array>

@@ -88,13 +88,6 @@ std::size_t all_values(const std::vector<MapObservation>& pictures) {
   return sum;
 }
 
-bool is_of_one_station(const std::vector<sim::Scene>& scenes) {
-  return std::all_of(scenes.begin(), scenes.end(), [&](const sim::Scene& scene) {
-    const sim::Site &site = scene.site, &first = scenes.front().site;
-    return site.latitude_deg == first.latitude_deg && site.longitude_deg == first.longitude_deg;
-  });
-}
-
 WorkShares::WorkShares(const MapOptions& options) {
   const double trials = options.sparsity > 0.0 ? 0.0 : kUsualTrials * kCoarseSteps;
   const double fine = kFineCost * kFineSteps, bars = kFineCost * kReplicateSteps * options.replicates;

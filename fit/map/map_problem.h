@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 #include "fit/map/map_solver.h"
 
 namespace vegard::fit {
@@ -74,9 +74,6 @@ class MapProblem {
  private:
   std::vector<std::shared_ptr<const sim::ModeRates>> rates_;  ///< of the map's electrons, by picture
 };
-
-/// Whether all are at one place.
-bool is_of_one_station(const std::vector<sim::Scene>& scenes);
 
 /// What is wrong with a scene for a map.
 sim::Error unfit_for_map(const sim::Scene& scene, const std::string& key, const std::string& problem);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 
 namespace vegard::fit {
 

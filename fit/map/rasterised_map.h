@@ -1,7 +1,7 @@
 // A map as a picture of the ground, with the planes of precipitation.fits.
 #pragma once
 
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 #include "fit/map/raster_grid.h"
 #include "sim/base/image.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fit/map/curtains/curtains.h"
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 #include "fit/measurement/main_border.h"
 
 namespace vegard::fit {

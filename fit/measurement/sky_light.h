@@ -8,7 +8,7 @@
 #include "fit/border/border.h"
 #include "fit/map/curtains/curtains.h"
 #include "fit/map/curtains/map_verdicts.h"
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 #include "fit/measurement/words.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_facts.h"

@@ -10,7 +10,7 @@
 #include "fit/answer/fit_result.h"
 #include "fit/map/curtains/curtains.h"
 #include "fit/map/curtains/map_verdicts.h"
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 
 namespace vegard::fit {
 

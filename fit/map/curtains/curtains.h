@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 #include "fit/map/raster_grid.h"
 
 namespace vegard::fit {

@@ -7,7 +7,7 @@
 #include "fit/answer/fit_result.h"
 #include "fit/answer/trust.h"
 #include "fit/map/curtains/curtains.h"
-#include "fit/map/map_fit.h"
+#include "fit/map/map_result.h"
 
 namespace vegard::fit {
 
