@@ -16,6 +16,7 @@ namespace {
 constexpr double kGoodChi2 = 2.0, kBadChi2 = 4.0;
 constexpr double kBorderInView = 0.5;                     // share of the light
 constexpr double kToldAtEdge = 0.05, kMostAtLimit = 0.5;  // likewise
+constexpr double kToldInFold = 0.1;                       // likewise
 constexpr const char *kDistance = "distance of the curtains", *kEnergy = "energy along the curtains",
                      *kFlux = "energy flux along the curtains", *kHeight = "height of the lower border";
 constexpr const char* kNoErrorBars = "no error bars were made";
@@ -68,6 +69,16 @@ QuantityVerdict verdict_of_borders(const LightShares& light) {
           "the elevation of a lower border gives its distance"};
 }
 
+/// Whether the curtain is seen at a point's azimuth at another distance too.
+bool is_in_fold(const Curtain& curtain, const CurtainPoint& point) {
+  constexpr double kSameAzimuth_deg = 1.0, kApart = 3.0;  // standard errors
+  return std::any_of(curtain.points.begin(), curtain.points.end(), [&](const CurtainPoint& other) {
+    return std::abs(std::remainder(other.azimuth_deg - point.azimuth_deg, 360.0)) < kSameAzimuth_deg &&
+           std::abs(other.distance_km - point.distance_km) >
+               kApart * std::hypot(other.distance_error_km, point.distance_error_km);
+  });
+}
+
 double weight_of(const CurtainPoint& p) { return p.flux_mw_m2.value * p.width_km.value; }
 
 /// The energy flux of a curtain's points whose lower border is in view.
@@ -86,8 +97,8 @@ struct MainCurtain {
   double distance_error = 0.0;                  ///< relative
   double energy_kev = 0.0, energy_error = 0.0;  ///< relative error
   double border_km = 0.0, border_error_km = 0.0;
-  double flux_mw_m2 = 0.0, flux_error = 0.0;                       ///< relative error
-  double at_edge = 0.0, least_energy = 0.0, largest_energy = 0.0;  ///< shares of its energy flux
+  double flux_mw_m2 = 0.0, flux_error = 0.0;                                      ///< relative error
+  double at_edge = 0.0, least_energy = 0.0, largest_energy = 0.0, in_fold = 0.0;  ///< shares of its flux
   bool is_tested = true, exists = false;
   double probability = 0.0;
 
@@ -111,6 +122,7 @@ struct MainCurtain {
       border_km += weight * p.lower_border_km.value;
       flux_mw_m2 += weight * p.flux_mw_m2.value;
       if (p.at_edge) at_edge += weight;
+      if (is_in_fold(*main, p)) in_fold += weight;
       if (p.energy_limit < 0) least_energy += weight;
       if (p.energy_limit > 0) largest_energy += weight;
       if (p.distance_km < nearest_km) {
@@ -125,7 +137,8 @@ struct MainCurtain {
       flux_errors.push_back(p.flux_mw_m2.error / p.flux_mw_m2.value);
     }
     energy_kev = std::exp(ln_energy / sum);
-    for (double* mean : {&border_km, &flux_mw_m2, &at_edge, &least_energy, &largest_energy}) *mean /= sum;
+    for (double* mean : {&border_km, &flux_mw_m2, &at_edge, &least_energy, &largest_energy, &in_fold})
+      *mean /= sum;
     distance_error = sim::median(distance_errors);
     energy_error = sim::median(energy_errors);
     border_error_km = sim::median(border_errors);
@@ -162,6 +175,13 @@ QuantityVerdict verdict_of_distance(const MapResult& result, const MainCurtain& 
                            ? ""
                            : ": the light is too close to the magnetic zenith, or its border is not sharp");
   if (result.replicates.empty()) verdict.reason += ", and no ridge was tested against chance";
+  if (is_of_one_station(result) && main.in_fold > kToldInFold) {
+    verdict.trust = std::max(verdict.trust, Trust::doubtful);
+    verdict.reason += fmt::format(
+        "; over {:.0f} % of its light it folds along the line of sight, where one station hardly tells which "
+        "part of the light is how far",
+        100.0 * main.in_fold);
+  }
   return verdict;
 }
 

@@ -520,6 +520,22 @@ TEST(MapVerdicts, TakeTheLastEnergyForALimit) {
   EXPECT_NE(energy.reason.find("lower limit"), std::string::npos) << energy.reason;
 }
 
+TEST(MapVerdicts, DoubtDistancesWhereACurtainFoldsAlongTheLineOfSight) {
+  std::vector<Curtain> curtains = find_curtains(result());
+  ASSERT_FALSE(curtains.empty());
+  EXPECT_EQ(map_verdicts(result(), curtains)[2].reason.find("folds"), std::string::npos);
+  // A fifth of it comes back behind itself, far beyond its errors.
+  std::vector<CurtainPoint>& points = curtains[0].points;
+  for (std::size_t i = points.size(), back = points.size() - points.size() / 5; i-- > back;) {
+    CurtainPoint behind = points[i];
+    behind.distance_km += 10.0 * behind.distance_error_km;
+    points.push_back(behind);
+  }
+  const QuantityVerdict distance = map_verdicts(result(), curtains)[2];
+  EXPECT_NE(distance.trust, Trust::good);
+  EXPECT_NE(distance.reason.find("folds"), std::string::npos) << distance.reason;
+}
+
 TEST(MapVerdicts, LeaveLightInTheFarthestCellsOpen) {
   // The map's ground ends before nearly all of the band: its nearest point is 175 km away.
   MapOptions options = quick();
