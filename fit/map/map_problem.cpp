@@ -156,6 +156,14 @@ void MapProblem::look(std::vector<MapObservation>& of_pictures, const sim::Groun
 }
 
 void MapProblem::look_by_light(std::vector<MapObservation>& of_pictures,
+                               const sim::ElectronSpectrum& spectrum) const {
+  for (std::size_t p = 0; p < of_pictures.size(); ++p)
+    of_pictures[p].set_light(std::make_shared<sim::ModeRates>(scenes[p], energy_nodes(spectrum), kFluxOfRates,
+                                                              options.altitude_scale, spectrum),
+                             modes);
+}
+
+void MapProblem::look_by_light(std::vector<MapObservation>& of_pictures,
                                const std::vector<sim::Scene>& of_scenes,
                                const sim::ElectronSpectrum& spectrum) const {
   for (std::size_t p = 0; p < of_pictures.size(); ++p)

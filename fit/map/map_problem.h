@@ -55,7 +55,9 @@ class MapProblem {
   /// The same with the light of other electrons, for the modes that the pictures' scenes have.
   void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
             const sim::ElectronSpectrum& spectrum) const;
-  /// Other light on the lines of sight that the pictures have.
+  /// The light of other electrons on the lines of sight that the pictures have, for any modes.
+  void look_by_light(std::vector<MapObservation>& pictures, const sim::ElectronSpectrum& spectrum) const;
+  /// The same for the modes and other numbers that these scenes have.
   void look_by_light(std::vector<MapObservation>& pictures, const std::vector<sim::Scene>& of_scenes,
                      const sim::ElectronSpectrum& spectrum) const;
   /// Solves with the modes of the tables, or with what `options` says.

@@ -41,8 +41,9 @@ struct MapOptions {
 struct SpectrumTrial {
   sim::ElectronSpectrum spectrum;
   double chi2_per_value = 0.0;
-  /// Fall of chi2 from that of the map's own spectrum, with values that share smooth errors counted as one,
-  /// and as if chi2 per value of the better of both were 1, where it is more.
+  /// Fall of chi2 from that of the map's own spectrum, each with modes of the tables of its own and what
+  /// these cost, with values that share smooth errors counted as one, and as if chi2 per value of the better
+  /// of both were 1, where it is more.
   double better = 0.0;
 
   static constexpr double kTold = 9.0;  ///< the fall, or rise, of three standard errors

@@ -115,7 +115,6 @@ class MapSolver {
 
   MapModes learnt() {
     reweight();
-    leave_out_dark_cells();
     find_scale();
     evaluate();
     const double prior = modes_prior();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fit/map/map_fit.h"
 #include "fit/measurement/main_border.h"
 #include "fit/photo/scene_photos.h"
 #include "sim/base/error.h"
