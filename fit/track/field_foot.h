@@ -2,8 +2,9 @@
 //
 // The ellipsoid is that of WGS 84; geodetic latitude by B. R. Bowring 1976, Survey Review 23, 323, repeated
 // until it stays. The true equator of an orbit's state is turned to the Earth by Greenwich mean sidereal time
-// (Vallado et al. 2006, AIAA 2006-6753, appendix C); the pole's wander, 10 m, and UT1 - UTC are left out. The
-// field is IGRF-14's, followed by Runge and Kutta's method of fourth order.
+// (Vallado et al. 2006, AIAA 2006-6753, appendix C); the pole's wander, 10 m, and UT1 - UTC, 0.9 s at most or
+// 400 m at the equator, are left out. The field is IGRF-14's, followed by Runge and Kutta's method of fourth
+// order.
 #pragma once
 
 #include <array>

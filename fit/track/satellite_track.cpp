@@ -185,10 +185,14 @@ double mean_by_flux(const Cells& cells, const PrecipitationPlanes& map, const Va
   return known > 0.0 && 2.0 * known >= all ? sum / known : sim::kNaN;
 }
 
-double year_of(double utc_s) {
+double year_of(double utc_s, const std::string& name) {
   sim::Scene scene;
   scene.site.time_utc = sim::utc_text(utc_s);
-  return sim::igrf_year(scene);
+  try {
+    return sim::igrf_year(scene);
+  } catch (const sim::Error& error) {
+    throw sim::unreadable(name, error.details().problem).expected("times from 1900 to 2029");
+  }
 }
 
 /// How far a place is from the map's rectangle, km.
@@ -221,7 +225,9 @@ std::vector<SatellitePoint> read_track(const std::string& text, const std::strin
     const double latitude = table.number(r, lat, -90.0, 90.0),
                  longitude = table.number(r, lon, -180.0, 360.0);
     if (altitude) {
-      point.place = {latitude, longitude, table.number(r, height, 0.0, kHighestKm)};
+      constexpr double kTurn_deg = 360.0;
+      point.place = {latitude, longitude > 180.0 ? longitude - kTurn_deg : longitude,
+                     table.number(r, height, 0.0, kHighestKm)};
     } else {
       const double km = kKmPerM * table.number(r, height, kLeastM, kMostM),
                    up = latitude * sim::kRadiansPerDegree, turned = longitude * sim::kRadiansPerDegree;
@@ -249,7 +255,7 @@ std::vector<double> instants_of(const std::string& words) {
   double step = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), step);
   if (!start || !stop) throw refused("'" + words + "' has no two times");
-  if (error != std::errc() || end != digits.data() + digits.size() || !(step > 0.0))
+  if (error != std::errc() || end != digits.data() + digits.size() || !(step > 0.0) || !std::isfinite(step))
     throw refused("'" + digits + "' is no step");
   if (*stop < *start) throw refused("the times end before they begin");
   constexpr double kMost = 1e5;
@@ -307,7 +313,7 @@ std::vector<MetElectrons> electrons_along(const std::vector<PrecipitationPlanes>
   std::vector<MetElectrons> met;
   bool has_any = false;
   double nearest_km = INFINITY, nearest_s = INFINITY;
-  const sim::Igrf igrf(year_of(track.front().time_s));
+  const sim::Igrf igrf(year_of(track.front().time_s, name));
   for (const SatellitePoint& point : track) {
     MetElectrons here;
     here.point = point;
@@ -316,7 +322,7 @@ std::vector<MetElectrons> electrons_along(const std::vector<PrecipitationPlanes>
       if (std::abs(*other.time_s - point.time_s) < std::abs(*map->time_s - point.time_s)) map = &other;
     here.seconds_after_map = point.time_s - *map->time_s;
     const bool is_in_time = std::abs(here.seconds_after_map) <= request.time_tolerance_s;
-    const std::optional<GeodeticPlace> foot = field_foot(igrf, point.place, request.foot_km);
+    const std::optional<GeodeticPlace> foot = field_foot(igrf, point.place, map->height_km);
     here.foot = foot.value_or(GeodeticPlace{sim::kNaN, sim::kNaN, sim::kNaN});
     const FootOfMap plane = foot ? in_plane(*map, *foot) : FootOfMap{};
     here.east_km = plane.east_km;

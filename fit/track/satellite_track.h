@@ -32,8 +32,9 @@ std::vector<SatellitePoint> read_track(const std::string& text, const std::strin
 /// another form, a step of 0, or more than 100000 instants.
 std::vector<double> instants_of(const std::string& words);
 
-/// Elements of one satellite of which an orbit is computed, with the epoch nearest to each instant.
-inline constexpr double kOldElementsDays = 30.0;
+/// Elements of one satellite of which an orbit is computed, with the epoch nearest to each instant. Along the
+/// track they go wrong by one to three kilometres a day, and more near the Earth (Vallado et al. 2006).
+inline constexpr double kOldElementsDays = 5.0;
 
 /// Returns the places at these instants. `satellite`: its number; empty where the file has one alone. Throws
 /// sim::Error(unreadable_input) for elements more than kOldElementsDays away from an instant, and what
@@ -45,7 +46,7 @@ std::vector<SatellitePoint> track_of_elements(const std::string& text, const std
 /// What a map has at a foot; NaN where it knows nothing.
 struct MetElectrons {
   SatellitePoint point;
-  GeodeticPlace foot;  ///< NaN where the field line does not come down
+  GeodeticPlace foot;  ///< at the map's altitude; NaN where the field line does not come down
   double east_km = 0.0, north_km = 0.0;
   double seconds_after_map = 0.0;
   double energy_kev = 0.0, energy_flux_mw_m2 = 0.0;
@@ -53,7 +54,6 @@ struct MetElectrons {
 };
 
 struct TrackRequest {
-  double foot_km = 110.0;
   double time_tolerance_s = 60.0;  ///< of a point to its map
 };
 

@@ -27,7 +27,6 @@ namespace {
 struct TrackOptions {
   std::vector<std::string> maps;
   std::string along, tle, times, satellite, time, output, plot;
-  std::optional<double> foot_km;
   double time_tolerance_s = 60.0, flux_factor = 0.0;
   bool overwrite = false;
 };
@@ -95,7 +94,6 @@ int run_track(const TrackOptions& options) {
   const std::vector<fit::SatellitePoint> track = track_of(options, facts.track);
   const std::vector<fit::PrecipitationPlanes> maps = maps_of(options);
   fit::TrackRequest request;
-  request.foot_km = options.foot_km.value_or(maps.front().height_km);
   request.time_tolerance_s = options.time_tolerance_s;
   sim::WholeFiles files({options.output, options.plot}, options.overwrite);
 
@@ -108,7 +106,7 @@ int run_track(const TrackOptions& options) {
   if (are_maxwellian)
     lines = fit::track_lines(met, sim::emission_tables(sim::kDefaultEmissionTables), {427.8, 557.7, 630.0});
   for (const std::string& map : options.maps) facts.maps.push_back(map);
-  facts.field = fmt::format("IGRF-14, down to {:g} km", request.foot_km);
+  facts.field = fmt::format("IGRF-14, down to {:g} km", maps.front().height_km);
   if (ending == ".csv")
     files.write(options.output, fit::track_csv(met, lines, facts));
   else if (!options.output.empty())
@@ -140,8 +138,6 @@ void add_track_command(Program& program) {
       .type_name("NUMBER");
   command.option("--times", options->times, "First time, seconds between, last time")
       .type_name("START/STEP/STOP");
-  command.option("--foot-km", options->foot_km, "Altitude of the feet (default: the map's)")
-      .finite_range(80.0, 500.0);
   command
       .option("--time-tolerance", options->time_tolerance_s,
               "Longest time between a point and the map, which holds for one instant")

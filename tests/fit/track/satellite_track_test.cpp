@@ -215,8 +215,21 @@ TEST(SatelliteTrack, ReadsTimes) {
   EXPECT_EQ(instants_of("2014-03-10T06:00:00Z/0.5/2014-03-10T06:00:02Z").size(), 5u);
   for (const char* words :
        {"now", "2014-03-10T06:00:00Z/0/2014-03-10T06:00:02Z", "2014-03-10T06:00:00Z/1/tomorrow",
-        "2014-03-10T06:00:02Z/1/2014-03-10T06:00:00Z", "2014-03-10T06:00:00Z/1e-9/2014-03-11T06:00:00Z"})
+        "2014-03-10T06:00:00Z/inf/2014-03-10T06:00:02Z", "2014-03-10T06:00:02Z/1/2014-03-10T06:00:00Z",
+        "2014-03-10T06:00:00Z/1e-9/2014-03-11T06:00:00Z"})
     EXPECT_NE(refusal([&] { instants_of(words); }).find("--times"), std::string::npos) << words;
+}
+
+// The state of Vallado et al. 2006, AIAA 2006-6753, appendix C, and the same turned to the Earth. UT1 was
+// 0.44 s behind UTC; the rest is that of the sidereal time, which is given to a metre.
+TEST(SatelliteTrack, TurnsAStateToTheEarth) {
+  const double ut1_s = *sim::utc_seconds("2004-04-06T07:51:28.386Z") - 0.4399619;
+  OrbitState state;
+  state.km = {5094.18016210, 6127.64465950, 6380.34453270};
+  const EarthFixed km = earth_fixed(place_of_state(state, ut1_s));
+  EXPECT_NEAR(km[0], -1033.47503130, 0.02);
+  EXPECT_NEAR(km[1], 7901.30558560, 0.02);
+  EXPECT_NEAR(km[2], 6380.34453270, 0.02);
 }
 
 // Elements of 2006 at their own day, and years later. The place is that of Vallado's published state, turned.
