@@ -232,8 +232,8 @@ void add_ionosphere_command(Program& program) {
   add_source_options(command, *options);
   command
       .option("--tables", options->tables,
-              "Emission tables, whose ion pairs are used: by name, or a folder (default: the source's, or "
-              "vegard)")
+              "Emission tables, whose ion pairs are used: by name, or a folder (default: an "
+              "inversion's own; of maps, fits and tables vegard)")
       .type_name("NAME|FOLDER");
   command
       .option("--atmosphere", options->atmosphere,

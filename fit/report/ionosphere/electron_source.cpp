@@ -109,11 +109,14 @@ ElectronSource of_inversion(const std::string& file) {
   // What is held at a value has no error.
   const auto sigma = [&](const char* key) {
     const auto found = best.find(key);
-    const bool is_held = found != best.end() && found->contains("free") && !(*found)["free"].get<bool>();
+    const bool is_held = found != best.end() && found->contains("free") && (*found)["free"].is_boolean() &&
+                         !(*found)["free"].get<bool>();
     return is_held ? 0.0 : part(key, "sigma_ln");
   };
   ElectronSource source;
   source.words = "the inversion " + file;
+  if (solutions.size() > 1)
+    source.words += ", the best of " + std::to_string(solutions.size()) + " solutions, without the others";
   source.tables = record_text(json, "tables");
   if (part("oxygen_factor", "value") > 0.0) source.oxygen_factor = part("oxygen_factor", "value");
   double correlation = 0.0;
@@ -147,7 +150,8 @@ ElectronSource of_table(const std::string& file) {
   const auto ln_sigma = [&](const std::string& name) {
     const std::vector<double> low = column(name + "_68_low"), high = column(name + "_68_high");
     std::vector<double> sigma;
-    for (std::size_t r = 0; r < low.size(); ++r) sigma.push_back(0.5 * std::log(high[r] / low[r]));
+    for (std::size_t r = 0; r < low.size(); ++r)
+      sigma.push_back(low[r] > 0.0 && high[r] >= low[r] ? 0.5 * std::log(high[r] / low[r]) : sim::kNaN);
     return sigma;
   };
   const std::vector<double> of_energy = ln_sigma(kEnergy), of_flux = ln_sigma(kFlux);
@@ -161,8 +165,12 @@ ElectronSource of_table(const std::string& file) {
     source.rows.push_back({energy[r], flux[r], of_energy[r], of_flux[r], 0.0});
   }
   if (const std::string& first = table.columns.front(); first != kEnergy && first != kFlux) {
-    source.row_name = first;
-    source.row_numbers = column(first);
+    try {
+      source.row_numbers = column(first);
+      source.row_name = first;
+    } catch (const sim::Error&) {
+      source.row_numbers.clear();  // words, which number nothing
+    }
   }
   return source;
 }

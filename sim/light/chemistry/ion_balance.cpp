@@ -87,7 +87,7 @@ IonDensities night_ions(const ReactingAir& air) {
 }
 
 IonHistory ion_history(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
-                       double seconds) {
+                       double seconds, double night) {
   const bool is_steady = std::isinf(seconds);
   if (is_steady && production.all() <= 0.0) return {{}, {IonDensities{}}};
   const RatesAtPlace rates = reactions.at(air.temperature_k, air.electron_temperature_k);
@@ -108,7 +108,9 @@ IonHistory ion_history(const ReactingAir& air, const IonProduction& production, 
   // Steps grow by a half, as changes slow down.
   constexpr int kSteps = 8;
   constexpr double kGrowth = 1.5;
-  IonHistory history{{}, {night_ions(air)}};
+  IonDensities before = night_ions(air);
+  for (double* density : {&before.op, &before.nop, &before.electrons}) *density *= night;
+  IonHistory history{{}, {before}};
   double length_s = seconds * (kGrowth - 1.0) / (std::pow(kGrowth, kSteps) - 1.0);
   for (int s = 0; s < kSteps; ++s, length_s *= kGrowth) {
     history.step_s.push_back(length_s);
@@ -118,8 +120,8 @@ IonHistory ion_history(const ReactingAir& air, const IonProduction& production, 
 }
 
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
-                         double seconds) {
-  return ion_history(air, production, reactions, seconds).ions.back();
+                         double seconds, double night) {
+  return ion_history(air, production, reactions, seconds, night).ions.back();
 }
 
 std::vector<double> atoms_since_onset(const std::vector<double>& step_s,

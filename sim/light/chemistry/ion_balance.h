@@ -46,14 +46,15 @@ struct IonHistory {
   std::vector<IonDensities> ions;  ///< [moment], from the night's own to the last, or those of the balance
 };
 
-/// Returns the ions up to `seconds` after the production has begun, in the night's ions; without a time, in
-/// balance. Eight implicit steps (backward Euler): electrons that grow from nothing are within 8 %.
+/// Returns the ions up to `seconds` after the production has begun, in the night's ions times `night`;
+/// without a time, in balance. Eight implicit steps (backward Euler): electrons that grow from nothing are
+/// within 8 %.
 IonHistory ion_history(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
-                       double seconds = std::numeric_limits<double>::infinity());
+                       double seconds = std::numeric_limits<double>::infinity(), double night = 1.0);
 
 /// Returns the ions of the last moment of ion_history().
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
-                         double seconds = std::numeric_limits<double>::infinity());
+                         double seconds = std::numeric_limits<double>::infinity(), double night = 1.0);
 
 /// Returns the densities of atoms that are made and lost at the given rates [moment], none being there
 /// before; of a steady state, without steps, what is made over the losses. Between two moments what is made

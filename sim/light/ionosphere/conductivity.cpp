@@ -39,7 +39,8 @@ CollisionFrequencies collision_frequencies(const ReactingAir& a, double electron
   nu.nop = 4.34e-10 * a.n2 + 4.27e-10 * a.o2 + 2.44e-10 * a.o;
   nu.n2p = charge_exchange(5.14e-11, 0.069, tr) * a.n2 + 4.49e-10 * a.o2 + 2.58e-10 * a.o;
   nu.np = 7.47e-10 * a.n2 + 7.25e-10 * a.o2 + 4.42e-10 * a.o;
-  nu.electrons = 2.33e-11 * a.n2 * (1.0 - 1.21e-4 * te) * te +
+  // The fit of N2 is for electrons below some 4000 K; hotter ones must not be slowed by less than nothing.
+  nu.electrons = 2.33e-11 * a.n2 * std::max(0.0, 1.0 - 1.21e-4 * te) * te +
                  1.82e-10 * a.o2 * (1.0 + 3.6e-2 * root) * root + 8.9e-11 * a.o * (1.0 + 5.7e-4 * te) * root;
   nu.electrons_with_ions = 54.5 * electrons_cm3 / (te * root);
   return nu;

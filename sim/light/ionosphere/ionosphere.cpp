@@ -150,8 +150,8 @@ Ionosphere ionosphere(const IonosphereAir& air, const std::vector<double>& pairs
   for (std::size_t i = 0; i < air.places.size(); ++i) {
     const ReactingAir& here = air.places[i];
     result.altitude_km.push_back(here.altitude_km);
-    result.ions.push_back(
-        ion_balance(here, ion_production(pairs_cm3_s[i], here, physics), physics.reactions, physics.seconds));
+    result.ions.push_back(ion_balance(here, ion_production(pairs_cm3_s[i], here, physics), physics.reactions,
+                                      physics.seconds, physics.night));
     result.conductivity.push_back(
         conductivity(here, result.ions.back(), air.field_nt[i], physics.collisions));
     ln_electrons.push_back(std::log(std::max(kNoneCm3, result.ions.back().electrons)));

@@ -54,6 +54,7 @@ std::vector<double> moved_ion_pairs(const std::vector<double>& pairs, const Iono
 struct IonospherePhysics {
   Reactions reactions = Reactions::standard();
   double seconds = std::numeric_limits<double>::infinity();  ///< since the electrons have begun to fall
+  double night = 1.0;                                        ///< factor on the ions that a night has before
   CollisionFactors collisions = {};
   std::array<double, kGases> ionisation = {1.0, 1.0, 1.0};  ///< factors on the ion pairs of each gas
 };

@@ -14,8 +14,8 @@ namespace vegard::sim {
 namespace {
 
 /// What is drawn besides the numbers of uncertainties.csv, behind its tables.
-constexpr std::uint32_t kCollisionTable = 4, kIonCollisions = 1, kElectronCollisions = 2;
-constexpr double kCollisionSigma = 0.2;
+constexpr std::uint32_t kCollisionTable = 4, kIonCollisions = 1, kElectronCollisions = 2, kNight = 3;
+constexpr double kCollisionSigma = 0.2, kNightSigma = 1.1;  // the night's ions: a factor of 3
 /// Total ionisation of N2, O2 and O among the processes.
 constexpr std::array<int, kGases> kTotalIonisation = {110, 210, 310};
 
@@ -24,9 +24,9 @@ AirTable air_of(const EmissionTables& tables) {
   return read_air_table(folder.files.at(kTablesAirFile), folder.place + "/" + kTablesAirFile);
 }
 
-double collision_factor(std::uint64_t seed, std::uint32_t draw, std::uint32_t which) {
+double drawn_factor(std::uint64_t seed, std::uint32_t draw, std::uint32_t which, double sigma_ln) {
   const Words words = random_words(seed, Stream::physics, draw, kCollisionTable, which);
-  return std::exp(kCollisionSigma * normal_quantile(uniform(words[0])));
+  return std::exp(sigma_ln * normal_quantile(uniform(words[0])));
 }
 
 double factor_in(const std::map<int, double>& factors, int number) {
@@ -76,8 +76,9 @@ Ionosphere IonosphereModel::drawn(double energy_kev, double energy_flux_mw_m2, s
   IonospherePhysics physics;
   physics.reactions = physics.reactions.scaled(numbers.reactions);
   physics.seconds = request_.seconds * numbers.of_the_air.at(UncertainAir::seconds);
-  physics.collisions = {collision_factor(seed, draw, kIonCollisions),
-                        collision_factor(seed, draw, kElectronCollisions)};
+  physics.collisions = {drawn_factor(seed, draw, kIonCollisions, kCollisionSigma),
+                        drawn_factor(seed, draw, kElectronCollisions, kCollisionSigma)};
+  physics.night = drawn_factor(seed, draw, kNight, kNightSigma);
   for (std::size_t g = 0; g < kGases; ++g)
     physics.ionisation[g] = factor_in(numbers.processes, kTotalIonisation[g]);
   const IonosphereAir air =

@@ -3,8 +3,8 @@
 // The uncertainty is that of draws of the numbers (sim/light/chemistry/physics_draw.h): rate coefficients,
 // the air, nitric oxide, temperatures, how long the electrons have fallen, total ionisation; besides, the
 // collision frequencies of ions and of electrons, each with a standard deviation of the logarithm of 0.2
-// (ESTIMATED: published values of O+ in O alone differ by up to 1.7; Schunk and Nagy 2009, chapter 4). How
-// far collisions turn electrons is not drawn.
+// (ESTIMATED: published values of O+ in O alone differ by up to 1.7; Schunk and Nagy 2009, chapter 4), and
+// the ions of the night before, within a factor of 3. How far collisions turn electrons is not drawn.
 #pragma once
 
 #include <cstdint>

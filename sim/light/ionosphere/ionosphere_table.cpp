@@ -6,6 +6,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/parallel.h"
+#include "sim/light/chemistry/ion_balance.h"
 
 namespace vegard::sim {
 namespace {
@@ -31,6 +32,14 @@ void append_logs(const Ionosphere& of, std::vector<double>& ln) {
       ln.push_back(ln_above(ionosphere_number(of, static_cast<IonosphereNumber>(n), a), least_of(n)));
   ln.push_back(ln_above(of.pedersen_s, kLeastOther));
   ln.push_back(ln_above(of.hall_s, kLeastOther));
+}
+
+/// Electrons of the night before, which are assumed: a largest density among them is none of the aurora's.
+constexpr double kAboveNight = 3.0;
+double night_cm3(double altitude_km) {
+  ReactingAir place;
+  place.altitude_km = altitude_km;
+  return night_ions(place).electrons;
 }
 
 double standard_deviation(const std::vector<double>& values) {
@@ -237,6 +246,9 @@ KnownNumber IonosphereTable::known(const Place& place, const ElectronEstimate& e
                                    std::size_t index) const {
   const LnNumber number = ln_number(place, index);
   const double value = std::exp(number.value);
+  constexpr double kAboveLeast = 1.5;
+  const std::size_t which = index / altitudes_km_.size();
+  if (value < kAboveLeast * (which < kIonosphereNumbers ? least_of(which) : kLeastOther)) return {0.0, kNaN};
   const double relative =
       std::hypot(combined(number.by_energy, number.by_flux, electrons), physics_sigma(place, index));
   return {value, value * relative};
@@ -267,6 +279,8 @@ IonosphereEstimate IonosphereTable::at(const ElectronEstimate& electrons) const 
   const auto at_peak = static_cast<std::size_t>(std::max_element(here.begin(), here.end()) - here.begin());
   const auto way = [&](double now) { return (now - peak.altitude_km) / kSmall; };
   const double cm3 = std::exp(peak.ln);
+  estimate.peak_cm3 = estimate.peak_km = kUnknown;
+  if (!is_steady_ && cm3 < kAboveNight * night_cm3(peak.altitude_km)) return estimate;
   estimate.peak_cm3 = {cm3, cm3 * std::hypot(combined((harder.ln - peak.ln) / kSmall,
                                                       (brighter.ln - peak.ln) / kSmall, electrons),
                                              physics_sigma(place, at_peak))};

@@ -52,11 +52,12 @@ class IonosphereTable {
   /// physics as exact. The numbers do not depend on `threads`. Throws nothing of its own.
   IonosphereTable(const IonosphereModel& model, const Range& range, int draws, int threads);
 
-  /// Returns the numbers of all altitudes; NaN where the electrons are not known. Without flux, and in a
-  /// steady state, they are 0, with unknown errors.
+  /// Returns the numbers of all altitudes; NaN where the electrons are not known, and for the largest density
+  /// where it is less than three times what is assumed of the night before. Without flux, and in a steady
+  /// state, they are 0, with unknown errors.
   IonosphereEstimate at(const ElectronEstimate& electrons) const;
 
-  /// Returns a number at each altitude.
+  /// Returns a number at each altitude; 0 with an unknown error where there is next to nothing.
   std::vector<KnownNumber> profile(const ElectronEstimate& electrons, IonosphereNumber number) const;
 
   const std::vector<double>& altitudes_km() const { return altitudes_km_; }

@@ -92,6 +92,20 @@ TEST(IonosphereTable, OfAPointHasTheUncertaintyOfPhysics) {
   EXPECT_LT(with.pedersen_physics_sigma / with.pedersen_s.value, 0.4);
 }
 
+// Where there is nothing, nothing has no error of 0.
+TEST(IonosphereTable, HasNoErrorOfWhatIsNotThere) {
+  const std::vector<KnownNumber> n2p = table().profile({3.0, 5.0, 0.1, 0.1}, IonosphereNumber::n2p);
+  const Ionosphere direct = model().at(3.0, 5.0);
+  int absent = 0;
+  for (std::size_t a = 0; a < n2p.size(); ++a) {
+    if (direct.ions[a].n2p > 0.5) continue;
+    ++absent;
+    EXPECT_EQ(n2p[a].value, 0.0) << table().altitudes_km()[a];
+    EXPECT_TRUE(std::isnan(n2p[a].sigma)) << table().altitudes_km()[a];
+  }
+  EXPECT_GT(absent, 0);
+}
+
 // Some time after the onset, without electrons from above there are the night's own ions.
 TEST(IonosphereTable, KeepsTheNightWithoutFlux) {
   IonosphereRequest request;
@@ -101,7 +115,18 @@ TEST(IonosphereTable, KeepsTheNightWithoutFlux) {
   const IonosphereEstimate dark = of_time.at({kNaN, 0.0, kNaN, kNaN});
   EXPECT_GT(dark.pedersen_s.value, 0.01);
   EXPECT_LT(dark.pedersen_s.value, 1.0);
-  EXPECT_GT(of_time.at({2.0, 1.0, 0.1, 0.1}).pedersen_s.value, 5.0 * dark.pedersen_s.value);
+  const IonosphereEstimate lit = of_time.at({2.0, 1.0, 0.1, 0.1});
+  EXPECT_GT(lit.pedersen_s.value, 5.0 * dark.pedersen_s.value);
+  // The night's layer is assumed: it is no largest density that anybody knows.
+  EXPECT_TRUE(std::isnan(dark.peak_cm3.value));
+  EXPECT_LT(lit.peak_km.value, 150.0);
+  // Its error is the factor of 3.
+  const IonosphereTable drawn(in_time, {2.0, 2.0, 1e-4, 1.0}, 24, 1);
+  std::size_t high = 0;
+  while (drawn.altitudes_km()[high] < 300.0) ++high;
+  const KnownNumber night = drawn.profile({2.0, 1e-4, 0.0, 0.0}, IonosphereNumber::electrons)[high];
+  EXPECT_NEAR(night.value, 1e5, 1e4);
+  EXPECT_GT(night.sigma, 0.6 * night.value);  // 24 draws of a deviation of 1.1 leave 15 %
 }
 
 }  // namespace
