@@ -226,7 +226,8 @@ def make_kinds(vegard, home):
                "--time", "2019-03-01T22:10:00Z", "-o", "{out}/c.toml"]]),
         *[Kind(name, "it." + name, [(SOURCE / "tests/data/imagers" / file).read_bytes() for file in files], ON_ARRAYS)
           for name, files in (("h5", ["rgb.h5", "huge.h5"]), ("mat", ["stack.mat", "stack_v73.mat"]), ("cdf", ["asi.cdf", "asi_packed.cdf"]),
-                              ("sav", ["skymap.sav", "skymap_packed.sav"]), ("png.tar", ["minute.png.tar"]))],
+                              ("sav", ["skymap.sav", "skymap_packed.sav"]), ("png.tar", ["minute.png.tar"]),
+                              ("mp4", ["film.mp4"]), ("avi", ["film.avi"]), ("mkv", ["film.mkv"]))],
         Kind("img", "it.img", [b"$Spextube IV image file".ljust(60, b"\0") + struct.pack("<3H", 64, 48, 2) + bytes(range(256)) * 24], ON_PHOTO),
         Kind("heic", "it.heic", [(SOURCE / "tests/data/turned.heic").read_bytes()], ON_PHOTO),
         Kind("fits", "it.fits", [bytes_of("maps_az.fits"), bytes_of("maps_el.fits")], ON_PHOTO[:7] + ON_ANGLES + ON_LINES),

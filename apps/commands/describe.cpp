@@ -183,8 +183,13 @@ int run_describe(const DescribeRequest& options) {
     if (index.frames.size() > 1) {
       // A scene is of one moment.
       if (!options.output.empty()) throw fit::no_frame_chosen(index.frames, options.photo);
-      answer_with(frames_description_json(name, index));
-      say_result(frames_description_text(name, index));
+      // A film's frames are of one kind, whose light is assumed where the film does not declare it.
+      const bool is_film = index.frames.front().stream.seconds.has_value();
+      const std::vector<std::string> declared =
+          is_film ? fit::light_declarations(fit::name_of_frame(options.photo, 0))
+                  : std::vector<std::string>();
+      answer_with(frames_description_json(name, index, declared));
+      say_result(frames_description_text(name, index, declared));
       return good;
     }
   }

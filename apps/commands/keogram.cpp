@@ -26,7 +26,7 @@
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/picture/image_io.h"
-#include "sim/base/text.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/file/scene_toml.h"
 
 namespace vegard::apps {
@@ -159,27 +159,24 @@ std::string line_words(const fit::KeogramLine& line) {
          "\u00b0";
 }
 
-/// Videos are not read.
-void refuse_videos(const std::vector<std::string>& images) {
-  constexpr const char* kVideos[] = {".mp4",  ".mov", ".m4v",  ".avi", ".mkv",
-                                     ".webm", ".mpg", ".mpeg", ".wmv"};
-  for (const std::string& image : images) {
-    const std::string extension = sim::lowered_extension(image);
-    if (std::find(std::begin(kVideos), std::end(kVideos), extension) == std::end(kVideos)) continue;
-    throw usage_error("IMAGES", "'" + image + "' is a video, and videos are not read",
-                      "its frames as pictures: 'ffmpeg -i " + image +
-                          " frames/%05d.png' makes them; then 'vegard keogram frames/*.png --times "
-                          "TIMES.csv', as frames of a video do not say when they were taken");
-  }
+GivenTimes given_times(const KeogramOptions& options) {
+  GivenTimes given{options.times, {}, options.step_s};
+  if (given.step_s && !(*given.step_s > 0.0))
+    throw usage_error("--step", "pictures follow each other in time", "more than 0 s");
+  if (options.start.empty()) return given;
+  given.start_s = sim::utc_seconds(options.start);
+  if (!given.start_s)
+    throw usage_error("--start", "'" + options.start + "' is no time",
+                      "ISO 8601, UTC or with a zone: 2014-02-21T19:30:40Z");
+  return given;
 }
 
 }  // namespace
 
 void run_keogram(const KeogramOptions& options) {
   end_at_once_when_interrupted();
-  refuse_videos(options.images);
   const fit::KeogramLook look = look_of(options);
-  const TimedPictures pictures = timed_pictures(options.images, options.times);
+  const TimedPictures pictures = timed_pictures(options.images, given_times(options));
   check_outputs(options, pictures.files);
   // All places are claimed before the work, and filled after all of it.
   sim::WholeFiles files(options.outputs, options.overwrite);
@@ -239,6 +236,11 @@ void add_keogram_command(Program& program) {
       .type_name("X,Y,W,H");
   command.option("--mask", options->mask, "An image of the same size: white = use");
   command.option("--times", options->times, "Table of the times: lines of FILE,TIME").type_name("TIMES.csv");
+  command
+      .option("--start", options->start,
+              "Time of the first picture (ISO 8601, UTC or with a zone), with --step; without it for a film")
+      .type_name("TIME");
+  command.option("--step", options->step_s, "Seconds from one picture to the next").type_name("S");
   add_decoding_option(command, options->decoding);
   command.option("--channel", options->channel, "Show one channel, as a colour map").one_of({"r", "g", "b"});
   command.option("--black", options->black, "Linear light shown as black");

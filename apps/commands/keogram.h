@@ -15,6 +15,8 @@ struct KeogramOptions {
   std::string mask, scene, decoding, times;
   std::vector<int> roi_px;
   MapOptions maps;
+  std::string start;             ///< time of the first picture
+  std::optional<double> step_s;  ///< from one picture to the next
   std::optional<double> azimuth_deg, width, step_deg;
   std::string channel;
   std::optional<double> black, white;

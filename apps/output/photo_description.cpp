@@ -139,6 +139,12 @@ Json description(const std::string& photo_name, const sim::PictureMetadata& meta
 
 std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+std::string time_words(const fit::FrameHead& frame) {
+  if (frame.time) return frame.time->utc;
+  return frame.stream.seconds ? fmt::format("{:.3f} s after the first", *frame.stream.seconds)
+                              : "time unknown";
+}
+
 }  // namespace
 
 std::string start_scene(const std::string& photo_name, const fit::PhotoFacts& facts) {
@@ -190,7 +196,9 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
   said.add("f-number", metadata.f_number, "");
   said.add("ISO", metadata.iso, "");
   if (metadata.taken_local)
-    said.add("camera's clock", *metadata.taken_local + metadata.utc_offset.value_or(" (zone unknown)"));
+    said.add(
+        metadata.sources.clock == sim::PictureSources().clock ? "camera's clock" : "a clock, see the note",
+        *metadata.taken_local + metadata.utc_offset.value_or(" (zone unknown)"));
   said.add("GPS time", metadata.gps_time_utc);
   said.add("latitude", metadata.latitude_deg, "deg");
   said.add("longitude", metadata.longitude_deg, "deg");
@@ -207,14 +215,15 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
   return text;
 }
 
-std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index) {
+std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index,
+                                    const std::vector<std::string>& declared) {
   sim::PictureMetadata metadata = fit::frame_metadata(index.frames.front(), index.words, file_name);
   metadata.header_time_utc.reset();
-  std::string text = description_text(file_name, metadata);
+  std::string text = description_text(file_name, metadata, declared);
   text += fit::frames_text(index.frames) + (index.is_packed ? ", packed by gzip" : "") +
           "; one is chosen as " + sim::shown_text(fit::name_of_frame(file_name, 0)) + ", or by --at TIME:\n";
   for (const fit::FrameHead& frame : index.frames)
-    text += fmt::format("  #{:<5} {}{}\n", frame.number, frame.time ? frame.time->utc : "time unknown",
+    text += fmt::format("  #{:<5} {}{}\n", frame.number, time_words(frame),
                         frame.exposure_s ? fmt::format("  {:.6g} s", *frame.exposure_s) : "");
   return text;
 }
@@ -249,15 +258,19 @@ std::string description_json(const std::string& photo_name, const sim::PictureMe
   return text_of(json);
 }
 
-std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index) {
+std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index,
+                                    const std::vector<std::string>& declared) {
   sim::PictureMetadata metadata = fit::frame_metadata(index.frames.front(), index.words, file_name);
   metadata.header_time_utc.reset();
   Json json = description(file_name, metadata);
+  if (!declared.empty()) json["declares"] = declared;
   json["frames"] = Json::array();
-  for (const fit::FrameHead& frame : index.frames)
+  for (const fit::FrameHead& frame : index.frames) {
     json["frames"].push_back({{"number", frame.number},
                               {"time_utc", frame.time ? Json(frame.time->utc) : Json(nullptr)},
                               {"exposure_s", json_number(frame.exposure_s)}});
+    if (frame.stream.seconds) json["frames"].back()["seconds"] = *frame.stream.seconds;
+  }
   return text_of(json);
 }
 

@@ -22,7 +22,8 @@ std::string description_text(const std::string& photo_name, const sim::PictureMe
 
 /// Returns the same for a file with many frames: the metadata of the first frame except its time, and the
 /// frames with their times.
-std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index);
+std::string frames_description_text(const std::string& file_name, const fit::FrameIndex& index,
+                                    const std::vector<std::string>& declared);
 
 /// Returns a description of a skymap: its size, how much of it looks at the sky and where, its place, and the
 /// commands that accept it.
@@ -31,7 +32,8 @@ std::string sky_map_description_text(const std::string& file_name, const fit::Sk
 /// The same three descriptions as JSON, with units in the keys.
 std::string description_json(const std::string& photo_name, const sim::PictureMetadata& metadata,
                              const std::vector<std::string>& declared = {}, const std::string& light = {});
-std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index);
+std::string frames_description_json(const std::string& file_name, const fit::FrameIndex& index,
+                                    const std::vector<std::string>& declared);
 std::string sky_map_description_json(const std::string& file_name, const fit::SkyMapFile& map);
 
 }  // namespace vegard::apps

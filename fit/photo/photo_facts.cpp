@@ -27,7 +27,7 @@ void add_time(const sim::PictureMetadata& metadata, PhotoFacts& all) {
   if (!taken.utc.empty()) all.facts.push_back({"site.time_utc", "\"" + taken.utc + "\"", taken.source});
   all.notes.insert(all.notes.end(), taken.notes.begin(), taken.notes.end());
   if (metadata.taken_local && !metadata.utc_offset && taken.notes.empty())
-    all.notes.push_back("the camera's clock said " + *metadata.taken_local +
+    all.notes.push_back(metadata.sources.clock + " said " + *metadata.taken_local +
                         ", in a zone that the picture does not name");
 }
 

@@ -48,6 +48,12 @@ sim::PictureMetadata frame_metadata(const FrameHead& head, const ImagerWords& wo
     metadata.header_time_utc = head.time->utc;
     metadata.sources.header_time = head.time->source;
   }
+  if (!head.stream.clock.empty()) {
+    metadata.taken_local = head.stream.clock;
+    metadata.sources.clock = head.stream.clock_source;
+  }
+  // The name of a film tells when its first frame was taken.
+  if (head.stream.seconds.value_or(0.0) > 0.0) return metadata;
   compare_with_name(file, metadata);
   return metadata;
 }

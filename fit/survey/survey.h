@@ -40,6 +40,8 @@ struct SurveyCamera {
   std::string scene;  ///< file of its frames' scene; empty: the calibration's file is the scene
   std::vector<std::string> changes;  ///< changes to the scene, "path=value" as in --set
   std::vector<std::string> frames;   ///< folders, lists (.txt) and single files
+  std::optional<double> start_s;     ///< of its first frame, since 1970 in UTC, where it is given
+  double step_s = 0.0;               ///< from one frame to the next; 0: as a film's clock says
   std::vector<std::string> endings;  ///< of the files in folders that are frames, lower case: ".png"
   std::string decoding;              ///< a word of --decoding; empty: the scene's
   int channel = 1;                   ///< in which borders are traced: 0, 1, 2 for red, green, blue

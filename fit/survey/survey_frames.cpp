@@ -62,7 +62,8 @@ double time_of_name(const std::string& frame, const std::string& file, int line)
 /// Returns whether a file may hold many frames, which its name does not tell: such files alone are opened.
 bool may_have_frames(const std::string& file) {
   static const std::vector<std::string> endings = {".pgm",  ".ppm", ".pgm.gz", ".ppm.gz", ".h5",
-                                                   ".hdf5", ".mat", ".cdf",    ".tar"};
+                                                   ".hdf5", ".mat", ".cdf",    ".tar",    ".mp4",
+                                                   ".m4v",  ".mov", ".avi",    ".mkv",    ".webm"};
   return has_ending(file, endings);
 }
 
@@ -72,10 +73,34 @@ struct Mention {
   int line = 0;      ///< of a list; 0: of none
 };
 
+/// By the survey's start and step; none where it gives no start.
+std::optional<double> given_time_s(const SurveyCamera& camera, std::size_t number, const Mention& mention) {
+  if (!camera.start_s) return std::nullopt;
+  if (!(camera.step_s > 0.0))
+    throw sim::unreadable(mention.file, "it follows another frame, and its time is not known")
+        .line(mention.line)
+        .expected("'start' alone for the frames of one film")
+        .hint("'step_s' says the seconds from one frame to the next");
+  return *camera.start_s + camera.step_s * static_cast<double>(number);
+}
+
+/// When a frame of a film was taken. The clock that the container may have is told, not believed.
+double time_of_film_frame(const FrameHead& frame, const std::string& name, const Mention& mention) {
+  const std::string plain = fs::path(name).filename().string();
+  const auto begin = time_by_name(plain);
+  if (begin && begin->unclear.empty()) return begin->utc_s() + *frame.stream.seconds;
+  const std::string clock =
+      frame.stream.clock.empty() ? "" : "; " + frame.stream.clock_source + " says " + frame.stream.clock;
+  throw sim::unreadable(mention.file, "nothing says for sure when the film '" + plain + "' was taken" + clock)
+      .line(mention.line)
+      .expected("'start' of the camera, or the time of its first frame in the film's name");
+}
+
 /// Returns when one frame of a file was taken: the time that it tells itself, or that of the file's name if
-/// it is the only frame.
+/// it is the only frame or that of a film.
 double time_of_frame(const FrameHead& frame, bool is_only, const std::string& name, const Mention& mention) {
   if (frame.time) return frame.time->seconds;
+  if (frame.stream.seconds) return time_of_film_frame(frame, name, mention);
   if (is_only) return time_of_name(name, mention.file, mention.line);
   throw sim::unreadable(mention.file, "frame " + std::to_string(frame.number) + " of '" +
                                           fs::path(name).filename().string() + "' has no time")
@@ -87,8 +112,8 @@ double time_of_frame(const FrameHead& frame, bool is_only, const std::string& na
 /// Takes a file of frames as its frames, path#0, path#1, …, as far as it can be read; where it is damaged one
 /// more stands for the rest, so that it is reported. Returns false for a file that holds no frames, or is not
 /// there.
-bool take_frames_of_file(const Survey& survey, const std::string& name, const Mention& mention,
-                         ListedFrames& all) {
+bool take_frames_of_file(const Survey& survey, const SurveyCamera& camera, const std::string& name,
+                         const Mention& mention, ListedFrames& all) {
   const std::string place = survey.place(name);
   if (!may_have_frames(name) || !sim::why_no_input(place).empty()) return false;
   std::vector<FrameHead> heads;
@@ -101,13 +126,18 @@ bool take_frames_of_file(const Survey& survey, const std::string& name, const Me
   }
   if (heads.empty()) return false;
   const std::string frame = plain_path(name);
+  const bool is_only_film = all.frames.empty() && heads.front().stream.seconds;
+  const auto time_s = [&](const FrameHead& head) {
+    if (camera.start_s && camera.step_s == 0.0 && is_only_film) return *camera.start_s + *head.stream.seconds;
+    const auto given_s = given_time_s(camera, all.frames.size(), mention);
+    return given_s ? *given_s : time_of_frame(head, heads.size() == 1, name, mention);
+  };
   if (heads.size() == 1 && !is_damaged) {
-    all.frames.push_back({frame, time_of_frame(heads[0], true, name, mention), {}});
+    all.frames.push_back({frame, time_s(heads[0]), {}});
     return true;
   }
   for (const FrameHead& head : heads)
-    all.frames.push_back(
-        {name_of_frame(frame, head.number), time_of_frame(head, heads.size() == 1, name, mention), {}});
+    all.frames.push_back({name_of_frame(frame, head.number), time_s(head), {}});
   if (is_damaged)
     all.frames.push_back(
         {name_of_frame(frame, static_cast<int>(heads.size())), all.frames.back().time_s, {}});
@@ -137,7 +167,14 @@ ListLine list_line(std::string line) {
   return {line, {}};
 }
 
-void take_list(const Survey& survey, const std::string& name, ListedFrames& all) {
+/// The time of a frame that does not tell it itself.
+double time_of_picture(const SurveyCamera& camera, const std::string& frame, const Mention& mention,
+                       const ListedFrames& all) {
+  const auto given_s = given_time_s(camera, all.frames.size(), mention);
+  return given_s ? *given_s : time_of_name(frame, mention.file, mention.line);
+}
+
+void take_list(const Survey& survey, const SurveyCamera& camera, const std::string& name, ListedFrames& all) {
   const std::string place = survey.place(name);
   const std::string bytes = sim::input_bytes(place, "a list of frames", kMaxListBytes);
   const std::string folder = fs::path(name).parent_path().string();
@@ -148,9 +185,9 @@ void take_list(const Survey& survey, const std::string& name, ListedFrames& all)
     const ListLine words = list_line(line);
     if (words.frame.empty()) continue;
     const std::string frame = (fs::path(folder) / words.frame).string();
-    if (words.time.empty() && take_frames_of_file(survey, frame, {place, number}, all)) continue;
-    const double time_s =
-        words.time.empty() ? time_of_name(words.frame, place, number) : *sim::utc_seconds(words.time);
+    if (words.time.empty() && take_frames_of_file(survey, camera, frame, {place, number}, all)) continue;
+    const double time_s = words.time.empty() ? time_of_picture(camera, words.frame, {place, number}, all)
+                                             : *sim::utc_seconds(words.time);
     all.frames.push_back({plain_path(frame), time_s, {}});
   }
   all.sources.push_back({name, sim::sha256(bytes)});
@@ -178,8 +215,8 @@ void take_folder(const Survey& survey, const SurveyCamera& camera, const std::st
   for (const std::string& file : found) {
     names += file + "\n";
     const std::string frame = (fs::path(name) / file).string(), path = (fs::path(place) / file).string();
-    if (!take_frames_of_file(survey, frame, {path, 0}, all))
-      all.frames.push_back({plain_path(frame), time_of_name(file, path, 0), {}});
+    if (!take_frames_of_file(survey, camera, frame, {path, 0}, all))
+      all.frames.push_back({plain_path(frame), time_of_picture(camera, file, {path, 0}, all), {}});
   }
   all.sources.push_back({name, sim::sha256(names)});
 }
@@ -222,7 +259,7 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
     const std::string place = survey.place(name);
     std::error_code error;
     if (fs::path(name).extension() == ".txt") {
-      take_list(survey, name, all);
+      take_list(survey, camera, name, all);
     } else if (fs::is_directory(place, error)) {
       take_folder(survey, camera, name, all);
     } else {
@@ -231,8 +268,8 @@ ListedFrames survey_frames(const Survey& survey, const SurveyCamera& camera) {
         throw sim::unreadable(place, problem)
             .expected("a folder, a list (.txt) or a frame")
             .hint("named by " + survey.file);
-      if (!take_frames_of_file(survey, name, {place, 0}, all))
-        all.frames.push_back({plain_path(name), time_of_name(name, place, 0), {}});
+      if (!take_frames_of_file(survey, camera, name, {place, 0}, all))
+        all.frames.push_back({plain_path(name), time_of_picture(camera, name, {place, 0}, all), {}});
     }
   }
   const auto by_time = [](const PlannedFrame& a, const PlannedFrame& b) {

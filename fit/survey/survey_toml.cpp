@@ -92,6 +92,15 @@ SurveyCamera read_camera(SurveyTable& table, const std::string& scene) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   if (camera.endings.empty()) camera.endings = picture_endings();
+  double start_s = NAN;
+  table.time("start", start_s);
+  if (std::isfinite(start_s)) camera.start_s = start_s;
+  constexpr double kLeastStep_s = 1e-4;
+  double step_s = NAN;
+  table.number("step_s", kLeastStep_s, kMaxSeconds, step_s);
+  if (std::isfinite(step_s)) camera.step_s = step_s;
+  if (camera.step_s > 0.0 && !camera.start_s)
+    throw scene_error({"frames follow each other from no time", "'start' with it", ""}, table.at("step_s"));
   camera.decoding = table.text("decoding");
   if (const auto complaint = sim::decoding_complaint(camera.decoding); complaint && !camera.decoding.empty())
     throw scene_error(*complaint, table.at("decoding"));

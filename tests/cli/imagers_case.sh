@@ -1,4 +1,4 @@
-# Imagers' frames in HDF5, MATLAB and CDF files and in tars (tests/data/imagers, by other writers), and skymaps.
+# Imagers' frames in HDF5, MATLAB and CDF files and in tars (tests/data/imagers, by other writers), films, and skymaps.
 source "$(dirname "$0")/case.sh"
 made=$SCENES/../../data/imagers
 cp "$made"/{rgb.h5,stack.mat,stack_v73.mat,asi.cdf,asi_packed.cdf,minute.png.tar,minute.pgm.gz,frame.fits.gz,huge.h5,skymap.sav} .
@@ -121,3 +121,25 @@ head -c 3000 sky.sav >cut.sav
 refused 3 "truncated" --skymap cut.sav
 expect_exit 2 calibrate --skymap sky.sav -o sky.sav --overwrite
 expect_stderr "sky.sav"
+
+# Films: times by a start, light by what is assumed of it.
+film=$made/film.mp4
+expect_exit 0 describe "$film"
+expect_stdout "#4 | 0.160 s"
+expect_stdout "BT.709 | assumed"
+expect_stdout "creation_time | 2021-03-05T22:10:00"
+expect_exit 0 keogram "$film" -o film.csv --start 2021-03-05T22:00:00Z
+expect_stdout "2021-03-05T22:00:00Z | 2021-03-05T22:00:00.16Z"
+expect_exit 0 keogram "$film" -o step.csv --start 2021-03-05T22:00:00Z --step 30
+expect_stdout "2021-03-05T22:02:00Z"
+expect_exit 2 keogram "$film" "$made/film.avi" -o no.csv --start 2021-03-05T22:00:00Z
+expect_stderr "--start | --step"
+expect_exit 0 profile "$film#2" -o film2.csv
+expect_exit 2 profile "$film" -o no.csv
+expect_stderr "film.mp4 | #0 to #4"
+head -c 700 "$film" >cut.mp4
+expect_exit 3 describe cut.mp4
+expect_stderr cut.mp4
+mkdir lapse && cp "$made"/film.avi lapse/b.avi && cp "$made"/film.avi lapse/a.avi
+expect_exit 0 keogram lapse -o lapse.csv --step 2
+expect_stdout "0 to 18"

@@ -74,8 +74,9 @@ expect_exit 2 keogram a.png b.png -o no.csv --width 200
 expect_stderr "--width"
 expect_exit 2 keogram a.png b.png -o no.csv --roi 100,0,100,100
 expect_stderr "--roi"
-expect_exit 2 keogram night.mp4 -o no.png
-expect_stderr "ffmpeg -i night.mp4"
+echo "no film" >night.mp4
+expect_exit 3 keogram a.png night.mp4 -o no.png
+expect_stderr night.mp4
 expect_one_message
 expect_exit 2 profile a.png b.png -o no.csv
 expect_stderr "--keogram"

@@ -1,4 +1,5 @@
-// Files of arrays and a tar by other writers (tests/data/imagers/make.py).
+// Files of arrays and a tar by other writers (tests/data/imagers/make.py), and films of 32 x 24 pixels by
+// FFmpeg (tests/support/frames/made_video.h).
 #include <fstream>
 #include <iterator>
 
@@ -8,8 +9,9 @@ namespace vegard::tests {
 
 std::vector<std::string> fuzz_seeds(const std::string& source) {
   std::vector<std::string> seeds;
-  for (const char* name : {"asi.cdf", "asi_packed.cdf", "skymap.sav", "skymap_packed.sav", "minute.png.tar",
-                           "rgb.h5", "huge.h5", "stack.mat", "stack_v73.mat"}) {
+  for (const char* name :
+       {"asi.cdf", "asi_packed.cdf", "skymap.sav", "skymap_packed.sav", "minute.png.tar", "rgb.h5", "huge.h5",
+        "stack.mat", "stack_v73.mat", "film.mp4", "film.avi", "film.mkv"}) {
     std::ifstream stream(source + "/tests/data/imagers/" + name, std::ios::binary);
     seeds.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
   }

@@ -1,9 +1,10 @@
-// Any bytes as a file of arrays (HDF5, MATLAB, CDF, IDL's saves) or a tar: what is in it, the frames and the
-// skymap that it may hold. A target of its own, since every HDF5 and MATLAB file costs a process.
+// Any bytes as a file of arrays (HDF5, MATLAB, CDF, IDL's saves), a tar or a film: what is in it, the frames
+// and the skymap that it may hold. A target of its own, since every HDF5 and MATLAB file costs a process.
 #include <string>
 #include <string_view>
 
 #include "fit/photo/frames/frame_file.h"
+#include "fit/photo/frames/store_kinds.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_defaults.h"
 #include "fit/photo/photo_metadata.h"
@@ -51,7 +52,7 @@ void read_frames(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  if (sim::is_tar(bytes)) {
+  if (sim::is_tar(bytes) || fit::begins_as_video(bytes)) {
     tests::read_or_refused([&] { read_frames(bytes); });
     return 0;
   }

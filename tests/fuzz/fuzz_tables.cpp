@@ -125,7 +125,8 @@ void pictures(const std::string& text) {
 
 void times(const std::string& text) {
   const tests::InputFile file(text, "it.csv");
-  const apps::TimedPictures pictures = apps::timed_pictures({"a.png", "b.png"}, file.path("it.csv"));
+  const apps::TimedPictures pictures =
+      apps::timed_pictures({"a.png", "b.png"}, {file.path("it.csv"), {}, {}});
   require(pictures.files.size() == 2 && pictures.times.seconds.size() == 2);
   for (const double seconds : pictures.times.seconds) require(std::isfinite(seconds));
 }

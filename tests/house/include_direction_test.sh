@@ -107,6 +107,8 @@ check_sources() {
         complain("OpenImageIO belongs in sim/base/picture/image_io/openimageio_module.cpp only")
       if (target ~ /^jpeglib/ && FILENAME != "fit/photo/codec/jpeg_rows.cpp")
         complain("libjpeg belongs in fit/photo/codec/jpeg_rows.cpp only")
+      if (target ~ /^lib(av|sw)/ && FILENAME != "fit/photo/frames/video_module.cpp")
+        complain("FFmpeg belongs in fit/photo/frames/video_module.cpp only")
       if (target ~ /^lcms2/ && FILENAME != "fit/photo/codec/icc_profile.cpp")
         complain("LittleCMS belongs in fit/photo/codec/icc_profile.cpp only")
       if (target ~ /^zlib/ && FILENAME != "sim/base/file/byte_stream.cpp")

@@ -384,6 +384,22 @@ void declare_fits(std::string_view bytes, DeclaredLight& light) {
     light.converter_bits = std::clamp(std::atoi(found->second.c_str()), 0, kMostBits);
 }
 
+/// The remark of a film's frame: "# video h264, …; H.273 primaries 1, transfer 1; assumed: both".
+void declare_video(std::string_view bytes, DeclaredLight& light) {
+  constexpr std::size_t kAt = 3, kLongest = 512;  // behind "P6\n"
+  const std::string_view line = bytes.substr(kAt, std::min(bytes.find('\n', kAt), kAt + kLongest) - kAt);
+  light.words.emplace_back(line.substr(2));
+  const auto number_behind = [&](std::string_view word) {
+    const std::size_t at = line.find(word);
+    return at == std::string_view::npos ? 0
+                                        : std::atoi(std::string(line.substr(at + word.size(), 3)).c_str());
+  };
+  const int primaries = number_behind("H.273 primaries "), transfer = number_behind(", transfer ");
+  if (primaries == 0 && transfer == 0) return;
+  light.source = "its video";
+  declare_h273(primaries, transfer, light);
+}
+
 }  // namespace declared
 
 DeclaredLight declared_light(std::string_view bytes) {
@@ -393,6 +409,8 @@ DeclaredLight declared_light(std::string_view bytes) {
   if (sim::starts_with(bytes, "\x89PNG\r\n\x1a\n"sv)) declare_png(bytes, light);
   if (sim::starts_with(bytes, "v/1\x01"sv)) declare_exr(bytes, light);
   if (sim::starts_with(bytes, "SIMPLE  ="sv)) declare_fits(bytes, light);
+  if (sim::starts_with(bytes, "P6\n# video "sv) || sim::starts_with(bytes, "P5\n# video "sv))
+    declare_video(bytes, light);
   if (bytes.substr(std::min<std::size_t>(4, bytes.size()), 4) == "ftyp") declare_heif(bytes, light);
   for (const std::string_view start : {"II\x2a\0"sv, "MM\0\x2a"sv, "II\x2b\0"sv, "MM\0\x2b"sv})
     if (sim::starts_with(bytes, start)) declare_tiff(bytes, light);

@@ -11,6 +11,10 @@ namespace vegard::fit {
 /// (fit/photo/frames/array_frames.cpp): they are counts.
 inline constexpr std::string_view kPnmOfCounts = "# counts of an array\n";
 
+/// The beginning of the remark in the PPM or PGM that a film's frame becomes (fit/photo/frames), which says
+/// what its numbers are: "# video h264; H.273 primaries 1, transfer 1; assumed: both".
+inline constexpr std::string_view kPnmOfVideo = "# video ";
+
 struct PnmHeader {
   long long width = 0, height = 0;
   int channels = 1;       ///< 1 for a PGM, 3 for a PPM

@@ -129,6 +129,7 @@ bool FrameReader::next_of_store() {
   channels_ = frame.channels;
   head_.time = imager_time(own_, head_.word_kind);
   if (!head_.time) head_.time = frame.time;
+  head_.stream = std::move(frame.stream);
   place_among_others();
   return true;
 }

@@ -31,6 +31,7 @@ struct FrameHead {
   std::uint64_t offset = 0;  ///< of its first byte in the unpacked file; 0 for a frame of a FrameStore
   std::uint64_t bytes = 0;   ///< including its header; 0 for a frame of a FrameStore
   std::optional<ImagerTime> time;
+  StreamTime stream;  ///< of a frame of a film
   std::optional<double> exposure_s;
   std::string word_kind = kPgmComment;  ///< what kind of metadata its words are, for messages
 };

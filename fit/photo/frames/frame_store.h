@@ -17,11 +17,20 @@ constexpr int kMaxFrames = 100000;
 /// file's.
 constexpr long long kMaxPackedPixels = 1LL << 25;
 
+/// When a frame of a film was shown.
+struct StreamTime {
+  std::optional<double> seconds;  ///< after the file's first frame; none: it is no film
+  /// The same by a clock of which neither the zone nor what it marks is known, ISO 8601 without a zone; and
+  /// what clock that is, for messages.
+  std::string clock, clock_source;
+};
+
 struct StoredFrame {
   long long width_px = 0, height_px = 0;
   int channels = 1;
   ImagerWords words;
   std::optional<ImagerTime> time;  ///< the frame's time if its words do not give it
+  StreamTime stream;
 };
 
 class FrameStore {

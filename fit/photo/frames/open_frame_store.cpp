@@ -43,6 +43,7 @@ constexpr StoreKind kStoreKinds[] = {
     {begins_as_tiff, tiff_pages, holds_tiff_pages},
     {[](std::string_view beginning) { return sim::starts_with(beginning, "SIMPLE  ="); }, fits_images,
      holds_fits_images},
+    {begins_as_video, video_frames},
 };
 
 const StoreKind* kind_of(std::string_view beginning, const std::string& name, std::string_view bytes) {

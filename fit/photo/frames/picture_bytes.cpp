@@ -187,12 +187,12 @@ PictureBytes PictureSeries::read(const std::string& name) {
 
 std::vector<NamedPicture> pictures_in(const std::string& name) {
   const FrameName wanted = frame_name(name);
-  if (!is_frame_file(wanted.file)) return {{name, {}}};
+  if (!is_frame_file(wanted.file)) return {{name, {}, {}}};
   const std::vector<FrameHead> frames = frame_index(wanted.file).frames;
   std::vector<NamedPicture> pictures;
   for (const FrameHead& frame : frames)
-    pictures.push_back(
-        {frames.size() > 1 ? name_of_frame(wanted.file, frame.number) : wanted.file, frame.time});
+    pictures.push_back({frames.size() > 1 ? name_of_frame(wanted.file, frame.number) : wanted.file,
+                        frame.time, frame.stream});
   if (!wanted.is_chosen()) return pictures;
   const int number = wanted.number ? *wanted.number : frame_at(frames, *wanted.utc_s, wanted.file);
   if (number >= static_cast<int>(frames.size())) throw no_such_frame(wanted.file, number, frames.size());

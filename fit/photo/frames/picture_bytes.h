@@ -53,6 +53,7 @@ class PictureSeries {
 struct NamedPicture {
   std::string name;
   std::optional<ImagerTime> time;  ///< of a frame, if it has one
+  StreamTime stream;               ///< of a frame of a film
 };
 
 /// Lists the pictures that a name stands for: the file itself, or its frames if it has several, or the frame

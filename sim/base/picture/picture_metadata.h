@@ -15,6 +15,7 @@ namespace vegard::sim {
 /// The sources of values, for messages and reports.
 struct PictureSources {
   std::string header_time;  ///< "FITS DATE-OBS"
+  std::string clock = "the camera's clock";  ///< what taken_local is
   std::string latitude = "EXIF GPSLatitude", longitude = "EXIF GPSLongitude", altitude = "EXIF GPSAltitude";
   std::string exposure = "EXIF ExposureTime";
 };

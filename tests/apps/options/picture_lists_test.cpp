@@ -8,6 +8,7 @@
 #include "tests/support/fits_bytes.h"
 #include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/frames/made_frames.h"
+#include "tests/support/frames/made_video.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::apps::picture_lists_test {
@@ -35,7 +36,7 @@ class PictureTimesOf : public testing::Test {
       tests::put(folder_ / name, bytes);
       files.push_back(folder_ / name);
     }
-    return timed_pictures(files, "");
+    return timed_pictures(files, {});
   }
   tests::TemporaryFolder folder_;
 };
@@ -84,7 +85,8 @@ TEST_F(PictureTimesOf, ATableGoesBeforeAll) {
   of({{"b.jpg", jpeg_taken("2014:03:01 00:00:02", "+00:00")},
       {"a.jpg", jpeg_taken("2014:03:01 00:00:01", "+00:00")}});
   tests::put(folder_ / "times.csv", "b.jpg,1\na.jpg,2\n");
-  const TimedPictures found = timed_pictures({folder_ / "a.jpg", folder_ / "b.jpg"}, folder_ / "times.csv");
+  const TimedPictures found =
+      timed_pictures({folder_ / "a.jpg", folder_ / "b.jpg"}, {folder_ / "times.csv", {}, {}});
   EXPECT_EQ(found.times.seconds, (std::vector<double>{1.0, 2.0}));
   EXPECT_EQ(found.files[0], folder_ / "b.jpg");
 }
@@ -98,7 +100,7 @@ TEST_F(PictureTimesOf, FramesTellTheirOwn) {
   EXPECT_EQ(all.times.source, "the files' own (PGM comment \"Image request start\")");
   EXPECT_NEAR(all.times.seconds[0], 1394431380.25, 1e-6);
   EXPECT_EQ(all.times.seconds[2] - all.times.seconds[0], 6.0);
-  const TimedPictures two = timed_pictures({file + "#2", file + "#2014-03-10T06:03:01Z"}, "");
+  const TimedPictures two = timed_pictures({file + "#2", file + "#2014-03-10T06:03:01Z"}, {});
   EXPECT_EQ(two.files, (std::vector<std::string>{file + "#0", file + "#2"}));
   EXPECT_EQ(two.times.seconds[1] - two.times.seconds[0], 6.0);
   tests::put(folder_ / "list.txt", "a.pgm.gz 5\n");
@@ -120,6 +122,40 @@ TEST_F(PictureTimesOf, FramesOfASequenceAreAtTheirSeconds) {
   const std::vector<SequencePhoto> mixed = sequence_photos({file, folder_ / "b.pgm"}, scene);
   EXPECT_EQ(mixed[1].time_s, 10.5);
   EXPECT_EQ(mixed[3].name, "b");
+}
+
+TEST_F(PictureTimesOf, AFilmAreByItsClockFromAStartItsNameOrItsFirstFrame) {
+  tests::MadeVideo made;
+  made.times_ms = {0, 500, 2000};
+  made.codes = [](int) { return std::array<int, 3>{100, 128, 128}; };
+  const std::string bytes = tests::video_bytes(made);
+  const TimedPictures plain = of({{"film.mp4", bytes}});
+  EXPECT_EQ(plain.times.kind, Kind::clock);
+  EXPECT_EQ(plain.files[1], folder_ / "film.mp4#1");
+  const std::vector<double> seconds = {0.0, 0.5, 2.0};
+  EXPECT_EQ(plain.times.seconds, seconds);
+  const TimedPictures named = of({{"sky_20140221_193000.mp4", bytes}});
+  EXPECT_EQ(named.times.kind, Kind::utc);
+  EXPECT_EQ(named.times.seconds, (std::vector<double>{1393011000.0, 1393011000.5, 1393011002.0}));
+  const TimedPictures started = timed_pictures({folder_ / "film.mp4"}, {"", 1393011000.0, {}});
+  EXPECT_EQ(started.times.seconds, named.times.seconds);
+  made.words = {{"creation_time", "2014-02-21T19:30:00Z"}};
+  const TimedPictures clocked = of({{"film.mp4", tests::video_bytes(made)}});
+  EXPECT_EQ(clocked.times.kind, Kind::clock);
+  EXPECT_EQ(clocked.times.seconds, seconds);
+  EXPECT_TRUE(tests::has_facts(clocked.times.source, "creation_time | 2014-02-21T19:30:00"));
+}
+
+TEST_F(PictureTimesOf, AFolderAreByStartAndStep) {
+  for (const char* name : {"b.png", "a.png", "c.PNG", "notes.txt"}) tests::put(folder_ / name, "");
+  const std::string folder =
+      std::string(folder_ / "a.png").substr(0, std::string(folder_ / "a.png").rfind('/'));
+  const TimedPictures found = timed_pictures({folder}, {"", 1393011000.0, 10.0});
+  EXPECT_EQ(found.files.size(), 3u);
+  EXPECT_EQ(found.files[0], folder_ / "a.png");
+  EXPECT_EQ(found.times.seconds, (std::vector<double>{1393011000.0, 1393011010.0, 1393011020.0}));
+  tests::expect_error(sim::ErrorKind::usage, [&] { timed_pictures({folder}, {"", 1393011000.0, {}}); });
+  tests::expect_error(sim::ErrorKind::usage, [&] { timed_pictures({folder}, {"t.csv", {}, 10.0}); });
 }
 
 }  // namespace

@@ -10,11 +10,13 @@
 #include "tests/support/expect_error.h"
 #include "tests/support/frames/gzip_bytes.h"
 #include "tests/support/frames/made_frames.h"
+#include "tests/support/frames/made_video.h"
 #include "tests/support/temporary_folder.h"
 
 namespace vegard::fit::survey_frames_test {
 namespace {
 
+using tests::expect_error;
 using tests::put;
 
 Survey survey_in(const tests::TemporaryFolder& folder, const std::string& frames,
@@ -148,6 +150,51 @@ TEST(SurveyFrames, AreRefusedWhereTheyTellNoTimeOrAreNotThere) {
   EXPECT_TRUE(tests::has_facts(error_of(sim::ErrorKind::unreadable_input, "\"many_20190301_221000.pgm\""),
                                "frame 0 | 'many_20190301_221000.pgm'"));
   EXPECT_NE(error_of(sim::ErrorKind::scene, "\"empty\"").find("has no frame"), std::string::npos);
+}
+
+TEST(SurveyFrames, OfAFilmAreTakenFromItsNameOrFromAStart) {
+  const tests::TemporaryFolder folder;
+  tests::MadeVideo made;
+  made.times_ms = {0, 500, 2000};
+  made.words = {{"creation_time", "2019-03-01T23:00:00Z"}};
+  made.codes = [](int) { return std::array<int, 3>{100, 128, 128}; };
+  put(folder / "sky_20190301_221000.mp4", tests::video_bytes(made));
+  put(folder / "film.mp4", tests::video_bytes(made));
+  const double start_s = *sim::utc_seconds("2019-03-01T22:10:00Z");
+  const auto expect_times = [&](const ListedFrames& listed, const std::vector<double>& after_s) {
+    ASSERT_EQ(listed.frames.size(), after_s.size());
+    for (std::size_t i = 0; i < after_s.size(); ++i)
+      EXPECT_NEAR(listed.frames[i].time_s, start_s + after_s[i], 1e-6);
+  };
+  const ListedFrames named = frames_of(survey_in(folder, "\"sky_20190301_221000.mp4\""));
+  EXPECT_EQ(named.frames[1].file, "sky_20190301_221000.mp4#1");
+  expect_times(named, {0.0, 0.5, 2.0});
+
+  const std::string refusal =
+      expect_error(sim::ErrorKind::unreadable_input, [&] { frames_of(survey_in(folder, "\"film.mp4\"")); });
+  EXPECT_TRUE(tests::has_facts(refusal, "film.mp4 | start | creation_time | 2019-03-01T23:00:00"));
+  const std::string start = "start = \"2019-03-01T22:10:00Z\"\n";
+  expect_times(frames_of(survey_in(folder, "\"film.mp4\"", start)), {0.0, 0.5, 2.0});
+  expect_times(frames_of(survey_in(folder, "\"film.mp4\"", start + "step_s = 10\n")), {0.0, 10.0, 20.0});
+  const std::string second = expect_error(sim::ErrorKind::unreadable_input, [&] {
+    frames_of(survey_in(folder, "\"film.mp4\", \"sky_20190301_221000.mp4\"", start));
+  });
+  EXPECT_TRUE(tests::has_facts(second, "step_s"));
+}
+
+TEST(SurveyFrames, OfATimeLapseHaveStartAndStep) {
+  const tests::TemporaryFolder folder;
+  for (const char* name : {"in/IMG_0002.jpg", "in/IMG_0001.jpg", "in/IMG_0003.jpg"}) {
+    std::filesystem::create_directories(folder / "in");
+    put(folder / name, "");
+  }
+  const std::string start = "start = \"2019-03-01T22:10:00Z\"\nstep_s = 12.5\n";
+  const ListedFrames listed = frames_of(survey_in(folder, "\"in\"", start));
+  EXPECT_EQ(names_of(listed),
+            (std::vector<std::string>{"in/IMG_0001.jpg", "in/IMG_0002.jpg", "in/IMG_0003.jpg"}));
+  EXPECT_EQ(listed.frames[2].time_s, *sim::utc_seconds("2019-03-01T22:10:25Z"));
+  EXPECT_TRUE(tests::has_facts(
+      expect_error(sim::ErrorKind::scene, [&] { survey_in(folder, "\"in\"", "step_s = 12.5\n"); }), "start"));
 }
 
 }  // namespace
