@@ -9,6 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/quantile.h"
+#include "sim/base/parallel.h"
 
 namespace vegard::fit {
 namespace {
@@ -29,16 +30,22 @@ std::vector<double> without_border_sky(const SkyCells& cells) {
     if (std::isfinite(out[i])) used.push_back(i);
   const double area = static_cast<double>(used.size());
   if (area < 4 * kTerms) return out;
+  std::vector<double> cosine, sine;
+  for (int c = 0; c < cells.columns; ++c) {
+    const double azimuth = cells.azimuth_deg(c) * sim::kRadiansPerDegree;
+    cosine.push_back(std::cos(azimuth));
+    sine.push_back(std::sin(azimuth));
+  }
   const auto basis = [&](std::size_t i) {
-    const int column = static_cast<int>(i / cells.rows), row = static_cast<int>(i % cells.rows);
+    const std::size_t column = i / static_cast<std::size_t>(cells.rows);
+    const int row = static_cast<int>(i % static_cast<std::size_t>(cells.rows));
     const double t = 2.0 * (row + 0.5) / cells.rows - 1.0;
-    const double azimuth = cells.azimuth_deg(column) * sim::kRadiansPerDegree;
     Eigen::Matrix<double, kTerms, 1> v;
     const double power[4] = {1.0, t, t * t, t * t * t};
     for (int k = 0; k < 4; ++k) {
       v[3 * k] = power[k];
-      v[3 * k + 1] = power[k] * std::cos(azimuth);
-      v[3 * k + 2] = power[k] * std::sin(azimuth);
+      v[3 * k + 1] = power[k] * cosine[column];
+      v[3 * k + 2] = power[k] * sine[column];
     }
     return v;
   };
@@ -65,8 +72,10 @@ std::vector<double> without_border_sky(const SkyCells& cells) {
 std::vector<double> smoothed_border_light(const SkyCells& cells, const std::vector<double>& light) {
   const double sigma = std::max(1.0, kBorderSmoothingDeg / cells.elevation_step_deg);
   const int reach = static_cast<int>(std::ceil(3.0 * sigma));
-  std::vector<double> out(light.size(), sim::kNaN);
-  for (int c = 0; c < cells.columns; ++c)
+  std::vector<double> out(light.size(), sim::kNaN), fall;
+  for (int dr = -reach; dr <= reach; ++dr) fall.push_back(std::exp(-0.5 * dr * dr / (sigma * sigma)));
+  sim::parallel_for(static_cast<std::size_t>(cells.columns), 0, [&](std::size_t column, int) {
+    const int c = static_cast<int>(column);
     for (int r = 0; r < cells.rows; ++r) {
       if (!std::isfinite(light[cells.index(c, r)])) continue;
       double sum = 0.0, weights = 0.0;
@@ -75,12 +84,13 @@ std::vector<double> smoothed_border_light(const SkyCells& cells, const std::vect
           if (r + dr < 0 || r + dr >= cells.rows) continue;
           const double v = light[cells.index((c + dc + cells.columns) % cells.columns, r + dr)];
           if (!std::isfinite(v)) continue;
-          const double w = (dc == 0 ? 2.0 : 1.0) * std::exp(-0.5 * dr * dr / (sigma * sigma));
+          const double w = (dc == 0 ? 2.0 : 1.0) * fall[static_cast<std::size_t>(dr + reach)];
           sum += w * v;
           weights += w;
         }
       out[cells.index(c, r)] = sum / weights;
     }
+  });
   return out;
 }
 
@@ -157,15 +167,17 @@ std::optional<BorderLight> border_light(const SkyCells& cells, BorderAir air) {
     if (std::isfinite(v)) whole.push_back(v);
   work.dark_sky = kGroundLight * sim::quantile(whole, 0.25);
   const int aside = static_cast<int>(15.0 / cells.azimuth_step_deg);
-  for (int c = 0; c < cells.columns; ++c) {
+  work.floor.resize(static_cast<std::size_t>(cells.columns));
+  sim::parallel_for(work.floor.size(), 0, [&](std::size_t column, int) {
+    const int c = static_cast<int>(column);
     std::vector<double> near;
     for (int k = c - aside; k <= c + aside; ++k)
       for (int r = 0; r < cells.rows; ++r) {
         const double v = work.at((k + cells.columns) % cells.columns, r);
         if (std::isfinite(v)) near.push_back(v);
       }
-    work.floor.push_back(sim::quantile(near, 0.1));
-  }
+    work.floor[column] = sim::quantile(near, 0.1);
+  });
   return work;
 }
 

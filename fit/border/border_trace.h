@@ -1,6 +1,7 @@
 // What the tracing of borders takes and gives: settings, points, traces (fit/border/border.h).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct BorderSettings {
   double max_jump_deg = 2.0;     ///< between neighbouring columns, off a straight line
   double longest_gap_deg = 4.0;
   double min_length_deg = 8.0;
+  std::function<void(double share)> progress;  ///< told the share of the work that is done, from any thread
 };
 
 /// Why no border is given where there is a peak.

@@ -1,6 +1,7 @@
 #include "fit/border/high_borders.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "fit/border/cell_traces.h"
 #include "fit/border/sky_cells.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/parallel.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
@@ -70,13 +72,20 @@ void add_high_borders(std::vector<BorderTrace>& traces, const Photo& photo, cons
                       const BorderSettings& settings) {
   using namespace high_borders;
   if (!sees_zenith(scene.camera)) return;
-  std::vector<BorderTrace> high;
-  for (int k = 0; k < kPoles; ++k) {
-    SkyCells cells = sky_cells(photo, scene.camera, settings, SkyFrame{kTilt_deg, k * 360.0 / kPoles});
+  std::vector<std::optional<std::vector<BorderTrace>>> found(kPoles);
+  std::atomic<int> done{0};
+  sim::parallel_for(kPoles, 0, [&](std::size_t k, int) {
+    const double towards_deg = static_cast<double>(k) * 360.0 / kPoles;
+    SkyCells cells = sky_cells(photo, scene.camera, settings, SkyFrame{kTilt_deg, towards_deg});
     bridge_holes(cells);
-    std::optional<std::vector<BorderTrace>> found = judged_traces(cells, photo, scene, settings);
-    if (!found) continue;
-    for (BorderTrace& trace : *found)
+    found[k] = judged_traces(cells, photo, scene, settings);
+    constexpr double kBefore = 0.4, kWithAll = 0.9;  // of the work
+    if (settings.progress) settings.progress(kBefore + (kWithAll - kBefore) * ++done / kPoles);
+  });
+  std::vector<BorderTrace> high;
+  for (std::optional<std::vector<BorderTrace>>& of_pole : found) {
+    if (!of_pole) continue;
+    for (BorderTrace& trace : *of_pole)
       if (trace.is_claimed()) high.push_back(std::move(trace));
   }
   std::stable_sort(high.begin(), high.end(), [](const BorderTrace& a, const BorderTrace& b) {

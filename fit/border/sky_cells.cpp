@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/parallel.h"
 #include "sim/view/camera/camera.h"
 
 namespace vegard::fit {
@@ -123,7 +124,8 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
   // The tilted frames look for what is wide: fewer samples do.
   const int most_up = frame.is_upright() ? 6 : 2, most_across = frame.is_upright() ? 16 : 6;
   const int up = std::clamp(static_cast<int>(std::lround(cells.elevation_step_deg * scale)), 1, most_up);
-  for (int r = 0; r < cells.rows; ++r) {
+  sim::parallel_for(static_cast<std::size_t>(cells.rows), 0, [&](std::size_t row, int) {
+    const int r = static_cast<int>(row);
     const double level = std::cos(cells.elevation_deg(r) * sim::kRadiansPerDegree);
     const int across =
         std::clamp(static_cast<int>(std::ceil(cells.azimuth_step_deg * level * scale)), 1, most_across);
@@ -148,7 +150,7 @@ SkyCells sky_cells(const Photo& photo, const sim::Camera& camera, const BorderSe
       else
         cells.limit[at] = 2 * sample.outside >= sample.asked ? BorderLimit::frame : BorderLimit::mask;
     }
-  }
+  });
   return cells;
 }
 

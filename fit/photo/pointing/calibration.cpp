@@ -115,19 +115,31 @@ void tell_errors(Calibration& calibration, const std::vector<LensNumber>& free) 
 }
 
 /// Computes the residual of each star in a fit without it. Each fit is its own, so that threads share them.
+/// One of many stars changes the fit so little that the linear formula gives the same.
 void leave_out(Calibration& calibration, const std::vector<LensNumber>& free) {
+  constexpr int kLinearFrom = 100;
   StarSet used;
   for (const StarResidual& one : calibration.residuals) used.push_back(one.used);
-  sim::parallel_for(used.size(), 0, [&](std::size_t i, int) {
-    StarResidual& one = calibration.residuals[i];
-    if (!one.used) return;
-    StarSet others = used;
-    others[i] = 0;
-    const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, others);
-    const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
-    one.without_dx_px = left[0];
-    one.without_dy_px = left[1];
-  });
+  std::vector<Eigen::Vector2d> linear;
+  if (calibration.used() >= kLinearFrom)
+    linear = left_one_out(calibration.camera, free, calibration.stars, used);
+  std::size_t next = 0;
+  for (StarResidual& one : calibration.residuals) {
+    if (linear.empty() || !one.used) continue;
+    one.without_dx_px = linear[next][0];
+    one.without_dy_px = linear[next++][1];
+  }
+  if (linear.empty())
+    sim::parallel_for(used.size(), 0, [&](std::size_t i, int) {
+      StarResidual& one = calibration.residuals[i];
+      if (!one.used) return;
+      StarSet others = used;
+      others[i] = 0;
+      const CameraFit fit = fit_camera(calibration.camera, free, calibration.stars, others);
+      const Eigen::Vector2d left = residuals(fit.camera, {calibration.stars[i]})[0];
+      one.without_dx_px = left[0];
+      one.without_dy_px = left[1];
+    });
   double sum = 0.0;
   for (const StarResidual& one : calibration.residuals)
     if (one.used) sum += one.without_dx_px * one.without_dx_px + one.without_dy_px * one.without_dy_px;

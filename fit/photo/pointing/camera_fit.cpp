@@ -8,21 +8,45 @@
 namespace vegard::fit {
 namespace {
 
-using AllTangents = sim::Tangents<double, lens_numbers>;
-using Number = sim::Dual<double, AllTangents>;
+/// The fewest numbers that are fitted at once, and those of most lenses: a derivative costs as much as a
+/// value.
+constexpr int kFewTangents = 6, kSomeTangents = 9;
 
 constexpr int kCameraMaxRounds = 4;
 constexpr double kSmallTurn = 1e-9;  // radians
 
-/// The place and its derivatives by all numbers.
-bool dual_place(const SkyCamera& camera, const double numbers[lens_numbers], const std::array<double, 3>& enu,
-                Number& x, Number& y) {
+/// A star's place, and its derivatives by the free numbers, in their order.
+struct PlaceWithSlopes {
+  double x_px = 0.0, y_px = 0.0;
+  std::array<double, lens_numbers> by_x{}, by_y{};
+};
+
+template <int N>
+bool place_by_tangents(const SkyCamera& camera, const double numbers[lens_numbers],
+                       const std::vector<LensNumber>& free, const std::array<double, 3>& enu,
+                       PlaceWithSlopes& place) {
+  using Number = sim::Dual<double, sim::Tangents<double, N>>;
   Number dual[lens_numbers];
-  for (int i = 0; i < lens_numbers; ++i) {
-    dual[i] = Number(numbers[i]);
-    dual[i].d.t[i] = 1.0;
+  for (int i = 0; i < lens_numbers; ++i) dual[i] = Number(numbers[i]);
+  for (std::size_t j = 0; j < free.size(); ++j) dual[free[j]].d.t[j] = 1.0;
+  Number x(0.0), y(0.0);
+  const bool has_image = place_of_star(camera, dual, enu, x, y);
+  place.x_px = x.v;
+  place.y_px = y.v;
+  for (std::size_t j = 0; j < free.size(); ++j) {
+    place.by_x[j] = x.d.t[j];
+    place.by_y[j] = y.d.t[j];
   }
-  return place_of_star(camera, dual, enu, x, y);
+  return has_image;
+}
+
+bool place_with_slopes(const SkyCamera& camera, const double numbers[lens_numbers],
+                       const std::vector<LensNumber>& free, const std::array<double, 3>& enu,
+                       PlaceWithSlopes& place) {
+  if (free.size() <= kFewTangents) return place_by_tangents<kFewTangents>(camera, numbers, free, enu, place);
+  if (free.size() <= kSomeTangents)
+    return place_by_tangents<kSomeTangents>(camera, numbers, free, enu, place);
+  return place_by_tangents<lens_numbers>(camera, numbers, free, enu, place);
 }
 
 /// One star's residual, observed minus computed.
@@ -45,14 +69,14 @@ class StarCost : public ceres::CostFunction {
       residuals[1] = star_.y_px - y;
       return std::isfinite(residuals[0]) && std::isfinite(residuals[1]);
     }
-    Number x, y;
-    if (!dual_place(camera_, numbers.data(), star_.enu, x, y)) return false;
-    residuals[0] = star_.x_px - x.v;
-    residuals[1] = star_.y_px - y.v;
+    PlaceWithSlopes place;
+    if (!place_with_slopes(camera_, numbers.data(), free_, star_.enu, place)) return false;
+    residuals[0] = star_.x_px - place.x_px;
+    residuals[1] = star_.y_px - place.y_px;
     const std::size_t n = free_.size();
     for (std::size_t j = 0; j < n; ++j) {
-      jacobians[0][j] = -x.d.t[free_[j]];
-      jacobians[0][n + j] = -y.d.t[free_[j]];
+      jacobians[0][j] = -place.by_x[j];
+      jacobians[0][n + j] = -place.by_y[j];
     }
     return std::isfinite(residuals[0]) && std::isfinite(residuals[1]);
   }
@@ -145,11 +169,11 @@ Eigen::MatrixXd place_jacobian(const SkyCamera& camera, const std::vector<LensNu
   int row = 0;
   for (std::size_t i = 0; i < stars.size(); ++i) {
     if (!takes_part(used, i)) continue;
-    Number x(0.0), y(0.0);
-    dual_place(camera, camera.numbers.data(), stars[i].enu, x, y);
+    PlaceWithSlopes place;
+    place_with_slopes(camera, camera.numbers.data(), free, stars[i].enu, place);
     for (std::size_t j = 0; j < free.size(); ++j) {
-      jacobian(row, static_cast<int>(j)) = x.d.t[free[j]];
-      jacobian(row + 1, static_cast<int>(j)) = y.d.t[free[j]];
+      jacobian(row, static_cast<int>(j)) = place.by_x[j];
+      jacobian(row + 1, static_cast<int>(j)) = place.by_y[j];
     }
     row += 2;
   }

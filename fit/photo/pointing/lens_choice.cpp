@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <mutex>
 
 #include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/quantile.h"
+#include "sim/base/parallel.h"
 
 namespace vegard::fit {
 namespace {
@@ -77,11 +79,22 @@ class Chooser {
       choice_.candidates.push_back(candidate);
       return;
     }
-    std::map<sim::LensModel, CameraFit> starts;
+    std::vector<LensForm> forms;
+    std::vector<sim::LensModel> models;
     for (const LensForm& form : lens_forms()) {
       if (settings_.model && form.model != *settings_.model) continue;
       if (settings_.form && words_of(form) != words_of(*settings_.form)) continue;
-      if (starts.count(form.model) == 0) starts[form.model] = start_of(form.model);
+      forms.push_back(form);
+      if (std::find(models.begin(), models.end(), form.model) == models.end()) models.push_back(form.model);
+    }
+    std::vector<CameraFit> fits(models.size());
+    sim::parallel_for(models.size(), 0, [&](std::size_t m, int) {
+      fits[m] = start_of(models[m]);
+      tell_progress(static_cast<double>(forms.size()) / static_cast<double>(models.size()));
+    });
+    std::map<sim::LensModel, CameraFit> starts;
+    for (std::size_t m = 0; m < models.size(); ++m) starts[models[m]] = fits[m];
+    for (const LensForm& form : forms) {
       LensCandidate candidate;
       candidate.form = form;
       candidate.free = free_numbers(form, settings_.centre_free);
@@ -127,9 +140,10 @@ class Chooser {
       CameraFit given;
       given.camera = *settings_.start;
       given.good = true;
-      offer(given);
-      if (given.good) return given;
+      return given;
     }
+    if (settings_.start)
+      if (const std::optional<CameraFit> fit = start_by_other_lens(model, *settings_.start)) return *fit;
     offer(starting_camera(model, false, stars_, frame_));
     offer(starting_camera(model, true, stars_, frame_));
     if (!settings_.centre_free) {
@@ -138,6 +152,33 @@ class Chooser {
       best.camera.numbers[centre_y_number] = middle.numbers[centre_y_number];
     }
     return best;
+  }
+
+  /// From where a camera with another lens looks: with the scale by which its pictures of the stars are as
+  /// large. None if it does not have nearly all stars near their places, and has to be sought.
+  std::optional<CameraFit> start_by_other_lens(sim::LensModel model, const SkyCamera& known) const {
+    constexpr double kNearTheirPlaces = 0.1;  // of the sum of stars that are nowhere near
+    SkyCamera camera = known;
+    camera.model = model;
+    for (int i = aspect_ratio_number; i < lens_numbers; ++i) camera.numbers[i] = SkyCamera().numbers[i];
+    double both = 0.0, own = 0.0;
+    for (const StarSighting& star : stars_) {
+      double x = 0.0, y = 0.0, u = 0.0, v = 0.0;
+      if (!place_of_star(known, star.enu, x, y) || !place_of_star(camera, star.enu, u, v)) continue;
+      const double from_x = known.numbers[centre_x_number], from_y = known.numbers[centre_y_number];
+      both += std::hypot(x - from_x, y - from_y) * std::hypot(u - from_x, v - from_y);
+      own += (u - from_x) * (u - from_x) + (v - from_y) * (v - from_y);
+    }
+    if (!(both > 0.0) || !(own > 0.0)) return std::nullopt;
+    camera.numbers[focal_px_number] *= both / own;
+    CameraFit fit = refined_start(camera, stars_);
+    if (!fit.good || !(truncated_sum(fit.camera, stars_) <= kNearTheirPlaces * lost_sum(stars_)))
+      return std::nullopt;
+    if (!settings_.centre_free) {
+      fit.camera.numbers[centre_x_number] = centred().numbers[centre_x_number];
+      fit.camera.numbers[centre_y_number] = centred().numbers[centre_y_number];
+    }
+    return fit;
   }
 
   /// Fits all lenses with Cauchy's loss at a scale that shrinks to the noise. Returns the best simple lens,
@@ -149,11 +190,12 @@ class Chooser {
     for (const LensCandidate& candidate : choice_.candidates)
       fewest = std::min(fewest, candidate.free.size());
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
+    std::vector<double> sigmas(choice_.candidates.size(), std::numeric_limits<double>::infinity());
+    sim::parallel_for(choice_.candidates.size(), 0, [&](std::size_t c, int) {
       LensCandidate& candidate = choice_.candidates[c];
       const int k = static_cast<int>(candidate.free.size());
       if (candidate.objection.empty()) candidate.objection = count_objection(n, k);
-      if (!candidate.objection.empty()) continue;
+      if (!candidate.objection.empty()) return;
       double sigma = 0.0;
       for (int step = 0; step < 3; ++step) {
         sigma = robust_sigma_px(residuals(candidate.fit.camera, stars_), {}, k);
@@ -162,7 +204,12 @@ class Chooser {
         candidate.fit =
             fit_camera(candidate.fit.camera, candidate.free, stars_, {}, std::max(2.0 * sigma, 1e-3));
       }
-      sigma = robust_sigma_px(residuals(candidate.fit.camera, stars_), {}, k);
+      sigmas[c] = robust_sigma_px(residuals(candidate.fit.camera, stars_), {}, k);
+      tell_progress();
+    });
+    for (std::size_t c = 0; c < choice_.candidates.size(); ++c) {
+      const double sigma = sigmas[c];
+      const int k = static_cast<int>(choice_.candidates[c].free.size());
       if (!std::isfinite(sigma)) continue;
       // Robust scales of lenses with many numbers are too small: half of the stars can be drawn to nothing.
       if (k > static_cast<int>(fewest) + 2) continue;
@@ -177,20 +224,22 @@ class Chooser {
 
   void fit_plainly() {
     const int stars = count(choice_.used), n = 2 * stars;
-    for (LensCandidate& candidate : choice_.candidates) {
-      if (candidate.objection == "no star comes out near its place") continue;
+    // Each lens by itself, so that threads share them.
+    sim::parallel_for(choice_.candidates.size(), 0, [&](std::size_t c, int) {
+      LensCandidate& candidate = choice_.candidates[c];
+      if (candidate.objection == "no star comes out near its place") return;
       const int k = static_cast<int>(candidate.free.size());
       candidate.objection = count_objection(n, k);
-      if (!candidate.objection.empty()) continue;
+      if (!candidate.objection.empty()) return;
       const CameraFit fit = fit_camera(candidate.fit.camera, candidate.free, stars_, choice_.used);
       if (!fit.good) {
         candidate.objection = "it has no image of every star";
-        continue;
+        return;
       }
       candidate.fit = fit;
       if (!are_determined(place_jacobian(candidate.fit.camera, candidate.free, stars_, choice_.used))) {
         candidate.objection = "the stars do not tell its numbers apart";
-        continue;
+        return;
       }
       candidate.rms_px = std::sqrt(candidate.fit.sum_of_squares / stars);
       candidate.without_rms_px =
@@ -198,14 +247,26 @@ class Chooser {
       candidate.bic = lens_criterion(candidate.fit.sum_of_squares, n, k);
       candidate.is_held = is_held_by_stars(stars, k, candidate.rms_px, candidate.without_rms_px);
       if (!candidate.is_held) candidate.objection = "single stars hold its numbers";
-    }
+      tell_progress();
+    });
     choice_.chosen = preferred_lens(choice_.candidates);
+  }
+
+  /// Starts, robust fits and plain fits of a lens take about as long; the last are mostly made twice.
+  void tell_progress(double lenses = 1.0) {
+    if (!settings_.progress) return;
+    const std::lock_guard<std::mutex> lock(of_progress_);
+    constexpr double kTimes = 4.0, kMost = 0.95;
+    done_ += lenses;
+    settings_.progress(std::min(kMost, done_ / (kTimes * static_cast<double>(lens_forms().size()))));
   }
 
   const LensSettings& settings_;
   const std::vector<StarSighting>& stars_;
   const Frame& frame_;
   LensChoice choice_;
+  std::mutex of_progress_;
+  double done_ = 0.0;
 };
 
 /// To every lens than which one of fewer numbers foretells stars better.
@@ -279,25 +340,34 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& 
   return sim::median(distances) / kMedianOfRayleigh * std::sqrt(static_cast<double>(n) / (n - free_numbers));
 }
 
-double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber>& free,
-                           const std::vector<StarSighting>& stars, const StarSet& used) {
+std::vector<Eigen::Vector2d> left_one_out(const SkyCamera& camera, const std::vector<LensNumber>& free,
+                                          const std::vector<StarSighting>& stars, const StarSet& used) {
   constexpr double kHeldAlone = 1e-6;  // of 1 - leverage: nothing else determines what this star determines
   Eigen::MatrixXd jacobian = place_jacobian(camera, free, stars, used);
   // An orthonormal basis of its columns has the same hat matrix, to all digits.
   for (Eigen::Index j = 0; j < jacobian.cols(); ++j) jacobian.col(j).normalize();
   const Eigen::MatrixXd basis = sim::orthonormal_columns(jacobian);
   const std::vector<Eigen::Vector2d> left = residuals(camera, stars);
-  double sum = 0.0;
+  std::vector<Eigen::Vector2d> without;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < stars.size(); ++i) {
     if (!used.empty() && used[i] == 0) continue;
     const Eigen::MatrixXd own = basis.middleRows(row, 2);
     row += 2;
     const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity() - own * own.transpose();
-    if (!(rest.determinant() > kHeldAlone)) return std::numeric_limits<double>::infinity();
-    sum += (rest.inverse() * left[i]).squaredNorm();
+    if (!(rest.determinant() > kHeldAlone)) return {};
+    without.emplace_back(rest.inverse() * left[i]);
   }
-  return std::sqrt(sum / (0.5 * static_cast<double>(row)));
+  return without;
+}
+
+double left_one_out_rms_px(const SkyCamera& camera, const std::vector<LensNumber>& free,
+                           const std::vector<StarSighting>& stars, const StarSet& used) {
+  const std::vector<Eigen::Vector2d> without = left_one_out(camera, free, stars, used);
+  if (without.empty()) return std::numeric_limits<double>::infinity();
+  double sum = 0.0;
+  for (const Eigen::Vector2d& one : without) sum += one.squaredNorm();
+  return std::sqrt(sum / static_cast<double>(without.size()));
 }
 
 StarSet stars_kept(const std::vector<Eigen::Vector2d>& left, double sigma_px) {

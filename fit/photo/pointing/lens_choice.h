@@ -25,6 +25,7 @@
 // farthest.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,7 +39,8 @@ inline constexpr double kRejectionSigmas = 5.0;
 /// The least residual for which a star is rejected, and the same for fewer stars than kManyStars.
 inline constexpr double kMinRejection_px = 0.02, kFewMin_px = 1.0;
 inline constexpr int kManyStars = 20;
-/// From the first number of stars to the second, lenses without terms are also tried with their centre in the middle of the picture.
+/// From the first number of stars to the second, lenses without terms are also tried with their centre in the
+/// middle of the picture.
 inline constexpr int kFewestStars = 5, kVeryFewStars = 7;
 /// Of fewer stars than kManyStars: how many times farther off than by the count of its numbers a star may be
 /// by a fit without it, and from how many pixels on that counts.
@@ -84,13 +86,18 @@ struct LensSettings {
   std::optional<sim::LensModel> model;  ///< only lenses of this model
   std::optional<LensForm> form;         ///< only this lens
   bool centre_free = true;              ///< false: the centre is the frame's middle, or that of `start`
-  std::optional<SkyCamera> start;       ///< where lenses of its model start; others find their own start
-  bool keeps_all = false;               ///< true: no star is left out
+  std::optional<SkyCamera> start;  ///< where lenses of its model start, and others that see the stars alike
+  std::function<void(double share)> progress;  ///< told the share of the work that is done, from any thread
+  bool keeps_all = false;                      ///< true: no star is left out
   std::vector<LensNumber> only;  ///< the free numbers of `start`, whose lens is kept; empty: choose a lens
 };
 
 LensChoice choose_lens(const LensSettings& settings, const std::vector<StarSighting>& stars,
                        const Frame& frame);
+
+/// Returns (I - H_ii)^-1 r_i of the stars in use, in their order; empty if a single star determines a number.
+std::vector<Eigen::Vector2d> left_one_out(const SkyCamera& camera, const std::vector<LensNumber>& free,
+                                          const std::vector<StarSighting>& stars, const StarSet& used);
 
 /// Returns the square root of the mean of |(I - H_ii)^-1 r_i|^2 over the stars in use; infinite if a single
 /// star determines a number.
@@ -108,8 +115,13 @@ double robust_sigma_px(const std::vector<Eigen::Vector2d>& left, const StarSet& 
 CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector<StarSighting>& stars,
                           const Frame& frame);
 
+/// Fits a start without terms by Cauchy's loss, coarsely and then finely.
+CameraFit refined_start(const SkyCamera& start, const std::vector<StarSighting>& stars);
+
 /// Returns the sum over stars of min(r^2, (a twentieth of the stars' extent)^2) in px^2, by which starts are
 /// compared.
 double truncated_sum(const SkyCamera& camera, const std::vector<StarSighting>& stars);
+/// The same of a camera that has no star near its place.
+double lost_sum(const std::vector<StarSighting>& stars);
 
 }  // namespace vegard::fit

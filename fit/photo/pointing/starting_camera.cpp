@@ -117,6 +117,19 @@ double truncated_sum(const SkyCamera& camera, const std::vector<StarSighting>& s
   return truncated_sum(camera, stars, kTruncation * extent_px(stars), 1e300);
 }
 
+double lost_sum(const std::vector<StarSighting>& stars) {
+  const double cut_px = kTruncation * extent_px(stars);
+  return static_cast<double>(stars.size()) * cut_px * cut_px;
+}
+
+CameraFit refined_start(const SkyCamera& start, const std::vector<StarSighting>& stars) {
+  const std::vector<LensNumber> free = {turn_about_right, turn_about_down, turn_about_forward,
+                                        focal_px_number,  centre_x_number, centre_y_number};
+  const double extent = extent_px(stars);
+  const CameraFit coarse = fit_camera(start, free, stars, {}, kStartCoarse * extent);
+  return fit_camera(coarse.camera, free, stars, {}, 0.25 * kStartCoarse * extent);
+}
+
 CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector<StarSighting>& stars,
                           const Frame& frame) {
   CameraFit best;
@@ -149,12 +162,9 @@ CameraFit starting_camera(sim::LensModel model, bool mirrored, const std::vector
         }
       }
   }
-  const std::vector<LensNumber> free = {turn_about_right, turn_about_down, turn_about_forward,
-                                        focal_px_number,  centre_x_number, centre_y_number};
   double least = 1e300;
   for (const Start& start : starts) {
-    CameraFit fit = fit_camera(start.camera, free, stars, {}, kStartCoarse * extent);
-    fit = fit_camera(fit.camera, free, stars, {}, 0.25 * kStartCoarse * extent);
+    const CameraFit fit = refined_start(start.camera, stars);
     const double sum = truncated_sum(fit.camera, stars, cut_px, 1e300);
     if (fit.good && sum < least) {
       least = sum;

@@ -138,6 +138,7 @@ AsterismIndex::AsterismIndex(const std::vector<Eigen::Vector3d>& stars) {
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
   asterisms_.resize(all.size());
   for (const Asterism& one : all) asterisms_[next[number_of(cell_of(one.code))]++] = one;
+  for (const Asterism& one : asterisms_) sizes_rad_.push_back(one.size_rad);
 }
 
 std::array<int, 4> AsterismIndex::cell_of(const std::array<double, 4>& code) {
@@ -163,21 +164,22 @@ void AsterismIndex::find(const Asterism& like, double tolerance, double size_fac
     high[i] += tolerance;
   }
   const std::array<int, 4> from = cell_of(low), to = cell_of(high);
+  const double largest = like.size_rad * size_factor;
   std::array<int, 4> cell{};
   for (cell[0] = from[0]; cell[0] <= to[0]; ++cell[0])
     for (cell[1] = from[1]; cell[1] <= to[1]; ++cell[1])
-      for (cell[2] = from[2]; cell[2] <= to[2]; ++cell[2])
-        for (cell[3] = from[3]; cell[3] <= to[3]; ++cell[3]) {
-          const std::size_t number = number_of(cell);
-          for (std::uint32_t i = begin_[number]; i < begin_[number + 1]; ++i) {
-            const Asterism& one = asterisms_[i];
-            if (one.size_rad > like.size_rad * size_factor || like.size_rad > one.size_rad * size_factor)
-              continue;
-            double square = 0.0;
-            for (int k = 0; k < 4; ++k) square += (one.code[k] - like.code[k]) * (one.code[k] - like.code[k]);
-            if (square <= tolerance * tolerance) found.push_back(&one);
-          }
+      for (cell[2] = from[2]; cell[2] <= to[2]; ++cell[2]) {
+        // Cells that are neighbours by the last number stand one behind another.
+        cell[3] = from[3];
+        const std::size_t first = number_of(cell), last = first + static_cast<std::size_t>(to[3] - from[3]);
+        for (std::uint32_t i = begin_[first]; i < begin_[last + 1]; ++i) {
+          if (sizes_rad_[i] > largest || like.size_rad > sizes_rad_[i] * size_factor) continue;
+          const Asterism& one = asterisms_[i];
+          double square = 0.0;
+          for (int k = 0; k < 4; ++k) square += (one.code[k] - like.code[k]) * (one.code[k] - like.code[k]);
+          if (square <= tolerance * tolerance) found.push_back(&one);
         }
+      }
 }
 
 const AsterismIndex& bright_star_asterisms() {

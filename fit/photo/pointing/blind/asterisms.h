@@ -59,6 +59,7 @@ class AsterismIndex {
   static std::array<int, 4> cell_of(const std::array<double, 4>& code);
   static std::size_t number_of(const std::array<int, 4>& cell);
   std::vector<Asterism> asterisms_;   // in the order of their cells
+  std::vector<double> sizes_rad_;     // of each: most are told apart by it, without the rest
   std::vector<std::uint32_t> begin_;  // of each cell
 };
 
