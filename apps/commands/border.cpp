@@ -11,6 +11,7 @@
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/progress_bar.h"
 #include "fit/measurement/sky_light.h"
 #include "fit/photo/photo.h"
 #include "fit/report/border/border_run.h"
@@ -46,8 +47,8 @@ int run_border(const BorderRequest& options, const std::string& command) {
   facts.command = command;
   facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.decoding = photos.front().decoding;
-  const fit::Border border =
-      fit::traced_border(scene, photos.front(), settings, options.out, options.overwrite, facts, said());
+  const fit::Border border = fit::traced_border(scene, photos.front(), settings, options.out,
+                                                options.overwrite, facts, said_with_progress());
   answer_with(sim::input_bytes(options.out + "/border.json", "a border"));
   json_answer()["report"] = options.out + "/report.html";
   return border.measured > 0 ? good : doubted;

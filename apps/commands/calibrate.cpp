@@ -15,6 +15,7 @@
 #include "apps/options/site_words.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/measurement/camera_calibration.h"
 #include "fit/measurement/same_lens_calibration.h"
@@ -193,7 +194,7 @@ int run_calibrate(CalibrateOptions options) {
   sim::WholeFiles outputs({request.output, options.residuals, options.json, options.plot, options.overlay,
                            options.stars_out, options.axy_out, request.corr_out},
                           options.overwrite);
-  const fit::CameraCalibration found = fit::calibrate_camera(request, said());
+  const fit::CameraCalibration found = fit::calibrate_camera(request, said_with_progress());
   // All is made before anything gets its name.
   if (!options.axy_out.empty())
     outputs.write(options.axy_out, fit::encode_star_list(found.points, found.frame, options.axy_out));

@@ -12,6 +12,7 @@
 #include "apps/options/photo_options.h"
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/measurement/mask.h"
 #include "fit/photo/photo.h"
@@ -118,7 +119,7 @@ void run_mask(MaskOptions options) {
   check_outputs(options);
   check_numbers(options.request);
   const fit::Photo photo = fit::read_photo(options.image, decoding_of(options.decoding, "auto"));
-  const fit::Mask mask = fit::make_mask(photo, options.request);
+  const fit::Mask mask = fit::make_mask(photo, options.request, said_with_progress());
   const std::string picture = fit::mask_png(mask.left_out);
   const std::string shown = options.show.empty() ? "" : fit::shown_mask_png(photo, mask.parts);
   // All places are claimed before any is filled.

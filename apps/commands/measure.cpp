@@ -21,7 +21,7 @@ int run_measure(fit::MeasureRequest request, const std::string& at, const std::v
   request.photo = picture_at(request.photo, at);
   if (!site.empty()) request.site = site_place(site);
   end_at_once_when_interrupted();
-  const fit::Measurement found = fit::measure(request, {said(), [](fit::MapOptions& map) {
+  const fit::Measurement found = fit::measure(request, {said_with_progress(), [](fit::MapOptions& map) {
                                                           map.stop = &watch_for_interrupt();
                                                           map.progress = map_progress();
                                                         }});

@@ -139,4 +139,44 @@ void ProgressBar::finish() {
   shown_ = false;
 }
 
+namespace {
+
+/// The bar of the work that goes on; none between two.
+class WorkBar {
+ public:
+  void update(const std::string& work, double share) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (work != work_) {
+      bar_.emplace(work);
+      work_ = work;
+    }
+    if (bar_) bar_->update(share);
+    if (share < 1.0) return;
+    bar_.reset();
+    work_.clear();
+  }
+  void erase() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (bar_) bar_->finish();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string work_;
+  std::optional<ProgressBar> bar_;
+};
+
+}  // namespace
+
+fit::Tell said_with_progress() {
+  const auto bar = std::make_shared<WorkBar>();
+  const fit::Tell say_lines = said();
+  return fit::Tell(
+      [bar, say_lines](const std::string& line, fit::Tell::Tone tone) {
+        bar->erase();
+        say_lines(line, tone);
+      },
+      [bar](const std::string& work, double share) { bar->update(work, share); });
+}
+
 }  // namespace vegard::apps

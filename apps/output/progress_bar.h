@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "fit/measurement/words.h"
+
 namespace vegard::apps {
 
 /// The state of work at some time after its start. Work that continues where another process stopped begins
@@ -60,6 +62,9 @@ class ProgressBar {
 /// Returns what a map tells its progress to (fit/map/map_fit.h): a bar on a terminal, elsewhere one line a
 /// stage. The bar goes with the last copy.
 std::function<void(const std::string& stage, double chi2_per_value, double share)> map_progress();
+
+/// Returns said() with a bar for each long work that is followed, on a terminal; lines erase it.
+fit::Tell said_with_progress();
 
 /// "4 s", "3 min 20 s", "2 h 5 min".
 std::string duration_text(double seconds);

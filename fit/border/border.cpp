@@ -70,7 +70,11 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
         .expected("a site below 95 km")
         .hint("vegard profile measures pictures from orbit");
   Border border;
+  const auto tell = [&](double share) {
+    if (settings.progress) settings.progress(share);
+  };
   border.cells = sky_cells(photo, scene.camera, settings);
+  tell(0.2);
   bridge_holes(border.cells);
   const SkyCells& cells = border.cells;
   std::optional<std::vector<BorderTrace>> traces = judged_traces(cells, photo, scene, settings);
@@ -81,6 +85,7 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
     return border;
   }
   border.traces = std::move(*traces);
+  tell(0.4);
   add_high_borders(border.traces, photo, scene, settings);
   const auto is_measured = [&](const BorderTrace& trace) {
     return trace.measured * cells.azimuth_step_deg >= settings.min_length_deg;

@@ -37,6 +37,8 @@ namespace vegard::fit {
 namespace {
 
 constexpr int kLensesShown = 8;
+constexpr const char* kFittingWork = "choosing the lens";
+constexpr const char* kDeeperWork = "choosing the lens with fainter stars";
 
 std::string name_without_folder(const std::string& path) {
   return std::filesystem::path(path).filename().string();
@@ -467,7 +469,10 @@ void CameraCalibrator::recognise_blindly() {
   RecognitionSettings known;
   if (found_.sky.julian_date && found_.sky.observer)
     known.zenith = zenith_of(*found_.sky.observer, *found_.sky.julian_date);
+  const std::string work = "recognising stars";
+  known.progress = tell_.progress_of(work);
   blind.picture = recognise_picture(found_.photo->linear, finder(), usable(), known);
+  tell_.progress(work, 1.0);
   tell_(words_of(blind.picture.recognition));
   if (!blind.picture.recognition.found) return;
   std::optional<Circle> circle;
@@ -620,6 +625,7 @@ void CameraCalibrator::refuse_hours() const {
 
 void CameraCalibrator::fit_camera() {
   const std::string& from = request_.source();
+  settings_.progress = tell_.progress_of(kFittingWork);
   try {
     found_.calibration = maps_ ? calibrate_maps(settings_, maps_->map, from) : fitted(stars_);
   } catch (const sim::Error&) {
@@ -627,6 +633,7 @@ void CameraCalibrator::fit_camera() {
     throw;
   }
   if (by_table_) refuse_hours();
+  tell_.progress(kFittingWork, 1.0);
   if (found_.photo && !by_table_ && !maps_ && !listed_ && !request_.faintest) deepen(from);
   if (found_.sky.observer)
     found_.calibration->horizon_elevation_deg = sim::horizon_elevation_deg(*found_.sky.observer);
@@ -665,7 +672,9 @@ void CameraCalibrator::deepen(const std::string& from) {
   if (added == 0) return;
   LensSettings settings = settings_;
   if (!settings.start) settings.start = before.camera;
+  settings.progress = tell_.progress_of(kDeeperWork);
   Calibration again = calibrate(settings, deeper, found_.frame, from);
+  tell_.progress(kDeeperWork, 1.0);
   tell_(fmt::format("{} fainter stars, to magnitude {:.1f}, are where they should be", added,
                     deeper.back().magnitude));
   stars_ = std::move(deeper);

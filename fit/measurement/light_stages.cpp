@@ -86,7 +86,7 @@ bool mask_for_map(MeasureRun& run, MeasureStage& stage) {
     mask.drawn.push_back(run.sky_mask);
   }
   return run.run_stage(stage, run.with_common(words), [&](const Tell& tell) {
-    const Mask made = make_mask(read_photo(run.request.photo, run.decoding()), mask);
+    const Mask made = make_mask(read_photo(run.request.photo, run.decoding()), mask, tell);
     run.write("mask.png", mask_png(made.left_out));
     tell_mask(made, false, tell);
   });

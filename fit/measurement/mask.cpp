@@ -13,22 +13,31 @@ namespace {
 /// Adds to the parts and notes of one photograph.
 class MaskFinder {
  public:
-  MaskFinder(const Photo& photo, const MaskRequest& request)
-      : photo_(photo), request_(request), width_(photo.linear.width), height_(photo.linear.height) {}
+  MaskFinder(const Photo& photo, const MaskRequest& request, const Tell& tell)
+      : photo_(photo),
+        request_(request),
+        tell_(tell),
+        width_(photo.linear.width),
+        height_(photo.linear.height) {}
 
   Mask found() {
     result_.photo = photo_.file_name;
     result_.decoding = photo_.decoding;
+    const std::string work = "masking";
     drawn();
     polygons();
+    tell_.progress(work, 0.1);
     if (request_.finds_circle || request_.circle) circle();
     if (request_.finds_skyline || !request_.horizon.empty()) horizon();
+    tell_.progress(work, 0.5);
     if (request_.text) text();
+    tell_.progress(work, 0.7);
     if (request_.saturated)
       part("saturated", "red", {255, 0, 0}, saturated_pixels(photo_, request_.saturation));
     if (request_.hot) part("hot or dead", "white", {255, 255, 255}, hot_pixels(photo_, request_.hot_pixels));
     if (request_.stars) stars();
     result_.left_out = left_out(result_.parts, width_, height_);
+    tell_.progress(work, 1.0);
     if (result_.used_px() == 0) throw nothing_left();
     return std::move(result_);
   }
@@ -111,6 +120,7 @@ class MaskFinder {
 
   const Photo& photo_;
   const MaskRequest& request_;
+  const Tell& tell_;
   const int width_, height_;
   Mask result_;
 };
@@ -138,7 +148,9 @@ bool MaskRequest::empty() const {
          !text && !saturated && !hot && !stars;
 }
 
-Mask make_mask(const Photo& photo, const MaskRequest& request) { return MaskFinder(photo, request).found(); }
+Mask make_mask(const Photo& photo, const MaskRequest& request, const Tell& tell) {
+  return MaskFinder(photo, request, tell).found();
+}
 
 std::string words_of(const CircleFound& found) {
   const Circle& circle = found.circle;

@@ -46,8 +46,8 @@ struct Mask {
 };
 
 /// Throws Error(usage) for a part that is not found and a mask that leaves no pixel, Error(unreadable_input)
-/// for a drawn file that is no mask.
-Mask make_mask(const Photo& photo, const MaskRequest& request);
+/// for a drawn file that is no mask. `tell` is told how far it is, not what was found.
+Mask make_mask(const Photo& photo, const MaskRequest& request, const Tell& tell = {});
 
 /// "circle: centre 192.0, 192.0, radius 180.1 px; ..." and "horizon: contrast 0.80 ...".
 std::string words_of(const CircleFound& found);

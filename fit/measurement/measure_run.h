@@ -43,10 +43,12 @@ class MeasureRun {
   template <class Work>
   bool run_stage(MeasureStage& stage, const Words& words, const Work& work) const {
     show_command(stage, words);
-    const Tell tell([&](const std::string& line, Tell::Tone tone) {
-      stage.words += sim::shown_text(line) + "\n";
-      follower.tell(line, tone);
-    });
+    const Tell tell(
+        [&](const std::string& line, Tell::Tone tone) {
+          stage.words += sim::shown_text(line) + "\n";
+          follower.tell(line, tone);
+        },
+        [&](const std::string& what, double share) { follower.tell.progress(what, share); });
     try {
       work(tell);
     } catch (const sim::Error& error) {

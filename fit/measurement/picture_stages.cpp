@@ -40,7 +40,7 @@ bool mask_sky(MeasureRun& run, MeasureStage& stage, const MeasureRun::Words& fin
   if (mask.text) words.push_back("--text");
   return run.run_stage(stage, run.with_common(words), [&](const Tell& tell) {
     const Photo photo = read_photo(run.request.photo, run.decoding());
-    Mask made = make_mask(photo, mask);
+    Mask made = make_mask(photo, mask, tell);
     run.write("sky.png", mask_png(made.left_out));
     if (made.skyline) run.write("horizon.csv", horizon_csv(made.skyline->horizon, photo.file_name));
     tell_mask(made, false, tell);

@@ -28,8 +28,12 @@ std::vector<PhotoFact> take_from_photograph(sim::Scene& scene, const std::string
 Border traced_border(const sim::Scene& scene, const Photo& photo, const BorderSettings& settings,
                      const std::string& directory, bool overwrite, const BorderRunFacts& facts,
                      const Tell& tell) {
-  Border border = sim::placing_errors(scene, [&] { return trace_border(photo, scene, settings); });
+  BorderSettings followed = settings;
+  const std::string work = "tracing borders";
+  followed.progress = tell.progress_of(work);
+  Border border = sim::placing_errors(scene, [&] { return trace_border(photo, scene, followed); });
   write_border_run(directory, overwrite, border, photo, scene, facts);
+  tell.progress(work, 1.0);
   for (std::size_t t = 0; t < border.traces.size(); ++t)
     if (border.traces[t].is_claimed() && border.traces[t].measured > 0)
       tell(border_sentence(border, t, scene));

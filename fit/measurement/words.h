@@ -15,11 +15,23 @@ class Tell {
   enum class Tone { plain, doubtful };
   using Hear = std::function<void(const std::string& line, Tone tone)>;
 
+  /// Of work that takes long: what it is, and how much of it is done, 0 to 1. Any thread may call it.
+  using Follow = std::function<void(const std::string& work, double share)>;
+
   Tell() = default;  ///< nobody hears
-  explicit Tell(Hear hear) : hear_(std::move(hear)) {}
+  explicit Tell(Hear hear, Follow follow = {}) : hear_(std::move(hear)), follow_(std::move(follow)) {}
 
   void operator()(const std::string& line, Tone tone = Tone::plain) const {
     if (hear_) hear_(line, tone);
+  }
+
+  void progress(const std::string& work, double share) const {
+    if (follow_) follow_(work, share);
+  }
+  /// The same as a function of the share alone.
+  std::function<void(double)> progress_of(const std::string& work) const {
+    if (!follow_) return {};
+    return [follow = follow_, work](double share) { follow(work, share); };
   }
 
   /// A text of whole lines.
@@ -30,6 +42,7 @@ class Tell {
 
  private:
   Hear hear_;
+  Follow follow_;
 };
 
 /// An error about the option `key` of the stage's command.

@@ -80,6 +80,7 @@ class Search {
         frame_(frame),
         pixels_(settings.pixels),
         zenith_(settings.zenith),
+        progress_(settings.progress),
         cells_(points, frame, points.size()),
         has_best_(has_best) {
     for (const StarSighting& star : equatorial_sky())
@@ -92,7 +93,11 @@ class Search {
            StarRecognition& answer) {
     std::vector<AsterismMembers> before;
     std::size_t last = 0;
+    // What a level takes grows with the square of its points.
+    constexpr double kMostPoints = 135.0;
     for (const std::size_t first : {8u, 12u, 18u, 27u, 40u, 60u, 90u, 135u}) {
+      const double share = static_cast<double>(last) / kMostPoints;
+      if (progress_) progress_(share * share);
       const std::size_t n = std::min({first, points_.size(), max_points});
       if (n == last) break;
       last = n;
@@ -271,6 +276,7 @@ class Search {
   const Frame& frame_;
   const SkyPixels& pixels_;
   const std::optional<Eigen::Vector3d>& zenith_;
+  const std::function<void(double)>& progress_;
   PointCells cells_;
   std::vector<CameraHit> grown_hits_;
   std::vector<Eigen::Vector3d> stars_, places_;
@@ -341,11 +347,16 @@ StarRecognition empty_answer(const std::vector<FoundStar>& points, const Frame& 
 /// With the lens's centre off the middle; `answer` is that of the middle, whose cameras count as tried.
 void search_off_centre(const Frame& frame, const RecognitionSettings& settings, StarRecognition& answer) {
   if (answer.found || answer.points.size() < 5) return;
-  star_recognition::Search search(answer.points, frame, settings, true);
+  RecognitionSettings quiet = settings;
+  quiet.progress = {};
+  star_recognition::Search search(answer.points, frame, quiet, true);
   const double w = frame.width_px, h = frame.height_px;
+  constexpr double kPlaces = 8.0;
+  double places = 0.0;
   for (const double right : {-0.35, 0.0, 0.35})
     for (const double down : {-0.35, 0.0, 0.35}) {
       if (answer.found || (right == 0.0 && down == 0.0)) continue;
+      if (settings.progress) settings.progress(places++ / kPlaces);
       answer.found =
           search.run((0.5 + right) * w, (0.5 + down) * h, kOffCentrePoints, kGrownOffCentre, answer);
     }
@@ -418,7 +429,9 @@ PictureStars recognise_picture(const sim::Image& linear, const StarFinderSetting
   std::stable_sort(scales.begin(), scales.end(), [&](int a, int b) {
     return (longest / a > kWidestFirst_px) < (longest / b > kWidestFirst_px);
   });
+  constexpr double kAtMiddle = 0.6;  // of the whole search's time
   RecognitionSettings one = settings;
+  one.progress = {};
   one.off_centre = false;
   if (!usable.empty()) one.pixels = SkyPixels(usable);
   PictureStars best, at_first_scale;
@@ -426,6 +439,11 @@ PictureStars recognise_picture(const sim::Image& linear, const StarFinderSetting
     PictureStars now;
     now.smaller = scales[i];
     now.found = points_of_smaller(linear, finder, usable, scales[i]);
+    const std::size_t searches = std::min<std::size_t>(3, scales.size());
+    if (settings.progress)
+      one.progress = [&](double share) {
+        settings.progress(kAtMiddle * (static_cast<double>(i) + share) / static_cast<double>(searches));
+      };
     now.recognition = recognise_stars(now.found, frame, one);
     if (i == 0) at_first_scale = now;
     if (i == 0 || now.recognition.best.agreement.log10_false < best.recognition.best.agreement.log10_false)
@@ -434,6 +452,8 @@ PictureStars recognise_picture(const sim::Image& linear, const StarFinderSetting
   }
   // Crops off the centre take long: only when the plain ones have failed at all scales, and at the first.
   if (!settings.off_centre) return best;
+  if (settings.progress)
+    one.progress = [&](double share) { settings.progress(kAtMiddle + (1.0 - kAtMiddle) * share); };
   search_off_centre(frame, one, at_first_scale.recognition);
   const bool is_better =
       at_first_scale.recognition.best.agreement.log10_false < best.recognition.best.agreement.log10_false;

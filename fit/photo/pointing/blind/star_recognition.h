@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct RecognitionSettings {
   /// The observer's zenith in the axes of equatorial_sky(), if time and place are known: what is not found
   /// under the whole sky is looked for among the stars above the horizon, also by pairs (pair_search.h).
   std::optional<Eigen::Vector3d> zenith;
+  /// Told the share of the longest search that is done, 0 to 1: most end earlier.
+  std::function<void(double share)> progress;
 };
 
 struct StarRecognition {
