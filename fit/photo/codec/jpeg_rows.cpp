@@ -29,13 +29,22 @@ struct JpegRows::Decoder {
     constexpr int kWarning = -1;
     if (level != kWarning) return;
     auto* const decoder = static_cast<Decoder*>(info->client_data);
-    for (const int code : {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE, JWRN_MUST_RESYNC})
+    for (const int code :
+         {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE, JWRN_MUST_RESYNC, JWRN_BOGUS_PROGRESSION})
       if (info->err->msg_code == code) decoder->damaged = true;
     // Where bytes are missing, the rest is read as other pixels, and some of it is left over. Writers fill up
-    // to a word of eight bytes.
+    // to a word of eight bytes, with zeros or ones.
     constexpr int kFilling = 8;
-    if (info->err->msg_code == JWRN_EXTRANEOUS_DATA && info->err->msg_parm.i[0] > kFilling)
+    if (info->err->msg_code == JWRN_EXTRANEOUS_DATA &&
+        (info->err->msg_parm.i[0] > kFilling || !decoder->is_filled(info->err->msg_parm.i[0])))
       decoder->damaged = true;
+  }
+
+  /// Whether nothing but filling is in the last bytes before the marker, which is read next.
+  bool is_filled(int bytes) const {
+    for (int i = 1; i <= bytes; ++i)
+      if (const int byte = *(info.src->next_input_byte - i); byte != 0x00 && byte != 0xff) return false;
+    return true;
   }
 
   /// False where libjpeg has given up.

@@ -295,5 +295,18 @@ TEST(BadPictureFiles, AJpegWithBytesMissingIsRefused) {
   }
 }
 
+// What is left over behind the last block is filling, or belongs to a picture of which bytes are missing.
+TEST(BadPictureFiles, AJpegWithDataLeftOverIsRefused) {
+  const tests::TemporaryFolder folder;
+  const std::string whole = tests::bytes_of(tests::source_folder() + "/data/examples/h000/photo.jpg");
+  const std::size_t end = whole.size() - 2;
+  const auto with = [&](const std::string& left_over) {
+    tests::put(folder / "left.jpg", whole.substr(0, end) + left_over + whole.substr(end));
+    return read_photo(folder / "left.jpg", Decoding::automatic).linear.data;
+  };
+  EXPECT_EQ(with(std::string(5, '\0')), with(""));
+  tests::expect_error(sim::ErrorKind::unreadable_input, [&] { with("\x45\x12\x33\x45\x12\x33\x01\x02"); });
+}
+
 }  // namespace
 }  // namespace vegard::fit::bad_picture_files_test
