@@ -33,7 +33,7 @@ LongitudeLatitude place_of(const Vector& v) {
           std::atan2(v[2], std::hypot(v[0], v[1])) / sim::kRadiansPerDegree};
 }
 
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double scalar_product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Unit vectors of the dipole's frame: z to its pole, y at right angles to both poles.
 std::array<Vector, 3> dipole_axes() {
@@ -127,7 +127,7 @@ LongitudeLatitude in_frame(EarthFrame frame, LongitudeLatitude geographic) {
     return {sim::wrapped_longitude_deg(geographic.longitude_deg), geographic.latitude_deg};
   const Vector r = unit_vector(geographic);
   const std::array<Vector, 3> axes = dipole_axes();
-  const LongitudeLatitude place = place_of({dot(r, axes[0]), dot(r, axes[1]), dot(r, axes[2])});
+  const LongitudeLatitude place = place_of({scalar_product(r, axes[0]), scalar_product(r, axes[1]), scalar_product(r, axes[2])});
   return {from_zero(place.longitude_deg), place.latitude_deg};
 }
 

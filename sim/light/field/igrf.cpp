@@ -8,13 +8,13 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/wgs84.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kYearsBetween = 5.0;
 constexpr double kReferenceRadiusKm = 6371.2;
-constexpr double kEquatorKm = 6378.137, kFlattening = 1.0 / 298.257223563;
 
 const CsvTable& igrf_table() {
   static const CsvTable table = embedded_csv_table("igrf14.csv");
@@ -85,10 +85,9 @@ FieldVector Igrf::on_sphere(double sin_latitude, double cos_latitude, double lon
 FieldVector Igrf::at(double latitude_deg, double longitude_deg, double altitude_km) const {
   const double latitude = latitude_deg * kRadiansPerDegree;
   const double s = std::sin(latitude), c = std::cos(latitude);
-  const double eccentricity2 = kFlattening * (2.0 - kFlattening);
-  const double normal_km = kEquatorKm / std::sqrt(1.0 - eccentricity2 * s * s);
+  const double normal_km = wgs84_normal_km(s);
   const double out_km = (normal_km + altitude_km) * c,
-               up_km = (normal_km * (1.0 - eccentricity2) + altitude_km) * s;
+               up_km = (normal_km * (1.0 - kWgs84SquareEccentricity) + altitude_km) * s;
   const double radius = std::hypot(out_km, up_km);
   const double sin_centric = up_km / radius, cos_centric = std::max(0.0, out_km / radius);
   const FieldVector on = on_sphere(sin_centric, cos_centric, longitude_deg * kRadiansPerDegree, radius);
