@@ -13,7 +13,7 @@ using AddCommand = void(Program& program);
 AddCommand add_measure_command, add_fit_command, add_compare_command, add_map_command, add_border_command,
     add_profile_command, add_keogram_command, add_sequence_command, add_survey_command;
 AddCommand add_describe_command, add_calibrate_command, add_horizon_command, add_directions_command,
-    add_mask_command, add_linearise_command, add_photometry_command;
+    add_mask_command, add_linearise_command, add_photometry_command, add_triangulate_command;
 AddCommand add_render_command, add_animate_command, add_preview_command, add_brightness_command,
     add_points_command, add_volume_command, add_grid_command, add_slices_command, add_sdf_command;
 AddCommand add_studio_command;
@@ -31,11 +31,12 @@ struct CommandGroup {
 inline std::vector<CommandGroup> command_groups() {
   return {
       {"From a photograph to numbers",
-       {add_studio_command, add_measure_command, add_fit_command, add_compare_command, add_map_command, add_border_command,
-        add_profile_command, add_keogram_command, add_sequence_command, add_survey_command}},
+       {add_studio_command, add_measure_command, add_fit_command, add_compare_command, add_map_command,
+        add_border_command, add_profile_command, add_keogram_command, add_sequence_command,
+        add_survey_command}},
       {"Cameras and pictures",
        {add_describe_command, add_calibrate_command, add_horizon_command, add_directions_command,
-        add_mask_command, add_linearise_command, add_photometry_command}},
+        add_mask_command, add_linearise_command, add_photometry_command, add_triangulate_command}},
       {"Render a scene",
        {add_render_command, add_animate_command, add_preview_command, add_brightness_command,
         add_points_command, add_volume_command, add_grid_command, add_slices_command, add_sdf_command}},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -12,11 +13,9 @@
 namespace vegard::fit {
 namespace {
 
-/// By how much heights differ along a border, beside their errors (ESTIMATED: lower borders vary by some
-/// kilometres along an arc, Störmer 1955, "The polar aurora").
-constexpr double kHeightsAlongBorder_km = 5.0;
 constexpr double kLongestStep = 3.0;  ///< of a branch along the second curve, in its points
 constexpr double kLeastCrossing_deg = 2.0;
+constexpr double kLeastBranch = 0.01;  ///< weight of a branch that is told
 
 PixelPoint between(const PictureCurve& curve, double along) {
   const std::size_t last = curve.points.size() - 2;
@@ -101,42 +100,111 @@ std::size_t set_branches(std::vector<CurveMatch>& matches) {
 /// curve's points without a match: each costs as much as a height off by two standard deviations.
 double badness(const std::vector<const TriangulatedPoint*>& points, double mean_km, std::size_t vertices) {
   double sum = 4.0 * static_cast<double>(vertices - std::min(vertices, points.size()));
+  // A point beyond chance costs as much as one without a match and a little: it may be a fault of the trace.
   for (const TriangulatedPoint* point : points)
-    sum += std::pow(point->place.height_km - mean_km, 2) /
-           (std::pow(point->height_error_km, 2) + std::pow(kHeightsAlongBorder_km, 2));
+    sum += std::min(5.0, std::pow(point->place.height_km - mean_km, 2) /
+                             (std::pow(point->height_error_km, 2) + std::pow(kHeightsAlongBorder_km, 2)));
   return sum;
 }
 
-/// Sorts the branches and numbers the matches anew.
+/// ChainNumbers of one border: the numbers of chains that share no vertex.
+using ChainNumbers = std::vector<std::size_t>;
+
+/// Joins chains that share no vertex while that makes all of them together more probable, from each chain on.
+/// Returns sorted pieces without repetition.
+std::vector<ChainNumbers> joined_chains(const std::vector<std::vector<const CurveMatch*>>& chains,
+                                        const std::vector<ViewPoint>& cameras, std::size_t vertices,
+                                        double drift_km_s) {
+  const auto points_of = [&](const ChainNumbers& pieces) {
+    std::vector<const TriangulatedPoint*> points;
+    for (const std::size_t chain : pieces)
+      for (const CurveMatch* match : chains[chain]) points.push_back(&match->point);
+    return points;
+  };
+  const auto badness_of = [&](const ChainNumbers& pieces) {
+    const auto points = points_of(pieces);
+    return badness(points, mean_height(cameras, points, drift_km_s).km, vertices);
+  };
+  const auto is_apart = [&](std::size_t chain, const ChainNumbers& pieces) {
+    for (const std::size_t other : pieces)
+      for (const CurveMatch* a : chains[chain])
+        for (const CurveMatch* b : chains[other])
+          if (a->vertex == b->vertex) return false;
+    return true;
+  };
+  std::vector<ChainNumbers> all;
+  for (std::size_t seed = 0; seed < chains.size(); ++seed) {
+    ChainNumbers pieces = {seed};
+    double bad = badness_of(pieces);
+    for (;;) {
+      std::size_t best = chains.size();
+      for (std::size_t chain = 0; chain < chains.size(); ++chain) {
+        if (!is_apart(chain, pieces)) continue;
+        ChainNumbers more = pieces;
+        more.push_back(chain);
+        const double with = badness_of(more);
+        if (with >= bad) continue;
+        bad = with;
+        best = chain;
+      }
+      if (best == chains.size()) break;
+      pieces.push_back(best);
+    }
+    std::sort(pieces.begin(), pieces.end());
+    if (std::find(all.begin(), all.end(), pieces) == all.end()) all.push_back(pieces);
+  }
+  return all;
+}
+
+/// Makes branches of the chains, sorts them, and numbers the matches anew. A chain of several branches is
+/// repeated.
 void weigh_branches(MatchedCurves& found, const std::vector<ViewPoint>& cameras, std::size_t count,
                     std::size_t vertices, double drift_km_s) {
-  std::vector<std::pair<double, std::size_t>> order;
-  std::vector<CurveBranch> branches(count);
-  double least = HUGE_VAL;
-  for (std::size_t b = 0; b < count; ++b) {
+  const std::vector<CurveMatch> matches = std::move(found.matches);
+  found.matches.clear();
+  std::vector<std::vector<const CurveMatch*>> chains(count);
+  for (const CurveMatch& match : matches) chains[match.branch].push_back(&match);
+  const std::vector<ChainNumbers> all = joined_chains(chains, cameras, vertices, drift_km_s);
+  std::vector<CurveBranch> branches(all.size());
+  // Neighbouring points err together: a curve has as many independent pieces as it has tens of points.
+  const double sharpness =
+      std::max(1.0, static_cast<double>(vertices) / 10.0) / static_cast<double>(vertices);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t b = 0; b < all.size(); ++b) {
     std::vector<const TriangulatedPoint*> points;
-    for (const CurveMatch& match : found.matches)
-      if (match.branch == b) points.push_back(&match.point);
+    for (const std::size_t chain : all[b])
+      for (const CurveMatch* match : chains[chain]) points.push_back(&match->point);
     branches[b].mean = mean_height(cameras, points, drift_km_s);
     branches[b].share = static_cast<double>(points.size()) / static_cast<double>(vertices);
-    order.emplace_back(badness(points, branches[b].mean.km, vertices), b);
-    least = std::min(least, order.back().first);
+    branches[b].badness = sharpness * badness(points, branches[b].mean.km, vertices);
   }
   std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  // Neighbouring points err together: a curve has as many independent pieces as it has tens of points.
-  const double pieces = std::max(1.0, static_cast<double>(vertices) / 10.0);
-  const double sharpness = pieces / static_cast<double>(vertices);
+                   [&](std::size_t a, std::size_t b) { return branches[a].badness < branches[b].badness; });
   double sum = 0.0;
-  for (const auto& [bad, b] : order) sum += std::exp(-0.5 * sharpness * (bad - least));
-  std::vector<std::size_t> place(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [bad, b] = order[i];
-    place[b] = i;
-    found.branches.push_back(branches[b]);
-    found.branches.back().weight = std::exp(-0.5 * sharpness * (bad - least)) / sum;
+  for (const CurveBranch& branch : branches)
+    sum += std::exp(-0.5 * (branch.badness - branches[order.front()].badness));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    CurveBranch branch = branches[order[i]];
+    branch.weight = std::exp(-0.5 * (branch.badness - branches[order.front()].badness)) / sum;
+    // Ways along the curve that give the same height are one match.
+    const auto same =
+        std::find_if(found.branches.begin(), found.branches.end(), [&](const CurveBranch& other) {
+          return std::abs(other.mean.km - branch.mean.km) <
+                 std::min(other.mean.error_km, branch.mean.error_km);
+        });
+    if (same != found.branches.end()) {
+      same->weight += branch.weight;
+      continue;
+    }
+    if (i > 0 && branch.weight < kLeastBranch) continue;
+    for (const std::size_t chain : all[order[i]])
+      for (const CurveMatch* match : chains[chain]) {
+        found.matches.push_back(*match);
+        found.matches.back().branch = found.branches.size();
+      }
+    found.branches.push_back(branch);
   }
-  for (CurveMatch& match : found.matches) match.branch = place[match.branch];
   std::stable_sort(found.matches.begin(), found.matches.end(), [](const CurveMatch& a, const CurveMatch& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.branch < b.branch;
   });
@@ -187,6 +255,7 @@ MatchedCurves matched_curves(const std::vector<ViewPoint>& cameras, const Pictur
         found.matches.push_back(match);
     }
   }
+  if (found.matches.empty()) return found;
   const std::size_t count = set_branches(found.matches);
   weigh_branches(found, cameras, count, first.points.size(), drift_km_s);
   return found;

@@ -40,6 +40,8 @@ struct CurveMatch {
 struct CurveBranch {
   double weight = 0.0;  ///< of 1, among all branches of the two curves
   double share = 0.0;   ///< of the first curve's points
+  /// Minus twice the logarithm of its probability; to be compared with branches of the same first curve.
+  double badness = 0.0;
   MeanHeight mean;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 
@@ -257,14 +258,39 @@ TriangulatedPoint triangulated(const std::vector<ViewPoint>& cameras, const std:
   return point;
 }
 
+namespace {
+
+constexpr double kFarthest = 3.0;    ///< of a point from the median, in standard deviations
+constexpr double kNeighbours = 4.0;  ///< points that err together
+
+double weighted_median_km(const std::vector<const TriangulatedPoint*>& points) {
+  std::vector<std::pair<double, double>> heights;
+  double sum = 0.0;
+  for (const TriangulatedPoint* point : points) {
+    if (!point->is_given()) continue;
+    heights.emplace_back(point->place.height_km, std::pow(point->height_error_km, -2));
+    sum += heights.back().second;
+  }
+  std::sort(heights.begin(), heights.end());
+  double below = 0.0;
+  for (const auto& [height_km, weight] : heights)
+    if ((below += weight) >= 0.5 * sum) return height_km;
+  return sim::kNaN;
+}
+
+}  // namespace
+
 MeanHeight mean_height(const std::vector<ViewPoint>& cameras,
                        const std::vector<const TriangulatedPoint*>& points, double drift_km_s) {
   MeanHeight mean{0, sim::kNaN, sim::kNaN, sim::kNaN, sim::kNaN};
   double weights = 0.0, sum = 0.0, squares = 0.0, by_pixels = 0.0;
   std::vector<HeightPull> pulls(cameras.size());
   Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  const double middle_km = weighted_median_km(points);
   for (const TriangulatedPoint* point : points) {
-    if (!point->is_given()) continue;
+    if (!point->is_given() || std::abs(point->place.height_km - middle_km) >
+                                  kFarthest * std::hypot(point->height_error_km, kHeightsAlongBorder_km))
+      continue;
     const double weight = 1.0 / std::pow(point->height_error_km, 2);
     ++mean.points;
     weights += weight;
@@ -291,7 +317,8 @@ MeanHeight mean_height(const std::vector<ViewPoint>& cameras,
   }
   mean.common_error_km = std::sqrt(common);
   // The scatter may be the heights' own: it is an error of their mean as far as there are few of them.
-  const double own = std::max(by_pixels / (weights * weights), std::pow(mean.scatter_km, 2) / mean.points);
+  const double own = std::max(kNeighbours * by_pixels / (weights * weights),
+                              std::pow(mean.scatter_km, 2) * kNeighbours / (mean.points + kNeighbours));
   mean.error_km = std::sqrt(own + common);
   return mean;
 }

@@ -72,10 +72,15 @@ struct TriangulatedPoint {
 TriangulatedPoint triangulated(const std::vector<ViewPoint>& cameras, const std::vector<Sight>& sights,
                                double drift_km_s);
 
+/// By how much heights differ along a border, beside their errors (ESTIMATED: lower borders vary by some
+/// kilometres along an arc, Störmer 1955, "The polar aurora").
+inline constexpr double kHeightsAlongBorder_km = 5.0;
+
 /// A mean of heights and its standard error: that of the pixels and the scatter become less with the number
-/// of points; those of orientations and clocks do not.
+/// of points, of which four neighbours count as one; those of orientations and clocks do not. Points off the
+/// weighted median by more than three standard deviations, heights along the border included, are left out.
 struct MeanHeight {
-  int points = 0;
+  int points = 0;                                    ///< that are used
   double km, error_km, common_error_km, scatter_km;  ///< NaN without points
 };
 MeanHeight mean_height(const std::vector<ViewPoint>& cameras,

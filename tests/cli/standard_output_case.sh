@@ -51,6 +51,12 @@ refused describe a.png
 refused describe a.png -o out.toml
 refused horizon --size 600,400 --points 100,200 300,190 500,200 --hfov 53.13
 refused profile a.png -o out.csv
+for site in "69.35 20.36" "68.03 21.69"; do
+  printf '[site]\nlatitude_deg = %s\nlongitude_deg = %s\n[camera]\nmodel = "equidistant"\nwidth = 1000\nheight = 1000\nfocal_px = 300.0\nelevation_deg = 90.0\n' \
+    ${site% *} ${site#* } >"at_${site%%.*}.toml"
+done
+printf 'name,camera,x_px,y_px\nknot,1,465.5,354.3\nknot,2,358.2,680.5\n' >sights.csv
+refused triangulate sights.csv --camera at_69.toml --camera at_68.toml --pointing-error 0.1
 refused keogram a.png b.png -o out.csv
 refused directions "$small" -o out.exr
 expect_exit 0 render "$SCENES/map_light.toml" -o band.png

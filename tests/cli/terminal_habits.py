@@ -92,6 +92,9 @@ CALLS = {
     "invert": Call(
         "invert --line 427.8=2300±50 --line 557.7=12400±300 --line 630.0=330±15 -o out.json", result=True, free=r".*"
     ),
+    "triangulate": Call(
+        "triangulate sights.csv --camera a.toml --camera b.toml --pointing-error 0.1 -o out.csv", result=True, free=r".*"
+    ),
     "params": Call("params small.toml", result=True, free=r".*"),
     "bodies": Call("bodies", result=True, free=r"from: .*|400 km high"),
     "lines": Call("lines", result=True, free=r"lives .*|light: .*|doi:.*"),
@@ -149,6 +152,13 @@ def make_inputs():
         r, a = 15 * math.radians(zenith), math.radians(azimuth)
         rows.append(f"star {i},{azimuth},{zenith},{33 + r * math.sin(a):.6f},{23 + r * math.cos(a):.6f}")
     pathlib.Path("stars.csv").write_text("\n".join(rows) + "\n")
+    # What a knot 118 km high over 68.8 N 20 E is in two all-sky pictures.
+    for name, place in {"a.toml": (69.35, 20.36), "b.toml": (68.03, 21.69)}.items():
+        pathlib.Path(name).write_text(
+            f"[site]\nlatitude_deg = {place[0]}\nlongitude_deg = {place[1]}\n"
+            '[camera]\nmodel = "equidistant"\nwidth = 1000\nheight = 1000\nfocal_px = 300.0\nelevation_deg = 90.0\n'
+        )
+    pathlib.Path("sights.csv").write_text("name,camera,x_px,y_px\nknot,1,465.5,354.3\nknot,2,358.2,680.5\n")
     pathlib.Path("a.pbrt").write_text(
         'Volume "volumegrid" "integer nx" [3] "integer ny" 3 "integer nz" [2]\n'
         '  "point p0" [10 20 700] "point p1" [16 26 704]\n'

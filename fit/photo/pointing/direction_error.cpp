@@ -130,7 +130,7 @@ DirectionErrors direction_errors(const Calibration& calibration) {
 }
 
 std::string words_of(const DirectionErrors& errors) {
-  return "directions are known to " + sim::short_number(errors.typical_deg, 2) + " deg typically, to " +
+  return kDirectionsKnown + sim::short_number(errors.typical_deg, 2) + " deg typically, to " +
          sim::short_number(errors.worst_deg, 2) + " deg at (" + sim::short_number(errors.worst_x_px, 4) +
          ", " + sim::short_number(errors.worst_y_px, 4) + ") px, where it is worst" +
          (errors.opinions > 0 ? "; other lenses that fit as well: " + std::to_string(errors.opinions)

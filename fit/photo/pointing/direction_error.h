@@ -38,6 +38,9 @@ struct DirectionErrors {
 /// Returns the errors over a grid of the picture's places that look above the observer's horizon.
 DirectionErrors direction_errors(const Calibration& calibration);
 
+/// How the sentence of words_of() begins.
+inline constexpr const char* kDirectionsKnown = "directions are known to ";
+
 /// Returns "directions are known to 0.05 deg typically, to 0.4 deg at (12, 300), where it is worst".
 std::string words_of(const DirectionErrors& errors);
 

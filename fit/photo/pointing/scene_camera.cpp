@@ -1,6 +1,8 @@
 #include "fit/photo/pointing/scene_camera.h"
 
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include "fit/photo/pointing/direction_error.h"
 #include "fit/photo/pointing/held_out.h"
@@ -92,6 +94,21 @@ sim::Camera scene_camera_of(const Calibration& calibration) {
   camera.p1 = n[decentring_1_number];
   camera.p2 = n[decentring_2_number];
   return camera;
+}
+
+std::optional<double> direction_error_deg_in(std::string_view camera_toml) {
+  const std::string_view before = kDirectionsKnown, unit = " deg";
+  // Maps have errors of their own, which their points do not tell.
+  if (camera_toml.find("# A camera found from its stars") == std::string_view::npos) return std::nullopt;
+  const std::size_t at = camera_toml.find(std::string("# ") + kDirectionsKnown);
+  if (at == std::string_view::npos) return std::nullopt;
+  const char* const begin = camera_toml.data() + at + 2 + before.size();
+  double error_deg = 0.0;
+  const auto [end, problem] = std::from_chars(begin, camera_toml.data() + camera_toml.size(), error_deg);
+  const bool has_unit =
+      camera_toml.substr(static_cast<std::size_t>(end - camera_toml.data()), unit.size()) == unit;
+  if (problem != std::errc() || !has_unit || !(error_deg > 0.0)) return std::nullopt;
+  return error_deg;
 }
 
 std::string camera_toml(const Calibration& calibration, const CalibrationOrigin& origin) {

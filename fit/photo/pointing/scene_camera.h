@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/photo/pointing/calibration.h"
@@ -33,5 +34,9 @@ struct CalibrationOrigin {
 /// Returns a scene file with [camera] and, if it is known, [site], with lens, rms, error bars and version in
 /// comments.
 std::string camera_toml(const Calibration& calibration, const CalibrationOrigin& origin);
+
+/// Returns how well directions are known by the text of such a file, typically; none if it does not say, or
+/// if it is not from stars.
+std::optional<double> direction_error_deg_in(std::string_view camera_toml);
 
 }  // namespace vegard::fit

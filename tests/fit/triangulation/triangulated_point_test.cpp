@@ -148,13 +148,13 @@ Truth chance_pair(std::mt19937_64& random, double turn_deg, double clock_s, doub
   return truth;
 }
 
-// 400 pairs, seed 47: the share within one standard error is 68.3 % ± 2.3 %; three of these are allowed.
+// 300 pairs, seed 47: the share within one standard error is 68.3 % ± 2.7 %; three of these are allowed.
 TEST(TriangulatedPoint, ErrorsHoldTheTruth) {
   std::mt19937_64 random(47);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform;
   int given = 0, within = 0, curve_within = 0, curves = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < 300; ++trial) {
     const double drift_km_s = 0.5;
     const Truth truth = chance_pair(random, 0.1, 3.0, drift_km_s);
     const GeodeticPlace place{66.0 + 2.5 * uniform(random), 17.0 + 6.0 * uniform(random),
@@ -200,8 +200,8 @@ TEST(TriangulatedPoint, ErrorsHoldTheTruth) {
         curve_within += std::abs(match.point.place.height_km - place.height_km) < match.point.height_error_km;
       }
   }
-  EXPECT_GT(given, 250);
-  EXPECT_GT(curves, 200);
+  EXPECT_GT(given, 200);
+  EXPECT_GT(curves, 150);
   const double share = static_cast<double>(within) / given;
   const double of_curves = static_cast<double>(curve_within) / curves;
   EXPECT_GT(share, 0.61);
