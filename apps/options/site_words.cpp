@@ -102,13 +102,19 @@ bool is_latitude(const SiteAngle& angle) { return angle.letter == 'N' || angle.l
 
 }  // namespace
 
+namespace {
+
+const char* const kSiteWords =
+    "Site: degrees north and east (78.148,16.043 or 78.148N,16.043E), metres above the sea";
+
+}  // namespace
+
 void add_site_option(const Command& command, std::vector<std::string>& words) {
-  command
-      .option("--site", words,
-              "Site: degrees north and east (78.148,16.043 or 78.148N,16.043E), metres above the sea")
-      .delimiter(',')
-      .expected(2, 3)
-      .type_name("LAT,LON[,HEIGHT]");
+  command.option("--site", words, kSiteWords).delimiter(',').expected(2, 3).type_name("LAT,LON[,HEIGHT]");
+}
+
+void add_site_option(const Command& command, std::vector<std::vector<std::string>>& sites) {
+  command.option("--site", sites, kSiteWords).delimiter(',').expected(2, 3).type_name("LAT,LON[,HEIGHT]");
 }
 
 sim::Observer site_place(const std::vector<std::string>& words, const std::string& key) {

@@ -12,6 +12,9 @@ namespace vegard::apps {
 /// Adds --site LAT,LON[,HEIGHT]; `words` stays empty if it is not given, and must outlive the parsing.
 void add_site_option(const Command& command, std::vector<std::string>& words);
 
+/// The same for several sites, one for each occurrence.
+void add_site_option(const Command& command, std::vector<std::vector<std::string>>& sites);
+
 /// Parses two or three words. A latitude and a longitude are decimal degrees or degrees, minutes and seconds,
 /// with a sign or with one of N, S, E, W before or behind them: "78.148", "78.148N", "N78.148", "78°8'53\"N",
 /// "16.043 E". With letters the longitude may come first; it is from -180 to 360 degrees. The height is in
