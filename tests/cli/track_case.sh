@@ -47,7 +47,7 @@ refuses() {
 }
 refuses 3 "one.tle" map --tle one.tle "${day[@]}" --time 2006-06-25T21:00:00Z
 refuses 3 "days older" map --tle one.tle --times 2014-03-10T06:05:00Z/1/2014-03-10T06:06:00Z "${time[@]}"
-refuses 3 "s from the map's time" map --along track.csv --time 2014-03-10T09:00:00Z
+refuses 3 "the map's time" map --along track.csv --time 2014-03-10T09:00:00Z
 sed 's/-0.5,460/40,460/' track.csv >far.csv
 refuses 3 "far.csv" map --along far.csv "${time[@]}"
 refuses 3 "no time" map --along track.csv

@@ -183,9 +183,9 @@ TEST(SatelliteTrack, RefusesATrackOutOfView) {
   const auto along = [&](double time_s, double longitude_deg) {
     return refusal([&] { electrons_along({map}, pass(time_s, longitude_deg), {}, "a.csv"); });
   };
-  EXPECT_NE(along(kMapTime_s, -130.0).find("outside of the map"), std::string::npos);
+  EXPECT_NE(along(kMapTime_s, -130.0).find("outside"), std::string::npos);
   EXPECT_NE(along(kMapTime_s, 40.0).find("a.csv"), std::string::npos);
-  EXPECT_NE(along(kMapTime_s + 3600.0, -147.4).find("s from the map's time"), std::string::npos);
+  EXPECT_NE(along(kMapTime_s + 3600.0, -147.4).find("the map's time"), std::string::npos);
 }
 
 TEST(SatelliteTrack, ReadsTables) {
