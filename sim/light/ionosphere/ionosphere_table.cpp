@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kEnergyStep = 0.35, kFluxStep = 1.2;  // of logarithms, at most
 constexpr std::size_t kNodesOfCubic = 4;
-constexpr double kCoarseEnergyStep = 1.3, kCoarseFluxStep = 3.5;
+constexpr double kCoarseEnergyStep = 2.7, kCoarseFluxStep = 6.0;
 constexpr std::size_t kStride = 2;  // of altitudes, for draws
 constexpr std::uint64_t kDrawSeed = 1;
 // For logarithms of what is not there: 1 cm^-3; S m^-1 and W m^-3 that nothing depends on.
@@ -42,15 +42,8 @@ double night_cm3(double altitude_km) {
   return night_ions(place).electrons;
 }
 
-double standard_deviation(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return std::sqrt(squares / static_cast<double>(values.size() - 1));
-}
-
-/// Half of the middle 68 % of values: a few draws whose largest density is in another layer do not count.
+/// Half of the middle 68 % of values: a draw of a few seconds since the onset, or one whose largest density
+/// is in another layer, is one of them and no more.
 double half_of_the_middle(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
@@ -168,7 +161,7 @@ void IonosphereTable::draw(const IonosphereModel& model, int draws, int threads)
   for (std::size_t node = 0; node < nodes; ++node) {
     const auto sigma_of = [&](const auto& value_of) {
       for (std::size_t d = 0; d < all; ++d) values[d] = value_of(drawn[node * all + d]);
-      return standard_deviation(values);
+      return half_of_the_middle(values);
     };
     for (std::size_t n = 0; n < kIonosphereNumbers; ++n)
       for (std::size_t a = 0; a < altitudes_km_.size(); ++a) {
@@ -182,8 +175,7 @@ void IonosphereTable::draw(const IonosphereModel& model, int draws, int threads)
     for (std::size_t c = 0; c < 2; ++c)
       sigma_.push_back(
           sigma_of([&](const Drawn& of) { return of.ln[kIonosphereNumbers * thinned.size() + c]; }));
-    for (std::size_t d = 0; d < all; ++d) values[d] = drawn[node * all + d].peak_km;
-    sigma_.push_back(half_of_the_middle(values));
+    sigma_.push_back(sigma_of([](const Drawn& of) { return of.peak_km; }));
   }
 }
 

@@ -2,8 +2,8 @@
 //
 // Nodes are even in ln(E0) and ln(Q), at most 0.35 and 1.2 apart; between them the logarithm of each number
 // is the product of cubic polynomials through four nodes a side. From 85 km up, and from a tenth of the
-// largest density on, that is within 1 % of the ionosphere itself. Standard deviations are those of draws of
-// the numbers of physics at fewer nodes, and linear between them.
+// largest density on, that is within 1 % of the ionosphere itself. Standard deviations are half of the middle
+// 68 % of draws of the numbers of physics at fewer nodes, and linear between them.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ class IonosphereTable {
   /// Fluxes below are 0 for the table: the ionosphere of a steady state goes on as its last slope does, that
   /// some time after the onset is the night's.
   static constexpr double kLeastFlux = 1e-4;
-  static constexpr int kUsualDraws = 24;
+  static constexpr int kUsualDraws = 64;
 
   /// `range`: of the electrons that will be asked for, limited to the model's energies. `draws`: 0 takes
   /// physics as exact. The numbers do not depend on `threads`. Throws nothing of its own.
