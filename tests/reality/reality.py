@@ -220,7 +220,7 @@ def main():
     if not REALITY.is_dir():
         print(f"skipped: no tables of measurements in {REALITY}")
         return 77
-    checks = Checks(sys.argv[1], "--table" in sys.argv)
+    checks = Checks(os.path.abspath(sys.argv[1]), "--table" in sys.argv)
     for check in (poker_flat_2008, poker_flat_2008_density, glow, trex_atm, trex_atm_density, poker_2023):
         check(checks)
     for what in checks.failed:
