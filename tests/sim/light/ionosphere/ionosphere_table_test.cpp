@@ -36,8 +36,9 @@ TEST(IonosphereTable, IsTheIonosphereBetweenItsNodes) {
       const std::vector<KnownNumber> density = table().profile(electrons, IonosphereNumber::electrons);
       for (std::size_t a = 0; a < density.size(); ++a) {
         const double here = direct.ions[a].electrons;
-        if (here > 0.1 * direct.peak_cm3 && table().altitudes_km()[a] >= 85.0)
+        if (here > 0.1 * direct.peak_cm3 && table().altitudes_km()[a] >= 85.0) {
           EXPECT_NEAR(density[a].value / here, 1.0, 0.01) << energy << " " << table().altitudes_km()[a];
+        }
       }
     }
 }

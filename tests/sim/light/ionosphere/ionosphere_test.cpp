@@ -62,8 +62,9 @@ TEST(Ionosphere, InAnotherAirIsThatOfTheTransportThere) {
     EXPECT_NEAR(found.pairs_cm3_s[i] / made, 1.0, 0.08) << altitude;
     EXPECT_NEAR(found.ions[i].electrons / at_altitude(run.column, electrons, altitude), 1.0, 0.08)
         << altitude;
-    if (found.ions[i].op > 0.01 * found.ions[i].electrons)
+    if (found.ions[i].op > 0.01 * found.ions[i].electrons) {
       EXPECT_NEAR(found.ions[i].op / at_altitude(run.column, op, altitude), 0.85, 0.15) << altitude;
+    }
   }
   EXPECT_NEAR(found.deposited_mw_m2() / (run.rates.budget.deposited_ev() / kEvPerErg), 1.0, 0.05);
 }
@@ -71,7 +72,9 @@ TEST(Ionosphere, InAnotherAirIsThatOfTheTransportThere) {
 TEST(Ionosphere, HasChargeInBalance) {
   const Ionosphere found = ionosphere(air_of_tables(), ion_pairs(tables(), {}, 5.0, 10.0), {});
   for (const IonDensities& ions : found.ions)
-    if (ions.electrons > 1.0) EXPECT_NEAR(ions.ions() / ions.electrons, 1.0, 1e-9);
+    if (ions.electrons > 1.0) {
+      EXPECT_NEAR(ions.ions() / ions.electrons, 1.0, 1e-9);
+    }
   EXPECT_EQ(ionosphere(air_of_tables(), std::vector<double>(altitudes().size(), 0.0), {}).pedersen_s, 0.0);
 }
 
