@@ -237,7 +237,7 @@ fit::PictureTimes from_start_and_step(const std::vector<ListedPhoto>& photos, co
     throw usage_error("--start", "the pictures are not the frames of one film, which has a clock",
                       "--step with the seconds from one picture to the next");
   times.source += " and the film's clock";
-  times.seconds = film_seconds(photos, start_s);
+  times.seconds = film_seconds(photos, start_s - *photos.front().stream.seconds);
   return times;
 }
 

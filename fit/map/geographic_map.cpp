@@ -127,7 +127,8 @@ LongitudeLatitude in_frame(EarthFrame frame, LongitudeLatitude geographic) {
     return {sim::wrapped_longitude_deg(geographic.longitude_deg), geographic.latitude_deg};
   const Vector r = unit_vector(geographic);
   const std::array<Vector, 3> axes = dipole_axes();
-  const LongitudeLatitude place = place_of({scalar_product(r, axes[0]), scalar_product(r, axes[1]), scalar_product(r, axes[2])});
+  const LongitudeLatitude place =
+      place_of({scalar_product(r, axes[0]), scalar_product(r, axes[1]), scalar_product(r, axes[2])});
   return {from_zero(place.longitude_deg), place.latitude_deg};
 }
 

@@ -19,7 +19,7 @@ struct JpegRows::Decoder {
   std::jmp_buf out{};
   std::string file;
   int channels = 0;
-  bool damaged = false;
+  bool damaged = false, is_in_scan = false;
 
   static void leave(j_common_ptr info) { std::longjmp(static_cast<Decoder*>(info->client_data)->out, 1); }
   static void be_silent(j_common_ptr) {}
@@ -29,19 +29,20 @@ struct JpegRows::Decoder {
     constexpr int kWarning = -1;
     if (level != kWarning) return;
     auto* const decoder = static_cast<Decoder*>(info->client_data);
-    for (const int code :
-         {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE, JWRN_MUST_RESYNC, JWRN_BOGUS_PROGRESSION})
+    for (const int code : {JWRN_HIT_MARKER, JWRN_JPEG_EOF, JWRN_HUFF_BAD_CODE, JWRN_MUST_RESYNC})
       if (info->err->msg_code == code) decoder->damaged = true;
     // Where bytes are missing, the rest is read as other pixels, and some of it is left over. Writers fill up
-    // to a word of eight bytes, with zeros or ones.
+    // to a word of eight bytes, with zeros or ones. Strays between the segments of the header are none of the
+    // picture's.
     constexpr int kFilling = 8;
-    if (info->err->msg_code == JWRN_EXTRANEOUS_DATA &&
-        (info->err->msg_parm.i[0] > kFilling || !decoder->is_filled(info->err->msg_parm.i[0])))
-      decoder->damaged = true;
+    if (decoder->damaged || !decoder->is_in_scan || info->err->msg_code != JWRN_EXTRANEOUS_DATA) return;
+    decoder->damaged = info->err->msg_parm.i[0] > kFilling || !decoder->is_filled(info->err->msg_parm.i[0]);
   }
 
-  /// Whether nothing but filling is in the last bytes before the marker, which is read next.
+  /// Whether nothing but filling is in the last bytes before the marker, which is read next. Between scans
+  /// and before restart markers libjpeg does not say which bytes they were.
   bool is_filled(int bytes) const {
+    if (info.progressive_mode || info.restart_interval > 0) return true;
     for (int i = 1; i <= bytes; ++i)
       if (const int byte = *(info.src->next_input_byte - i); byte != 0x00 && byte != 0xff) return false;
     return true;
@@ -62,6 +63,7 @@ struct JpegRows::Decoder {
     const bool grey = info.jpeg_color_space == JCS_GRAYSCALE;
     if (!grey && info.jpeg_color_space != JCS_YCbCr && info.jpeg_color_space != JCS_RGB) return true;
     info.out_color_space = grey ? JCS_GRAYSCALE : order == Order::blue_first ? JCS_EXT_BGR : JCS_RGB;
+    is_in_scan = true;
     jpeg_start_decompress(&info);
     channels = info.output_components;
     return true;

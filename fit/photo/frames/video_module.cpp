@@ -98,7 +98,7 @@ class FfmpegVideo : public VideoReader {
     max_pixels_ = max_pixels;
     container_ = container;
     std::string problem = open_container();
-    if (problem.empty()) take_facts();
+    if (problem.empty()) problem = take_facts();
     if (problem.empty()) problem = list_frames(max_frames);
     if (problem.empty()) problem = start_again();
     return problem;
@@ -108,6 +108,8 @@ class FfmpegVideo : public VideoReader {
   const std::vector<double>& seconds() const override { return seconds_; }
 
   std::string picture(std::size_t number, std::string& pixels) override {
+    if (!decoder_)  // the file was another when it was last read
+      if (const std::string problem = start_again(); !problem.empty()) return problem;
     const std::size_t key = key_before(number);
     bool has_jumped = false;
     if (number < next_ || (has_own_times_ && key > next_ + kFewFrames)) {
@@ -177,7 +179,7 @@ class FfmpegVideo : public VideoReader {
 
   AVStream& stream() const { return *film_->streams[stream_]; }
 
-  void take_facts() {
+  std::string take_facts() {
     const AVCodecParameters& of = *stream().codecpar;
     const auto stored = static_cast<AVPixelFormat>(of.format);
     format_ = plain_format(stored);
@@ -213,12 +215,15 @@ class FfmpegVideo : public VideoReader {
     if (facts_.location.empty()) facts_.location = word_of(film_->metadata, "location");
     const auto* const matrix = reinterpret_cast<const std::int32_t*>(
         av_stream_get_side_data(&stream(), AV_PKT_DATA_DISPLAYMATRIX, nullptr));
-    constexpr double kQuarter_deg = 90.0;
-    if (matrix != nullptr) {
-      const double turned = av_display_rotation_get(matrix);  // anticlockwise
-      if (std::isfinite(turned))
-        facts_.quarter_turns = (4 - static_cast<int>(std::lround(turned / kQuarter_deg))) % 4;
-    }
+    constexpr double kQuarter_deg = 90.0, kAlmost_deg = 1.0;
+    if (matrix == nullptr) return {};
+    const double turned = av_display_rotation_get(matrix);  // anticlockwise
+    const double area =
+        static_cast<double>(matrix[0]) * matrix[4] - static_cast<double>(matrix[1]) * matrix[3];
+    if (!std::isfinite(turned) || area < 0.0 || std::abs(std::remainder(turned, kQuarter_deg)) > kAlmost_deg)
+      return "its pictures are to be mirrored, or turned by no quarter";
+    facts_.quarter_turns = (4 - static_cast<int>(std::lround(turned / kQuarter_deg))) % 4;
+    return {};
   }
 
   std::string list_frames(std::size_t max_frames) {
@@ -230,6 +235,7 @@ class FfmpegVideo : public VideoReader {
     int got = 0;
     for (; (got = av_read_frame(film_, packet.get())) >= 0; av_packet_unref(packet.get())) {
       if (packet->stream_index != stream_ || (packet->flags & AV_PKT_FLAG_DISCARD) != 0) continue;
+      if (packet->size == 0) continue;  // a frame that the recorder has dropped
       if ((packet->flags & AV_PKT_FLAG_CORRUPT) != 0) {
         facts_.is_cut = true;
         break;
@@ -243,6 +249,7 @@ class FfmpegVideo : public VideoReader {
         if (reorders) has_own_times_ = false;
         time = packet->dts;
       }
+      if (time == AV_NOPTS_VALUE) has_own_times_ = false;
       if (time == AV_NOPTS_VALUE)
         time = shown_.empty() ? 0 : shown_.back().time + std::max<std::int64_t>(packet->duration, 1);
       shown_.push_back({time, (packet->flags & AV_PKT_FLAG_KEY) != 0});
@@ -333,7 +340,7 @@ class FfmpegVideo : public VideoReader {
         is_at_end_ = true;
         return avcodec_send_packet(decoder_.get(), nullptr) >= 0;
       }
-      const bool is_ours = packet->stream_index == stream_;
+      const bool is_ours = packet->stream_index == stream_ && packet->size > 0;
       const int sent = is_ours ? avcodec_send_packet(decoder_.get(), packet.get()) : 0;
       av_packet_unref(packet.get());
       if (is_ours) return sent >= 0;
