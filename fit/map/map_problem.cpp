@@ -157,10 +157,14 @@ void MapProblem::look(std::vector<MapObservation>& of_pictures, const sim::Groun
 
 void MapProblem::look_by_light(std::vector<MapObservation>& of_pictures,
                                const sim::ElectronSpectrum& spectrum) const {
-  for (std::size_t p = 0; p < of_pictures.size(); ++p)
-    of_pictures[p].set_light(std::make_shared<sim::ModeRates>(scenes[p], energy_nodes(spectrum), kFluxOfRates,
-                                                              options.altitude_scale, spectrum),
+  for (std::size_t p = 0; p < of_pictures.size(); ++p) {
+    sim::Scene without = scenes[p];
+    if (!modes.empty()) without.emission.modes.clear();
+    std::vector<float> rates =
+        sim::ground_rates(without, energy_nodes(spectrum), kFluxOfRates, options.altitude_scale, spectrum);
+    of_pictures[p].set_light(std::make_shared<sim::ModeRates>(rates_.at(p)->of_other(std::move(rates))),
                              modes);
+  }
 }
 
 void MapProblem::look_by_light(std::vector<MapObservation>& of_pictures,

@@ -55,7 +55,8 @@ class MapProblem {
   /// The same with the light of other electrons, for the modes that the pictures' scenes have.
   void look(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid,
             const sim::ElectronSpectrum& spectrum) const;
-  /// The light of other electrons on the lines of sight that the pictures have, for any modes.
+  /// The light of other electrons on the lines of sight that the pictures have, for any modes, which are
+  /// taken to change it as they change that of the map's electrons. After look().
   void look_by_light(std::vector<MapObservation>& pictures, const sim::ElectronSpectrum& spectrum) const;
   /// The same for the modes and other numbers that these scenes have.
   void look_by_light(std::vector<MapObservation>& pictures, const std::vector<sim::Scene>& of_scenes,

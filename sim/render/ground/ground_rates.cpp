@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "sim/light/own_light.h"
 #include "sim/light/tables/emission_tables.h"
@@ -67,6 +68,14 @@ ModeRates::ModeRates(const Scene& scene, const std::vector<double>& energies_kev
       moved[i] = rates_[i] > 0.0f && moved[i] > 0.0f ? std::log(moved[i] / rates_[i]) : 0.0f;
     log_by_mode_.push_back(std::move(moved));
   }
+}
+
+ModeRates ModeRates::of_other(std::vector<float> rates) const {
+  assert(rates.size() == rates_.size());
+  ModeRates other;
+  other.rates_ = std::move(rates);
+  other.log_by_mode_ = log_by_mode_;
+  return other;
 }
 
 std::vector<float> ModeRates::at(const std::vector<double>& coefficients) const {

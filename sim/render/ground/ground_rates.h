@@ -32,12 +32,18 @@ class ModeRates {
   ModeRates(const Scene& scene, const std::vector<double>& energies_kev, double flux_mw_m2,
             double altitude_scale, const ElectronSpectrum& spectrum);
 
+  /// The same modes of other rates where all coefficients are 0: those of other electrons at the same mean
+  /// energies, whose light is taken to change as that of these.
+  ModeRates of_other(std::vector<float> rates) const;
+
   int modes() const { return static_cast<int>(log_by_mode_.size()); }
   std::vector<float> at(const std::vector<double>& coefficients) const;
   /// Returns the derivatives of the rates by a coefficient, from the rates at the coefficients.
   std::vector<float> by_mode(int mode, const std::vector<float>& rates) const;
 
  private:
+  ModeRates() = default;
+
   std::vector<float> rates_;  ///< where all coefficients are 0
   std::vector<std::vector<float>> log_by_mode_;
 };
