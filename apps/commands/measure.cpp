@@ -25,20 +25,17 @@ namespace {
 /// The words of the command line; lists have one for each of several photographs.
 struct MeasureWords {
   fit::MeasureRequest request;
-  std::vector<std::string> photos, times, cameras, masks;
+  std::vector<std::string> photos, times, sites, cameras, masks;
   std::string at, earth = "wgs84";
-  std::vector<std::vector<std::string>> sites;
   double clock_error_s = 2.0, drift_km_s = 0.5;
   std::optional<double> pointing_error_deg;
 };
 
-/// The value for one of several pictures, of a list with one for each, one for all, or none.
-template <class Value>
-Value value_for(const std::string& key, const std::vector<Value>& values, std::size_t picture,
-                std::size_t pictures, bool may_be_for_all) {
+/// The value for one of several pictures, of a list with one for each or none.
+std::string value_for(const std::string& key, const std::vector<std::string>& values, std::size_t picture,
+                      std::size_t pictures) {
   if (values.empty()) return {};
   if (values.size() == pictures) return values[picture];
-  if (values.size() == 1 && may_be_for_all) return values.front();
   throw usage_error(key, fmt::format("it is given {} times for {} photographs", values.size(), pictures),
                     "once for each photograph, in their order");
 }
@@ -47,11 +44,11 @@ fit::MeasureRequest request_for(const MeasureWords& words, std::size_t picture) 
   const std::size_t pictures = words.photos.size();
   fit::MeasureRequest request = words.request;
   request.photo = picture_at(words.photos[picture], words.at);
-  request.time = value_for("--time", words.times, picture, pictures, true);
-  request.camera = value_for("--camera", words.cameras, picture, pictures, false);
-  request.mask = value_for("--mask", words.masks, picture, pictures, false);
-  const std::vector<std::string> site = value_for("--site", words.sites, picture, pictures, false);
-  if (!site.empty()) request.site = site_place(site);
+  request.time = value_for("--time", words.times, picture, pictures);
+  request.camera = value_for("--camera", words.cameras, picture, pictures);
+  request.mask = value_for("--mask", words.masks, picture, pictures);
+  const std::string site = value_for("--site", words.sites, picture, pictures);
+  if (!words.sites.empty()) request.site = site_of_text(site);
   return request;
 }
 
@@ -109,15 +106,18 @@ void add_measure_command(Program& program) {
           "--time", words->times,
           "Beginning of the exposure, ISO 8601 in UTC or with a zone (default: from the picture's metadata)")
       .repeated()
+      .one_an_occurrence()
       .type_name("TIME");
-  add_site_option(command, words->sites);
+  add_repeated_site_option(command, words->sites);
   command.option("--out", request.out, "The folder to write (default: PHOTO's name with _measured)")
       .type_name("RUN");
   command.option("--camera", words->cameras, "A camera file, if the pointing is known")
       .repeated()
+      .one_an_occurrence()
       .type_name("CAMERA.toml");
   command.option("--mask", words->masks, "A mask of the sky, if there is one: white = use")
       .repeated()
+      .one_an_occurrence()
       .type_name("IMAGE");
   command
       .option("--line", request.line_nm, "Wavelength of the emission line, of a picture through one filter")

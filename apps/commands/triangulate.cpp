@@ -103,6 +103,7 @@ void add_triangulate_command(Program& program) {
               "A camera's file with its site; once for each camera, two or more")
       .type_name("CAMERA.toml")
       .repeated()
+      .one_an_occurrence()
       .required();
   command.option("-o,--output", request->output, "A table of places, with errors").type_name("OUT.csv");
   command.option("--geojson", request->geojson, "Places and lines of sight for maps")
@@ -113,13 +114,13 @@ void add_triangulate_command(Program& program) {
               "Standard error of the cameras' directions, one or one for each (default: as their files say)")
       .delimiter(',')
       .type_name("DEG[,DEG]")
-      .range(0.0, 30.0);
+      .finite_range(0.0, 30.0);
   command
       .option("--clock-error", request->clock_error_s,
               "Standard error of the cameras' clocks, one or one for each (default: 0)")
       .delimiter(',')
       .type_name("S[,S]")
-      .range(0.0, 86400.0);
+      .finite_range(0.0, 86400.0);
   command
       .option("--drift-km-s", request->drift_km_s,
               "How fast the light may drift: standard deviation of each horizontal component")
@@ -140,7 +141,7 @@ void add_triangulate_command(Program& program) {
       .delimiter(',')
       .expected(2)
       .type_name("LOW,HIGH")
-      .range(1.0, 2000.0);
+      .finite_range(1.0, 2000.0);
   command
       .option("--earth", request->earth,
               "What heights count from: the ellipsoid, or the sphere on which this program's scenes lie")

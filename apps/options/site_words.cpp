@@ -113,8 +113,9 @@ void add_site_option(const Command& command, std::vector<std::string>& words) {
   command.option("--site", words, kSiteWords).delimiter(',').expected(2, 3).type_name("LAT,LON[,HEIGHT]");
 }
 
-void add_site_option(const Command& command, std::vector<std::vector<std::string>>& sites) {
-  command.option("--site", sites, kSiteWords).delimiter(',').expected(2, 3).type_name("LAT,LON[,HEIGHT]");
+void add_repeated_site_option(const Command& command, std::vector<std::string>& sites) {
+  // One word an occurrence: else a picture that follows would be taken for the height.
+  command.option("--site", sites, kSiteWords).repeated().one_an_occurrence().type_name("LAT,LON[,HEIGHT]");
 }
 
 sim::Observer site_place(const std::vector<std::string>& words, const std::string& key) {
@@ -143,6 +144,12 @@ sim::Observer site_place(const std::vector<std::string>& words, const std::strin
       throw usage_error(key, "'" + words[2] + "' is no height", "metres above the sea");
   }
   return place;
+}
+
+sim::Observer site_of_text(const std::string& text, const std::string& key) {
+  std::vector<std::string> words;
+  for (const std::string_view word : sim::split(text, ',')) words.emplace_back(word);
+  return site_place(words, key);
 }
 
 }  // namespace vegard::apps

@@ -52,5 +52,18 @@ expect_one_message
 [[ ! -e same ]] || fail "a refused measurement leaves a folder"
 expect_exit 2 measure "${both[@]}" --out run
 expect_stderr "--overwrite"
+# Options before the pictures take no picture for a value of theirs.
+expect_exit 3 measure --time 2014-02-21T19:30:40Z nothing.png --out none
+expect_stderr "nothing.png"
+expect_exit 3 measure --camera a.toml --mask sky.pgm --site 67,20 nothing.png --out none
+expect_stderr "nothing.png"
+expect_exit 3 measure --site 67,20 --site 66.3,20,100 nothing.png b.png --out none
+expect_stderr "nothing.png"
+# One time of two, and a time that is none, are told before anything is written.
+expect_exit 2 measure "${both[@]}" --time 2014-02-21T19:30:40Z --out none
+expect_stderr "--time"
+expect_exit 2 measure "${both[@]}" --time 2014-02-21T19:30:40Z --time yesterday --out none
+expect_stderr "yesterday"
+[[ ! -e none ]] || fail "a refused measurement leaves a folder"
 expect_exit 2 measure a.png b.png --camera a.toml --out few
 expect_stderr "--camera"

@@ -77,6 +77,10 @@ expect_exit 2 triangulate sights.csv --camera a.toml --pointing-error 0.1
 expect_one_message
 expect_exit 2 triangulate sights.csv "${two[@]}" --pointing-error 0.1,0.1,0.1
 expect_one_message
+expect_exit 2 triangulate sights.csv "${two[@]}" --pointing-error nan
+expect_stderr "nan"
+expect_exit 3 triangulate "${two[@]}" nothing.csv "${exact[@]}"
+expect_stderr "nothing.csv"
 expect_exit 2 triangulate sights.csv "${two[@]}" "${exact[@]}" -o out.csv
 expect_stderr "--overwrite"
 expect_exit 2 triangulate sights.csv "${two[@]}" "${exact[@]}" -o a.toml --overwrite
