@@ -22,7 +22,13 @@ std::vector<std::size_t> traces_to_match(const Border& border) {
   return claimed.empty() ? others : claimed;
 }
 
-constexpr double kLevelError = 0.1;  ///< of the peak's light
+bool is_any_claimed(const Border& border, const std::vector<std::size_t>& traces) {
+  return std::any_of(traces.begin(), traces.end(),
+                     [&](std::size_t t) { return border.traces[t].is_claimed(); });
+}
+
+constexpr double kLevelError = 0.1;          ///< of the peak's light
+constexpr double kUsualLevelError_km = 3.0;  ///< ESTIMATED
 
 /// The mean height of the branch that is nearest to a height; NaN without any.
 double mean_near(const MatchedCurves& matched, double height_km) {
@@ -65,11 +71,12 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
   BorderMatches found;
   const std::vector<std::size_t> here = traces_to_match(first_border), there = traces_to_match(second_border);
   found.traces = here.size();
+  found.is_claimed = is_any_claimed(first_border, here) && is_any_claimed(second_border, there);
   for (const std::size_t a : here) {
     const PictureCurve first_curve = curve_of_trace(first_border.traces[a], cameras[first], first);
     if (first_curve.points.size() < kFewestPoints) continue;
     std::vector<BorderMatch> of_trace;
-    double least = HUGE_VAL, sum = 0.0;
+    double least = HUGE_VAL, no_match = HUGE_VAL;
     for (const std::size_t b : there) {
       const PictureCurve second_curve = curve_of_trace(second_border.traces[b], cameras[second], second);
       const PictureCurve first_higher =
@@ -78,6 +85,7 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
           curve_of_trace(second_border.traces[b], cameras[second], second, kLevelError);
       if (second_curve.points.size() < kFewestPoints) continue;
       const MatchedCurves matched = matched_curves(cameras, first_curve, second_curve, range, drift_km_s);
+      no_match = matched.no_match_badness;
       found.along_epipolar += matched.along_epipolar;
       found.outside_range += matched.outside_range;
       for (std::size_t k = 0; k < matched.branches.size(); ++k) {
@@ -86,6 +94,7 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
         for (const CurveMatch& point : matched.matches)
           if (point.branch == k) match.points.push_back(point);
         const double height_km = match.branch.mean.km;
+        bool has_level = false;
         for (const bool is_first : {true, false}) {
           const double moved_km =
               mean_near(matched_curves(cameras, is_first ? first_higher : first_curve,
@@ -93,13 +102,18 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
                         height_km) -
               height_km;
           // A level at which nothing matches says nothing.
-          if (std::isfinite(moved_km)) match.level_error_km = std::hypot(match.level_error_km, moved_km);
+          if (!std::isfinite(moved_km)) continue;
+          match.level_error_km = std::hypot(match.level_error_km, moved_km);
+          has_level = true;
         }
+        if (!has_level) match.level_error_km = kUsualLevelError_km;
         match.branch.mean.error_km = std::hypot(match.branch.mean.error_km, match.level_error_km);
         least = std::min(least, match.branch.badness);
         of_trace.push_back(std::move(match));
       }
     }
+    least = std::min(least, no_match);
+    double sum = std::exp(-0.5 * (no_match - least));
     for (const BorderMatch& match : of_trace) sum += std::exp(-0.5 * (match.branch.badness - least));
     for (BorderMatch& match : of_trace) {
       match.weight = std::exp(-0.5 * (match.branch.badness - least)) / sum;

@@ -15,16 +15,18 @@ namespace vegard::fit {
 /// A trace of the first picture and one of the second that may be the same border.
 struct BorderMatch {
   std::size_t first_trace = 0, second_trace = 0;
-  double weight = 0.0;  ///< of 1, among the matches of the first trace
+  double weight = 0.0;  ///< of 1, among the matches of the first trace and none of them
   CurveBranch branch;   ///< the error of its mean holds level_error_km
   /// What it does to the mean height if the border of one picture or the other is where the light has fallen
   /// to six tenths of its peak, in place of a half: the two see the light's thickness in different ways.
+  /// 3 km if neither gives a height (ESTIMATED: what it is where they do).
   double level_error_km = 0.0;
   std::vector<CurveMatch> points;
 };
 
 struct BorderMatches {
   std::vector<BorderMatch> matches;  ///< by first trace: the most points first; then by weight
+  bool is_claimed = true;            ///< the traces of both pictures are claimed to be aurora
   std::size_t traces = 0;            ///< number of the first picture's traces that were tried
   std::size_t along_epipolar = 0, outside_range = 0;  ///< of crossings, as in MatchedCurves
 };

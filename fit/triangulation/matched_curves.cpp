@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "sim/base/number/constants.h"
 
 namespace vegard::fit {
@@ -110,6 +112,19 @@ double badness(const std::vector<const TriangulatedPoint*>& points, double mean_
 /// ChainNumbers of one border: the numbers of chains that share no vertex.
 using ChainNumbers = std::vector<std::size_t>;
 
+/// Neighbouring points err together: a curve has as many independent pieces as it has tens of points.
+double sharpness_of(std::size_t vertices) {
+  return std::max(1.0, static_cast<double>(vertices) / 10.0) / static_cast<double>(vertices);
+}
+
+double median_error_km(const std::vector<const TriangulatedPoint*>& points) {
+  std::vector<double> errors;
+  for (const TriangulatedPoint* point : points) errors.push_back(point->height_error_km);
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return *middle;
+}
+
 /// Joins chains that share no vertex while that makes all of them together more probable, from each chain on.
 /// Returns sorted pieces without repetition.
 std::vector<ChainNumbers> joined_chains(const std::vector<std::vector<const CurveMatch*>>& chains,
@@ -166,9 +181,7 @@ void weigh_branches(MatchedCurves& found, const std::vector<ViewPoint>& cameras,
   for (const CurveMatch& match : matches) chains[match.branch].push_back(&match);
   const std::vector<ChainNumbers> all = joined_chains(chains, cameras, vertices, drift_km_s);
   std::vector<CurveBranch> branches(all.size());
-  // Neighbouring points err together: a curve has as many independent pieces as it has tens of points.
-  const double sharpness =
-      std::max(1.0, static_cast<double>(vertices) / 10.0) / static_cast<double>(vertices);
+  const double sharpness = sharpness_of(vertices);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t b = 0; b < all.size(); ++b) {
@@ -177,16 +190,17 @@ void weigh_branches(MatchedCurves& found, const std::vector<ViewPoint>& cameras,
       for (const CurveMatch* match : chains[chain]) points.push_back(&match->point);
     branches[b].mean = mean_height(cameras, points, drift_km_s);
     branches[b].share = static_cast<double>(points.size()) / static_cast<double>(vertices);
+    branches[b].median_error_km = median_error_km(points);
     branches[b].badness = sharpness * badness(points, branches[b].mean.km, vertices);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return branches[a].badness < branches[b].badness; });
-  double sum = 0.0;
-  for (const CurveBranch& branch : branches)
-    sum += std::exp(-0.5 * (branch.badness - branches[order.front()].badness));
+  const double least = std::min(found.no_match_badness, branches[order.front()].badness);
+  double sum = std::exp(-0.5 * (found.no_match_badness - least));
+  for (const CurveBranch& branch : branches) sum += std::exp(-0.5 * (branch.badness - least));
   for (std::size_t i = 0; i < order.size(); ++i) {
     CurveBranch branch = branches[order[i]];
-    branch.weight = std::exp(-0.5 * (branch.badness - branches[order.front()].badness)) / sum;
+    branch.weight = std::exp(-0.5 * (branch.badness - least)) / sum;
     // Ways along the curve that give the same height are one match.
     const auto same =
         std::find_if(found.branches.begin(), found.branches.end(), [&](const CurveBranch& other) {
@@ -212,9 +226,27 @@ void weigh_branches(MatchedCurves& found, const std::vector<ViewPoint>& cameras,
 
 }  // namespace
 
+std::vector<std::string> doubts_about(const CurveBranch& branch, double weight) {
+  constexpr int kFewestMatched = 3;
+  constexpr double kLeastShare = 0.3, kMostScatter = 2.0;
+  std::vector<std::string> doubts;
+  if (!(weight >= kClearMatch))
+    doubts.push_back(
+        fmt::format("another match, or none, is possible: this one has a weight of {:.2f}", weight));
+  if (branch.mean.points < kFewestMatched)
+    doubts.push_back(fmt::format("the match has fewer than {} points", kFewestMatched));
+  if (!(branch.share >= kLeastShare))
+    doubts.push_back(fmt::format("only {:.0f} % of the curve have a match", 100.0 * branch.share));
+  if (!(branch.mean.scatter_km <= kMostScatter * std::hypot(branch.median_error_km, kHeightsAlongBorder_km)))
+    doubts.push_back(
+        fmt::format("the heights scatter by {:.0f} km, beyond their errors", branch.mean.scatter_km));
+  return doubts;
+}
+
 MatchedCurves matched_curves(const std::vector<ViewPoint>& cameras, const PictureCurve& first,
                              const PictureCurve& second, const HeightRange& range, double drift_km_s) {
   MatchedCurves found;
+  found.no_match_badness = sharpness_of(first.points.size()) * badness({}, 0.0, first.points.size());
   const ViewPoint &here = cameras[first.camera], &there = cameras[second.camera];
   const Eigen::Vector3d base = there.place_km() - here.place_km();
   const Crossings crossings(there, second);

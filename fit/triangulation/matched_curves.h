@@ -5,7 +5,7 @@
 // line (R. Hartley and A. Zisserman, "Multiple view geometry", 2004, chapter 9): where the other's curve
 // crosses it, it shows the same place. It may cross it several times. Crossings that follow each other along
 // both curves make a branch; the more of the curve a branch explains, and the less its heights scatter beyond
-// their errors, the more weight it has among all branches.
+// their errors, the more weight it has among all branches and the chance that the curves are two things.
 #pragma once
 
 #include <cstddef>
@@ -38,17 +38,25 @@ struct CurveMatch {
 };
 
 struct CurveBranch {
-  double weight = 0.0;  ///< of 1, among all branches of the two curves
+  double weight = 0.0;  ///< of 1, among all branches of the two curves and none of them
   double share = 0.0;   ///< of the first curve's points
   /// Minus twice the logarithm of its probability; to be compared with branches of the same first curve.
   double badness = 0.0;
   MeanHeight mean;
+  double median_error_km = 0.0;  ///< of its points' heights
 };
+
+/// The least weight of a clear match.
+inline constexpr double kClearMatch = 0.9;
+
+/// Returns what speaks against a match of this weight, as parts of a sentence; empty if nothing does.
+std::vector<std::string> doubts_about(const CurveBranch& branch, double weight);
 
 struct MatchedCurves {
   std::vector<CurveMatch> matches;    ///< by vertex, then by branch; those that have a place in the range
   std::vector<CurveBranch> branches;  ///< that of the largest weight is the first
   std::size_t outside_range = 0;      ///< number of crossings whose height is not in the range
+  double no_match_badness = 0.0;      ///< if the curves are not the same: no point is explained
   std::size_t along_epipolar = 0;     ///< number of crossings at too small an angle for a height
 };
 

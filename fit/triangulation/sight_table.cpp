@@ -14,6 +14,8 @@ namespace vegard::fit {
 namespace {
 
 constexpr std::size_t kMostRows = 200'000;
+/// Of a curve in one picture: the time to match two grows with the product of their points.
+constexpr std::size_t kMostPoints = 5000;
 
 class SightReader {
  public:
@@ -84,6 +86,11 @@ class SightReader {
           .key("camera")
           .expected("1 to " + std::to_string(cameras_.size()) + ", or " +
                     sim::joined(cameras_, ", ", " or "));
+    if (std::count(cameras_.begin(), cameras_.end(), word) > 1)
+      throw bad_line("several cameras are called '" + word + "'")
+          .key("camera")
+          .expected("its number, 1 to " + std::to_string(cameras_.size()) +
+                    ", in the order of the command line");
     return static_cast<std::size_t>(found - cameras_.begin());
   }
 
@@ -131,6 +138,9 @@ class SightReader {
     if (least == 1)
       throw bad_line("'" + feature.name + "' is a point in one picture and a curve in another")
           .expected("one row for each camera, or two and more for each");
+    if (most > kMostPoints)
+      throw bad_line("'" + feature.name + "' has " + std::to_string(most) + " points in one picture")
+          .expected("at most " + std::to_string(kMostPoints) + " of a curve");
     for (std::size_t c = 0; c < rows.size(); ++c) {
       if (rows[c] == 0) continue;
       PictureCurve curve;

@@ -25,6 +25,7 @@ struct Line {
 
 std::optional<Line> line_of(const std::vector<ViewPoint>& cameras, const Sight& sight) {
   const ViewPoint& view = cameras[sight.camera];
+  if (!view.has(sight.pixel)) return std::nullopt;
   const auto direction = view.direction(sight.pixel);
   const auto slopes = view.slopes(sight.pixel);
   if (!direction || !slopes) return std::nullopt;
@@ -183,7 +184,7 @@ const char* words_of(NoPlace reason) {
     case NoPlace::none:
       break;
     case NoPlace::outside_lens:
-      return "a pixel lies outside of what its lens shows";
+      return "a pixel lies outside of its picture or of what its lens shows";
     case NoPlace::parallel:
       return "the lines of sight are parallel within their errors";
     case NoPlace::behind:
@@ -255,6 +256,9 @@ TriangulatedPoint triangulated(const std::vector<ViewPoint>& cameras, const std:
   for (const Line& line : lines) point.distance_km.push_back((place - line.from_km).norm());
   point.pulls.resize(cameras.size());
   set_errors(point, lines, at);
+  for (const double number : {point.place.height_km, point.height_error_km, point.east_error_km,
+                              point.north_error_km, point.pixel_height_error_km})
+    if (!std::isfinite(number)) return without(NoPlace::parallel, point);
   return point;
 }
 

@@ -6,13 +6,14 @@
 #include "fit/photo/pointing/scene_camera.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/text.h"
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr double kLeastChance = 1e-3, kClearMatch = 0.9;
+constexpr double kLeastChance = 1e-3;
 
 /// A curve's points by the first camera that has it and each of the others.
 void add_curve(Triangulation& all, const SightedFeature& feature) {
@@ -30,6 +31,7 @@ void add_curve(Triangulation& all, const SightedFeature& feature) {
       row.pixels = {first.points[match.vertex], match.there};
       row.branch = match.branch;
       row.branch_weight = summary.matched.branches[match.branch].weight;
+      row.doubt = sim::joined(doubts_about(summary.matched.branches[match.branch], row.branch_weight), "; ");
       row.point = match.point;
       all.rows.push_back(std::move(row));
     }
@@ -82,7 +84,8 @@ std::size_t Triangulation::contradicted() const {
 
 std::size_t Triangulation::ambiguous() const {
   return static_cast<std::size_t>(std::count_if(curves.begin(), curves.end(), [](const CurveSummary& curve) {
-    return curve.matched.branches.empty() || curve.matched.branches.front().weight < kClearMatch;
+    return curve.matched.branches.empty() ||
+           !doubts_about(curve.matched.branches.front(), curve.matched.branches.front().weight).empty();
   }));
 }
 

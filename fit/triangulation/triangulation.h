@@ -31,6 +31,7 @@ struct TriangulatedRow {
   std::vector<PixelPoint> pixels;    ///< of each of them
   double branch_weight = 1.0;        ///< of the match, among all of the curve
   std::size_t branch = 0;            ///< 0 is the most probable one
+  std::string doubt;                 ///< what speaks against the match; empty: nothing
   TriangulatedPoint point;
 };
 
@@ -48,7 +49,7 @@ struct Triangulation {
   std::vector<CurveSummary> curves;
 
   /// Number of rows without a place, of points whose lines miss each other beyond chance (below 0.001), and
-  /// of curves without a match or with several (the best below 0.9).
+  /// of curves without a match, or with a best one that something speaks against: doubts_about().
   std::size_t refused() const, contradicted() const, ambiguous() const;
   bool is_good() const { return refused() + contradicted() + ambiguous() == 0; }
 };

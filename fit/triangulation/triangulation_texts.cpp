@@ -9,6 +9,7 @@
 
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/number_text.h"
+#include "sim/base/text.h"
 #include "sim/base/version.h"
 
 namespace vegard::fit {
@@ -32,10 +33,10 @@ std::string names_of(const Triangulation& all, const std::vector<std::size_t>& c
   return names;
 }
 
-const char* note_of(const TriangulatedRow& row) {
+std::string note_of(const TriangulatedRow& row) {
   if (!row.point.is_given()) return words_of(row.point.reason);
   if (is_contradicted(row.point)) return "the lines of sight miss each other beyond their errors";
-  return "";
+  return row.doubt;
 }
 
 /// The rows that a map shows: all points, and of curves the most probable match.
@@ -161,6 +162,8 @@ std::string triangulation_table(const Triangulation& all) {
       continue;
     }
     text += name + ": height " + branch_words(matched.branches.front()) + "\n";
+    for (const std::string& doubt : doubts_about(matched.branches.front(), matched.branches.front().weight))
+      text += "  with care: " + doubt + "\n";
     for (std::size_t i = 1; i < matched.branches.size(); ++i)
       text += "  or " + branch_words(matched.branches[i]) + "\n";
   }
@@ -233,7 +236,8 @@ nlohmann::ordered_json triangulation_json(const Triangulation& all) {
                          {"scatter_km", json_value(branch.mean.scatter_km)},
                          {"points", branch.mean.points},
                          {"share", branch.share},
-                         {"weight", branch.weight}});
+                         {"weight", branch.weight},
+                         {"note", sim::joined(doubts_about(branch, branch.weight), "; ")}});
     json["curves"].push_back({{"name", curve.name},
                               {"cameras", {curve.first_camera + 1, curve.second_camera + 1}},
                               {"matches", matches},

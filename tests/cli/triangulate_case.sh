@@ -93,3 +93,13 @@ for rows in 'p,3,1,1' 'p,1,1,x' 'p,1,1,1' 'p,1,1' 'p,1,1,1\np,2,1,1\np,2,2,2'; d
   expect_one_message
   expect_stderr "wrong.csv:"
 done
+# A name that two cameras have says neither of them.
+mkdir other
+cp b.toml other/a.toml
+printf 'name,camera,x_px,y_px\np,a.toml,500,400\np,2,500,600\n' >twice.csv
+expect_exit 3 triangulate twice.csv --camera a.toml --camera other/a.toml "${exact[@]}"
+expect_stderr "twice.csv:2: | its number"
+# A curve of so many points would take hours.
+{ echo name,camera,x_px,y_px && for camera in 1 2; do seq 5001 | awk -v c=$camera '{ print "c," c "," 400 + $1 / 50 ",500" }'; done; } >long.csv
+expect_exit 3 triangulate long.csv "${two[@]}" "${exact[@]}"
+expect_stderr "5000"

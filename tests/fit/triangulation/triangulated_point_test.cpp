@@ -210,5 +210,54 @@ TEST(TriangulatedPoint, ErrorsHoldTheTruth) {
   EXPECT_LT(of_curves, 0.76);
 }
 
+/// An arc over a stretch of longitudes, as a camera sees it.
+PictureCurve arc_of(const std::vector<ViewPoint>& cameras, std::size_t camera, double latitude_deg,
+                    double turn, double height_km) {
+  PictureCurve curve;
+  curve.camera = camera;
+  for (int k = -15; k <= 15; ++k) {
+    const GeodeticPlace place{latitude_deg + turn * 0.2 * k, 20.0 + 0.2 * k, height_km};
+    curve.points.push_back(cameras[camera].pixel(earth_place_km(EarthShape::wgs84, place)).value());
+    curve.error_px.push_back(0.5);
+  }
+  return curve;
+}
+
+TEST(MatchedCurves, OfOneArcAreClear) {
+  const auto cameras = views({all_sky(69.0, 20.0), all_sky(68.0, 20.0)});
+  const MatchedCurves matched = matched_curves(cameras, arc_of(cameras, 0, 68.6, 0.0, 105.0),
+                                               arc_of(cameras, 1, 68.6, 0.0, 105.0), {60.0, 500.0}, 0.0);
+  ASSERT_FALSE(matched.branches.empty());
+  const CurveBranch& best = matched.branches.front();
+  EXPECT_NEAR(best.mean.km, 105.0, 3.0 * best.mean.error_km);
+  EXPECT_TRUE(doubts_about(best, best.weight).empty());
+}
+
+TEST(MatchedCurves, OfTwoArcsThatCrossByAccidentAreNotClear) {
+  // Each camera sees another arc; from the two places they seem to cross, at a height that is none.
+  const auto cameras = views({all_sky(69.0, 20.0), all_sky(68.0, 20.0)});
+  const MatchedCurves matched = matched_curves(cameras, arc_of(cameras, 0, 68.6, 0.0, 105.0),
+                                               arc_of(cameras, 1, 68.6, 1.0, 105.0), {60.0, 500.0}, 0.0);
+  ASSERT_FALSE(matched.branches.empty());
+  const CurveBranch& best = matched.branches.front();
+  EXPECT_FALSE(doubts_about(best, best.weight).empty());
+}
+
+TEST(MatchedCurves, AreDoubtedForEachReasonAlone) {
+  EXPECT_TRUE(doubts_about(CurveBranch{1.0, 1.0, 0.0, {31, 105.0, 1.0, 1.0, 1.0}, 1.0}, 1.0).empty());
+  EXPECT_EQ(doubts_about(CurveBranch{1.0, 0.03, 0.0, {1, 105.0, 1.0, 1.0, 0.0}, 1.0}, 1.0).size(), 2u);
+  EXPECT_EQ(doubts_about(CurveBranch{1.0, 1.0, 0.0, {31, 105.0, 1.0, 1.0, 20.0}, 1.0}, 1.0).size(), 1u);
+  EXPECT_EQ(doubts_about(CurveBranch{sim::kNaN, 1.0, 0.0, {31, 105.0, 1.0, 1.0, 1.0}, 1.0}, sim::kNaN).size(),
+            1u);
+}
+
+TEST(TriangulatedPoint, HasNoPlaceForAPixelOutsideThePicture) {
+  const auto cameras = views({all_sky(69.0, 20.0), all_sky(68.0, 20.0)});
+  std::vector<Sight> sights =
+      sights_of(cameras, earth_place_km(EarthShape::wgs84, GeodeticPlace{68.5, 20.0, 110.0}));
+  sights[0].pixel.x_px = 1000.5;
+  EXPECT_EQ(triangulated(cameras, sights, 0.0).reason, NoPlace::outside_lens);
+}
+
 }  // namespace
 }  // namespace vegard::fit::triangulated_point_test
