@@ -74,8 +74,10 @@ struct Measurement {
   std::vector<MeasureStage> stages;
 
   // What the stages have returned; none of those that were not gone through or failed.
-  std::string time_utc;            ///< empty: not known
-  bool has_field_of_view = false;  ///< the picture's file tells it
+  std::string time_utc;                  ///< empty: not known
+  bool is_time_of_camera = false;        ///< time_utc is that of the camera's file, not of this picture
+  std::optional<double> middle_after_s;  ///< of the exposure, from time_utc; none: not known
+  bool has_field_of_view = false;        ///< the picture's file tells it
   std::optional<sim::Observer> site;
   std::string camera_file;            ///< given or found; empty: the camera is not known
   std::optional<sim::Camera> camera;  ///< of that file

@@ -81,9 +81,12 @@ void describe_picture(MeasureRun& run) {
   for (const std::string& note : facts.notes) run.follower.tell(note);
   if (!run.result.site && place.size() >= 2 && std::abs(place[0]) <= 90.0)
     run.result.site = sim::Observer{place[0], place[1], place.size() > 2 ? place[2] : 0.0};
-  const bool is_of_camera = take_time_of_camera(run);
+  const bool is_of_camera = run.result.is_time_of_camera = take_time_of_camera(run);
   // A camera's file has the time of its stars.
-  if (!is_of_camera) run.middle_after_s = middle_after_s(metadata).value_or(0.0);
+  if (!is_of_camera) {
+    run.result.middle_after_s = middle_after_s(metadata);
+    run.middle_after_s = run.result.middle_after_s.value_or(0.0);
+  }
   const bool has_time = !run.result.time_utc.empty(), has_site = run.result.site.has_value();
   stage.trust = has_time && has_site   ? Trust::good
                 : has_time || has_site ? Trust::doubtful

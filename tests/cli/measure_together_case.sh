@@ -45,7 +45,11 @@ border = pair["borders"][0]
 assert abs(border["height_km"] - 108) < 3 * border["height_error_km"] and border["height_error_km"] < 8, border
 PYTHON
 # A minute and more apart; the same place; the same picture; a folder that is there; too few cameras.
-expect_exit 5 measure "${both[@]}" --time 2014-02-21T19:30:40Z --time 2014-02-21T19:33:40Z --out late
+# An earlier measurement of three pictures is replaced as a whole.
+mkdir -p late/picture_3
+for file in late/together.json late/picture_3/measure.json; do echo '{}' >$file; done
+expect_exit 5 measure "${both[@]}" --time 2014-02-21T19:30:40Z --time 2014-02-21T19:33:40Z --out late --overwrite
+[[ ! -e late/picture_3 ]] || fail "a picture of an earlier measurement is left"
 grep -q '180 s apart' late/together.json || fail "pictures three minutes apart are compared"
 expect_exit 2 measure a.png a.png --camera a.toml --camera b.toml --out same
 expect_one_message

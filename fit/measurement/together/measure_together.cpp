@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "fit/measurement/main_border.h"
+#include "fit/measurement/measure_run.h"
 #include "fit/photo/frames/frame_name.h"
 #include "fit/photo/pointing/scene_camera.h"
 #include "fit/triangulation/shared_view.h"
@@ -29,13 +30,24 @@ namespace fs = std::filesystem;
 constexpr double kShortestBase_km = 2.0;
 constexpr double kLeastShared = 0.005;
 constexpr double kSharedHeight_km = 110.0;
-constexpr double kClearWeight = 0.9, kClearPattern_km = 20.0;
+constexpr double kClearWeight = 0.9, kClearPattern_km = 20.0;  ///< of a pattern
 constexpr double kGoodError_km = 5.0;
 /// The least error of a direction: of a lens between its stars (docs/pointing.md).
 constexpr double kLeastPointing_deg = 0.03;
 
 std::string folder_of(const TogetherRequest& request, std::size_t picture) {
   return request.out + "/picture_" + std::to_string(picture + 1);
+}
+
+/// Refuses what measure() would refuse, and masks that are no files, before the first picture takes its time.
+void check_inputs(const TogetherRequest& request, const MeasureFollower& follower) {
+  for (const MeasureRequest& picture : request.pictures) {
+    const std::string file = file_of_frame(picture.photo);
+    for (const std::string& name : {file, picture.camera, picture.mask})
+      if (const std::string problem = name.empty() ? "" : sim::why_no_input(name); !problem.empty())
+        throw sim::unreadable(name, problem);
+    MeasureRun(picture, follower).read_given();
+  }
 }
 
 void refuse_same_pictures(const TogetherRequest& request) {
@@ -65,6 +77,13 @@ void claim_folder(const TogetherRequest& request) {
       throw sim::Error(sim::ErrorKind::existing_output,
                        "holds something that is no measurement of several pictures")
           .file(request.out);
+  }
+  // What an earlier measurement of more pictures has left would seem to be of this one.
+  fs::remove(request.out + "/report.html", failed);
+  for (std::size_t i = request.pictures.size();; ++i) {
+    const std::string surplus = folder_of(request, i);
+    if (!fs::exists(surplus + "/measure.json", failed)) break;
+    fs::remove_all(surplus, failed);
   }
   fs::create_directories(request.out, failed);
   if (failed)
@@ -128,13 +147,21 @@ void look_for_heights(PairOfPictures& pair, const TogetherRequest& request, cons
   pair.pattern = shell_correlation(pair.cameras, {&photos[0], &photos[1]}, settings);
 }
 
+/// The middle of the exposure, or its beginning if its length is not known; none without a time of the
+/// picture's own: a camera's file has the time of the stars by which it was calibrated.
+std::optional<double> instant_of(const Measurement& m) {
+  const std::optional<double> begin = m.is_time_of_camera ? std::nullopt : sim::utc_seconds(m.time_utc);
+  if (!begin) return std::nullopt;
+  return *begin + m.middle_after_s.value_or(0.0);
+}
+
 PairOfPictures pair_of(const TogetherRequest& request, const std::vector<Measurement>& alone,
                        std::size_t first, std::size_t second) {
   PairOfPictures pair;
   pair.first = first;
   pair.second = second;
   const Measurement &a = alone[first], &b = alone[second];
-  const auto at_a = sim::utc_seconds(a.time_utc), at_b = sim::utc_seconds(b.time_utc);
+  const auto at_a = instant_of(a), at_b = instant_of(b);
   if (at_a && at_b) pair.apart_s = std::abs(*at_a - *at_b);
   for (const Measurement* m : {&a, &b})
     if (const std::string lacking = lacking_of(*m); pair.refusal.empty() && !lacking.empty())
@@ -164,7 +191,10 @@ PairOfPictures pair_of(const TogetherRequest& request, const std::vector<Measure
     pair.refusal = fmt::format("both were taken at the same place, within {:.1f} km", pair.base_km);
   } else {
     pair.shared_share = shared_sky(pair.cameras[0], pair.cameras[1], kSharedHeight_km);
-    if (pair.shared_share < kLeastShared) pair.refusal = "the pictures share no sky at a height of 110 km";
+    // A narrow view in a wide one is all shared, and little of the wide one.
+    const double by_second = shared_sky(pair.cameras[1], pair.cameras[0], kSharedHeight_km);
+    if (std::max(pair.shared_share, by_second) < kLeastShared)
+      pair.refusal = "the pictures share no sky at a height of 110 km";
   }
   if (pair.refusal.empty()) look_for_heights(pair, request, a, b);
   return pair;
@@ -180,13 +210,10 @@ std::string border_sentence(const BorderMatch& match, const PairOfPictures& pair
 
 /// Whether nothing speaks against a match, and what does.
 std::vector<std::string> doubts_of(const BorderMatch& match, const PairOfPictures& pair) {
-  std::vector<std::string> doubts;
-  if (match.weight < kClearWeight)
-    doubts.push_back(fmt::format("another match is possible: this one has a weight of {:.2f}", match.weight));
-  if (match.branch.mean.error_km > kGoodError_km)
+  std::vector<std::string> doubts = doubts_about(match.branch, match.weight);
+  if (!pair.borders.is_claimed) doubts.push_back("the traces are not claimed to be aurora");
+  if (!(match.branch.mean.error_km <= kGoodError_km))
     doubts.push_back(fmt::format("the error is above {:.0f} km", kGoodError_km));
-  if (match.branch.share < 0.3)
-    doubts.push_back(fmt::format("only {:.0f} % of the border have a match", 100.0 * match.branch.share));
   if (!std::isfinite(pair.apart_s)) doubts.push_back("a time is not known: both are taken for the same");
   if (const ShellHeight* pattern = clear_pattern(pair))
     if (pattern->km + 2.0 * pattern->error_km < match.branch.mean.km - 2.0 * match.branch.mean.error_km)
@@ -194,8 +221,21 @@ std::vector<std::string> doubts_of(const BorderMatch& match, const PairOfPicture
   return doubts;
 }
 
+}  // namespace together
+
+bool contradict(const std::vector<MeanHeight>& heights) {
+  constexpr double kFarthest = 3.0;  // in standard deviations of the difference
+  for (const MeanHeight& a : heights)
+    for (const MeanHeight& b : heights)
+      if (std::abs(a.km - b.km) > kFarthest * std::hypot(a.error_km, b.error_km)) return true;
+  return false;
+}
+
+namespace together {
+
 void conclude(TogetherMeasurement& m) {
-  bool is_good = false, has_height = false;
+  std::vector<MeanHeight> good;
+  bool has_height = false;
   for (const PairOfPictures& pair : m.pairs) {
     const std::string names = m.alone[pair.first].photo + " and " + m.alone[pair.second].photo;
     if (!pair.refusal.empty()) {
@@ -211,7 +251,7 @@ void conclude(TogetherMeasurement& m) {
       if (m.pairs.size() > 1) sentence = names + ": " + sentence;
       m.answer.push_back(sentence);
       for (const std::string& doubt : doubts) m.answer.push_back("With care: " + doubt + ".");
-      is_good = is_good || doubts.empty();
+      if (doubts.empty()) good.push_back(border->branch.mean);
     } else {
       m.answer.push_back(names + ": the height of the border is not known, " +
                          (pair.borders.along_epipolar > 0
@@ -225,6 +265,10 @@ void conclude(TogetherMeasurement& m) {
                                      pattern->correlation));
     }
   }
+  const bool is_contradicted = contradict(good);
+  if (is_contradicted)
+    m.answer.push_back("With care: the heights of the pairs contradict each other beyond their errors.");
+  const bool is_good = !good.empty() && !is_contradicted;
   m.trust = is_good ? Trust::good : has_height ? Trust::doubtful : Trust::unconstrained;
   m.word = is_good ? "Measured" : has_height ? "With care" : "No height";
 }
@@ -247,6 +291,7 @@ const ShellHeight* clear_pattern(const PairOfPictures& pair) {
 
 TogetherMeasurement measure_together(const TogetherRequest& request, const MeasureFollower& follower) {
   using namespace together;
+  check_inputs(request, follower);
   refuse_same_pictures(request);
   claim_folder(request);
   TogetherMeasurement m;

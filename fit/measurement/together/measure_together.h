@@ -37,7 +37,7 @@ struct PairOfPictures {
   std::size_t first = 0, second = 0;
   std::string refusal;               ///< why there is no height; empty: it was looked for
   double base_km, base_azimuth_deg;  ///< from the first camera to the second; NaN if not known
-  double apart_s;                    ///< NaN if a time is not known
+  double apart_s;                    ///< the middles of the exposures; NaN if a time is not known
   double shared_share;               ///< of the first picture's sky, at 110 km
   BorderMatches borders;
   std::optional<ShellCorrelation> pattern;
@@ -57,10 +57,13 @@ struct TogetherMeasurement {
 
 /// The height of the lower border by a pair's best match; none if there is none.
 const BorderMatch* best_border(const PairOfPictures& pair);
+/// Whether two of these heights differ by more than three standard deviations: pictures of one aurora do not.
+bool contradict(const std::vector<MeanHeight>& heights);
 /// The height of the densest light, if one height is clearly the most probable and known to 20 km.
 const ShellHeight* clear_pattern(const PairOfPictures& pair);
 
-/// Throws Error(usage) for the same picture twice, and as measure() does, before anything is measured.
+/// Throws Error(usage) for the same picture twice, and as measure() does for each picture, before anything is
+/// measured or written.
 TogetherMeasurement measure_together(const TogetherRequest& request, const MeasureFollower& follower = {});
 
 /// The report, which shows pictures in its own folder, and its numbers.
