@@ -292,7 +292,7 @@ MapResult Mapping::run() {
   });
   require_light(coarse, start, chi2);
   if (problem_.options.replicates > 1 && is_of_one_station(problem_.scenes))
-    try_spectra(problem_, coarse, start, chi2, result);
+    try_other_spectra(problem_, coarse, start, chi2, result);
 
   std::vector<MapObservation> fine = problem_.pictures(1);
   for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;

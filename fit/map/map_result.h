@@ -38,7 +38,7 @@ struct MapOptions {
 };
 
 /// How well a coarse map of electrons with another spectrum than the map's explains the pictures.
-struct SpectrumTrial {
+struct OtherSpectrum {
   sim::ElectronSpectrum spectrum;
   double chi2_per_value = 0.0;
   /// Fall of chi2 from that of the map's own spectrum, each with modes of the tables of its own and what
@@ -86,7 +86,7 @@ struct MapResult {
   std::vector<float> sensitivity;  ///< signal-to-noise ratio of 1 mW m^-2 in this cell alone
   double sparsity = 0.0;
   std::vector<MapTrial> trials;
-  std::vector<SpectrumTrial> spectra;  ///< of one station's map with error bars; else empty
+  std::vector<OtherSpectrum> spectra;  ///< of one station's map with error bars; else empty
   double chi2 = 0.0, chi2_without_aurora = 0.0;
   std::size_t values = 0;
   std::vector<MappedPhoto> photos;

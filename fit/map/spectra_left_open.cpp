@@ -46,8 +46,8 @@ StepOutput solutions(const MapProblem& problem, std::vector<MapObservation>& coa
 
 }  // namespace
 
-void try_spectra(MapProblem& problem, std::vector<MapObservation>& coarse, const std::vector<float>& start,
-                 double chi2, MapResult& result) {
+void try_other_spectra(MapProblem& problem, std::vector<MapObservation>& coarse,
+                       const std::vector<float>& start, double chi2, MapResult& result) {
   const std::vector<sim::ElectronSpectrum> others = other_spectra(problem.options.spectrum);
   const StepOutput out =
       problem.step("spectra", [&] { return solutions(problem, coarse, start, others, result.sparsity); });
@@ -65,7 +65,7 @@ void try_spectra(MapProblem& problem, std::vector<MapObservation>& coarse, const
 
 sim::ElectronSpectrum replicate_spectrum(const MapResult& result, int replicate) {
   std::vector<sim::ElectronSpectrum> open;
-  for (const SpectrumTrial& other : result.spectra)
+  for (const OtherSpectrum& other : result.spectra)
     if (other.is_open()) open.push_back(other.spectrum);
   if (replicate % 2 == 0 || open.empty()) return result.spectrum;
   return open[static_cast<std::size_t>(replicate / 2) % open.size()];

@@ -157,7 +157,7 @@ std::string map_json(const MapResult& result, const std::vector<Curtain>& curtai
   json["altitude_scale"] = result.altitude_scale;
   put_spectrum(result.spectrum, json);
   json["other_spectra"] = nlohmann::ordered_json::array();
-  for (const SpectrumTrial& other : result.spectra) {
+  for (const OtherSpectrum& other : result.spectra) {
     nlohmann::ordered_json row;
     put_spectrum(other.spectrum, row);
     row["chi2_per_value"] = other.chi2_per_value;

@@ -4,19 +4,20 @@
 #include <cmath>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/wgs84.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {
 namespace field_foot_of {
 
-constexpr double kEquatorKm = 6378.137, kFlattening = 1.0 / 298.257223563;  // WGS 84
-constexpr double kSquare = kFlattening * (2.0 - kFlattening);               // of the eccentricity
+constexpr double kEquatorKm = sim::kWgs84EquatorKm, kFlattening = sim::kWgs84Flattening,
+                 kSquare = sim::kWgs84SquareEccentricity;
 
-double across(double sine) { return kEquatorKm / std::sqrt(1.0 - kSquare * sine * sine); }
+double across(double sine) { return sim::wgs84_normal_km(sine); }
 
 /// The direction of the field downwards, a unit vector, and whether it is along or against the field.
 EarthFixed fall_at(const sim::Igrf& igrf, const EarthFixed& km, double sign) {
-  const GeodeticPlace place = geodetic(km);
+  const SatellitePlace place = geodetic(km);
   const sim::FieldVector b = igrf.at(place.latitude_deg, place.longitude_deg, place.altitude_km);
   const double lat = place.latitude_deg * sim::kRadiansPerDegree,
                lon = place.longitude_deg * sim::kRadiansPerDegree;
@@ -41,7 +42,7 @@ EarthFixed step(const sim::Igrf& igrf, const EarthFixed& from, double km, double
 
 }  // namespace field_foot_of
 
-EarthFixed earth_fixed(const GeodeticPlace& place) {
+EarthFixed earth_fixed(const SatellitePlace& place) {
   using namespace field_foot_of;
   const double lat = place.latitude_deg * sim::kRadiansPerDegree,
                lon = place.longitude_deg * sim::kRadiansPerDegree, sine = std::sin(lat);
@@ -49,7 +50,7 @@ EarthFixed earth_fixed(const GeodeticPlace& place) {
   return {r * std::cos(lon), r * std::sin(lon), (n * (1.0 - kSquare) + place.altitude_km) * sine};
 }
 
-GeodeticPlace geodetic(const EarthFixed& km) {
+SatellitePlace geodetic(const EarthFixed& km) {
   using namespace field_foot_of;
   const double r = std::hypot(km[0], km[1]);
   constexpr int kTurns = 5;
@@ -67,15 +68,15 @@ GeodeticPlace geodetic(const EarthFixed& km) {
   return {lat / sim::kRadiansPerDegree, std::atan2(km[1], km[0]) / sim::kRadiansPerDegree, altitude};
 }
 
-GeodeticPlace place_of_state(const OrbitState& state, double utc_s) {
+SatellitePlace place_of_state(const OrbitState& state, double utc_s) {
   constexpr double kJulian1970 = 2440587.5, kDay_s = 86400.0;
   const double turned = sim::mean_sidereal_time_deg(kJulian1970 + utc_s / kDay_s) * sim::kRadiansPerDegree;
   const double c = std::cos(turned), s = std::sin(turned);
   return geodetic({c * state.km[0] + s * state.km[1], c * state.km[1] - s * state.km[0], state.km[2]});
 }
 
-std::optional<GeodeticPlace> field_foot(const sim::Igrf& igrf, const GeodeticPlace& from,
-                                        double altitude_km) {
+std::optional<SatellitePlace> field_foot(const sim::Igrf& igrf, const SatellitePlace& from,
+                                         double altitude_km) {
   using namespace field_foot_of;
   constexpr double kLongestKm = 1e5, kShareOfHeight = 0.05, kLeastStepKm = 1.0, kCloseKm = 1e-3;
   if (from.altitude_km < altitude_km) return std::nullopt;

@@ -17,20 +17,21 @@ namespace vegard::fit {
 
 using EarthFixed = std::array<double, 3>;  ///< km; x to 0 N 0 E, z to the pole
 
-struct GeodeticPlace {
+struct SatellitePlace {
   double latitude_deg = 0.0;
   double longitude_deg = 0.0;  ///< above -180, to 180
   double altitude_km = 0.0;
 };
 
-EarthFixed earth_fixed(const GeodeticPlace& place);
-GeodeticPlace geodetic(const EarthFixed& km);
+EarthFixed earth_fixed(const SatellitePlace& place);
+SatellitePlace geodetic(const EarthFixed& km);
 
 /// Returns where a satellite of this state is at a time, seconds since 1970 in UTC.
-GeodeticPlace place_of_state(const OrbitState& state, double utc_s);
+SatellitePlace place_of_state(const OrbitState& state, double utc_s);
 
 /// Returns the point at `altitude_km` of the field line through a place, downwards; to a metre. Nothing if
 /// the place is below, or the line does not come down within 100000 km.
-std::optional<GeodeticPlace> field_foot(const sim::Igrf& igrf, const GeodeticPlace& from, double altitude_km);
+std::optional<SatellitePlace> field_foot(const sim::Igrf& igrf, const SatellitePlace& from,
+                                         double altitude_km);
 
 }  // namespace vegard::fit

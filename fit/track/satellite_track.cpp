@@ -122,7 +122,7 @@ class TrackTable {
 struct FootOfMap {
   double east_km = sim::kNaN, north_km = sim::kNaN;
 };
-FootOfMap in_plane(const PrecipitationPlanes& map, const GeodeticPlace& foot) {
+FootOfMap in_plane(const PrecipitationPlanes& map, const SatellitePlace& foot) {
   const double lat = foot.latitude_deg * sim::kRadiansPerDegree,
                lon = foot.longitude_deg * sim::kRadiansPerDegree;
   const std::array<double, 3> out = {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon),
@@ -322,8 +322,8 @@ std::vector<MetElectrons> electrons_along(const std::vector<PrecipitationPlanes>
       if (std::abs(*other.time_s - point.time_s) < std::abs(*map->time_s - point.time_s)) map = &other;
     here.seconds_after_map = point.time_s - *map->time_s;
     const bool is_in_time = std::abs(here.seconds_after_map) <= request.time_tolerance_s;
-    const std::optional<GeodeticPlace> foot = field_foot(igrf, point.place, map->height_km);
-    here.foot = foot.value_or(GeodeticPlace{sim::kNaN, sim::kNaN, sim::kNaN});
+    const std::optional<SatellitePlace> foot = field_foot(igrf, point.place, map->height_km);
+    here.foot = foot.value_or(SatellitePlace{sim::kNaN, sim::kNaN, sim::kNaN});
     const FootOfMap plane = foot ? in_plane(*map, *foot) : FootOfMap{};
     here.east_km = plane.east_km;
     here.north_km = plane.north_km;

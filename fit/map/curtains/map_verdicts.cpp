@@ -207,7 +207,7 @@ QuantityVerdict verdict_of_energy(const MapResult& result, const MainCurtain& ma
                   is_largest ? "lower" : "upper")};
   QuantityVerdict verdict =
       verdict_by_error(result, kEnergy, Quantity::energy, main.energy_error, value, from_colour);
-  for (const SpectrumTrial& other : result.spectra)
+  for (const OtherSpectrum& other : result.spectra)
     if (other.is_preferred()) {
       verdict.trust = std::max(verdict.trust, Trust::doubtful);
       verdict.reason +=

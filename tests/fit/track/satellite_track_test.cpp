@@ -32,9 +32,9 @@ std::string refusal(const Call& call) {
 TEST(SatelliteTrack, GoesToTheEllipsoidAndBack) {
   EXPECT_NEAR(earth_fixed({0.0, 90.0, 100.0})[1], 6478.137, 1e-9);
   EXPECT_NEAR(earth_fixed({90.0, 0.0, 0.0})[2], 6356.752314, 1e-6);
-  for (const GeodeticPlace& place :
-       {GeodeticPlace{65.1, -147.4, 450.0}, {-33.0, 170.0, 0.0}, {89.9, 10.0, 35786.0}}) {
-    const GeodeticPlace back = geodetic(earth_fixed(place));
+  for (const SatellitePlace& place :
+       {SatellitePlace{65.1, -147.4, 450.0}, {-33.0, 170.0, 0.0}, {89.9, 10.0, 35786.0}}) {
+    const SatellitePlace back = geodetic(earth_fixed(place));
     EXPECT_NEAR(back.latitude_deg, place.latitude_deg, 1e-9);
     EXPECT_NEAR(back.longitude_deg, place.longitude_deg, 1e-9);
     EXPECT_NEAR(back.altitude_km, place.altitude_km, 1e-6);
@@ -45,8 +45,8 @@ TEST(SatelliteTrack, GoesToTheEllipsoidAndBack) {
 // is none, but far from it the way there and back is one line: the foot of a foot's conjugate is itself.
 TEST(SatelliteTrack, FootIsOnTheLine) {
   const sim::Igrf igrf(2014.2);
-  for (const GeodeticPlace& from :
-       {GeodeticPlace{65.0, -147.0, 480.0}, {68.0, 20.0, 850.0}, {-70.0, 40.0, 1200.0}}) {
+  for (const SatellitePlace& from :
+       {SatellitePlace{65.0, -147.0, 480.0}, {68.0, 20.0, 850.0}, {-70.0, 40.0, 1200.0}}) {
     const auto foot = field_foot(igrf, from, 110.0);
     ASSERT_TRUE(foot);
     EXPECT_NEAR(foot->altitude_km, 110.0, 2e-3);
