@@ -29,7 +29,7 @@ soft=(--energy-kev 1 --flux-mw-m2 8 --uncertainty none)
 hard=(--energy-kev 8 --flux-mw-m2 8 --uncertainty none)
 larger "$(number peak_altitude_km "${soft[@]}")" "$(number peak_altitude_km "${hard[@]}")"
 larger "$(number hall_conductance_s "${hard[@]}")" "$(number hall_conductance_s "${soft[@]}")"
-larger "$(number peak_density_cm3 "${soft[@]}" --steady)" "$(number peak_density_cm3 "${soft[@]}" --seconds 5)"
+larger "$(number peak_density_cm3 "${soft[@]}" --steady)" "$(number peak_density_cm3 "${soft[@]}" --seconds 20)"
 larger "$(number peak_altitude_km "${hard[@]}" --spectrum mono)" "$(number peak_altitude_km "${hard[@]}")" # half the mean energy
 [[ $(number hall_conductance_s "${hard[@]}") != $(number hall_conductance_s "${hard[@]}" --atmosphere winter_quiet) ]] ||
   fail "the air does not matter"
