@@ -82,7 +82,6 @@ int run_triangulate(const TriangulateRequest& request) {
   json_answer() = fit::triangulation_json(all);
   json_answer()["outputs"] = json_names(files.written());
   say_result(fit::triangulation_table(all));
-  for (const std::string& name : files.written()) say("%s\n", name.c_str());
   return all.is_good() ? good : doubted;
 }
 

@@ -18,7 +18,7 @@ namespace {
 using sim::kGroundEnergies;
 
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
-constexpr int kReplicatesOfSpectra = 4;  // from which on some have other spectra of the electrons
+constexpr int kReplicatesOfSpectra = 2;  // from which on some have other spectra of the electrons
 constexpr int kWorseTrials = 2;
 constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;

@@ -78,7 +78,7 @@ expect_exit 5 map "$SCENES/map.toml" --photo little.png --out calibrated --repli
   --set sensor.calibration_error=0.1
 refused to-gemini calibrated --out out --time 2014-03-10T06:05:33Z
 refused to-lompe calibrated -o out.nc --time 2014-03-10T06:05:33Z
-printf 'time,lat,lon,alt\n2014-03-10T06:05:33Z,66.8,-0.5,460\n' >track.csv
+printf 'time,lat,lon,alt\n2014-03-10T06:05:33Z,68.0,-0.5,460\n' >track.csv
 refused track calibrated --along track.csv --time 2014-03-10T06:05:33Z
 refused grid grid.vdb -o out.txt --channel density
 refused slices grid.vdb -o out.svg

@@ -132,7 +132,7 @@ def make_inputs():
         shutil.copy("a.png", f"sky_20140221_1930{second:02}.png")
     made(["fit", "fit.toml", "--photo", "a.png", "--out", "run", "--max-evaluations", "3", *FEW], 4)
     made([*MAP, "--out", "maps", "--set", "sensor.calibration_error=0.1"], 5)
-    pathlib.Path("track.csv").write_text("time,lat,lon,alt\n2014-03-10T06:05:33Z,66.8,-0.5,460\n")
+    pathlib.Path("track.csv").write_text("time,lat,lon,alt\n2014-03-10T06:05:33Z,68.0,-0.5,460\n")
     pathlib.Path("counts.toml").write_text(
         'name = "made"\ndark_counts = 100.0\ngain_e_per_count = 1.0\n'
         '[[filter]]\nname = "green"\nline_nm = 557.7\nwidth_nm = 2.0\nwidth_error = 0.03\n'
