@@ -146,6 +146,7 @@ Ionosphere ionosphere(const IonosphereAir& air, const std::vector<double>& pairs
   Ionosphere result;
   result.pairs_cm3_s = pairs_cm3_s;
   constexpr double kNoneCm3 = 1e-30;  // for logarithms
+  const bool is_steady = std::isinf(physics.seconds);
   std::vector<double> ln_electrons, pedersen, hall;
   for (std::size_t i = 0; i < air.places.size(); ++i) {
     const ReactingAir& here = air.places[i];
@@ -154,7 +155,10 @@ Ionosphere ionosphere(const IonosphereAir& air, const std::vector<double>& pairs
                                       physics.seconds, physics.night));
     result.conductivity.push_back(
         conductivity(here, result.ions.back(), air.field_nt[i], physics.collisions));
-    ln_electrons.push_back(std::log(std::max(kNoneCm3, result.ions.back().electrons)));
+    const double electrons = result.ions.back().electrons;
+    const bool is_of_the_night =
+        !is_steady && electrons < kAboveNight * physics.night * night_ions(here).electrons;
+    ln_electrons.push_back(std::log(is_of_the_night ? kNoneCm3 : std::max(kNoneCm3, electrons)));
     pedersen.push_back(result.conductivity.back().pedersen);
     hall.push_back(result.conductivity.back().hall);
   }

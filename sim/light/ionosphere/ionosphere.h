@@ -62,13 +62,18 @@ struct IonospherePhysics {
 /// Returns the ions that these pairs make at a place.
 IonProduction ion_production(double pairs_cm3_s, const ReactingAir& air, const IonospherePhysics& physics);
 
+/// Electrons of the night before are assumed: fewer than so many times them tell nothing of the aurora's.
+inline constexpr double kAboveNight = 3.0;
+
 /// By altitude, and integrated. Densities in cm^-3, conductivities in S m^-1, conductances in S.
 struct Ionosphere {
   std::vector<double> altitude_km, pairs_cm3_s;
   std::vector<IonDensities> ions;
   std::vector<Conductivity> conductivity;
   double pedersen_s = 0.0, hall_s = 0.0;  ///< integrated over altitude
-  double peak_cm3 = 0.0, peak_km = 0.0;   ///< largest density of electrons; NaN height if there are none
+  /// Largest density of electrons, where it is kAboveNight times the night's; 0, with a height of NaN, if
+  /// there is none.
+  double peak_cm3 = 0.0, peak_km = 0.0;
 
   /// Energy that the electrons leave, W m^-3, and over all altitudes, mW m^-2. Light and chemistry carry a
   /// part of it away; the rest heats the air.

@@ -34,8 +34,6 @@ void append_logs(const Ionosphere& of, std::vector<double>& ln) {
   ln.push_back(ln_above(of.hall_s, kLeastOther));
 }
 
-/// Electrons of the night before, which are assumed: a largest density among them is none of the aurora's.
-constexpr double kAboveNight = 3.0;
 double night_cm3(double altitude_km) {
   ReactingAir place;
   place.altitude_km = altitude_km;
@@ -175,7 +173,11 @@ void IonosphereTable::draw(const IonosphereModel& model, int draws, int threads)
     for (std::size_t c = 0; c < 2; ++c)
       sigma_.push_back(
           sigma_of([&](const Drawn& of) { return of.ln[kIonosphereNumbers * thinned.size() + c]; }));
-    sigma_.push_back(sigma_of([](const Drawn& of) { return of.peak_km; }));
+    std::vector<double> peaks;
+    for (std::size_t d = 0; d < all; ++d)
+      if (const double peak_km = drawn[node * all + d].peak_km; std::isfinite(peak_km))
+        peaks.push_back(peak_km);
+    sigma_.push_back(2 * peaks.size() > all ? half_of_the_middle(peaks) : kNaN);
   }
 }
 
@@ -230,8 +232,17 @@ double IonosphereTable::physics_sigma(const Place& place, std::size_t index) con
     return sigma_[((place.coarse_energy + e) * coarse_flux_.count + place.coarse_flux + q) * (size() + 1) +
                   index];
   };
-  const double e = place.coarse_energy_share, q = place.coarse_flux_share;
-  return (1.0 - e) * ((1.0 - q) * at(0, 0) + q * at(0, 1)) + e * ((1.0 - q) * at(1, 0) + q * at(1, 1));
+  const double by_energy[] = {1.0 - place.coarse_energy_share, place.coarse_energy_share};
+  const double by_flux[] = {1.0 - place.coarse_flux_share, place.coarse_flux_share};
+  // A node whose draws have no peak has none of its errors.
+  double sum = 0.0, weight = 0.0;
+  for (std::size_t e = 0; e < 2; ++e)
+    for (std::size_t q = 0; q < 2; ++q)
+      if (const double sigma = at(e, q); std::isfinite(sigma)) {
+        sum += by_energy[e] * by_flux[q] * sigma;
+        weight += by_energy[e] * by_flux[q];
+      }
+  return weight > 0.5 ? sum / weight : kNaN;
 }
 
 KnownNumber IonosphereTable::known(const Place& place, const ElectronEstimate& electrons,

@@ -146,6 +146,8 @@ TEST(IonosphereTable, KeepsTheNightWithoutFlux) {
   while (drawn.altitudes_km()[high] < 300.0) ++high;
   const KnownNumber night = drawn.profile({2.0, 1e-4, 0.0, 0.0}, IonosphereNumber::electrons)[high];
   EXPECT_NEAR(night.value, 1e5, 1e4);
+  // The aurora's peak does not go to the night's layer where that is drawn dense.
+  EXPECT_LT(drawn.at({2.0, 1.0, 0.0, 0.0}).peak_km.sigma, 10.0);
   EXPECT_GT(night.sigma, 0.6 * night.value);  // 64 draws of a deviation of 1.1 leave a tenth
 }
 
