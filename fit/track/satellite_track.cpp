@@ -122,7 +122,7 @@ class TrackTable {
 struct FootOfMap {
   double east_km = sim::kNaN, north_km = sim::kNaN;
 };
-FootOfMap in_plane(const PrecipitationPlanes& map, const SatellitePlace& foot) {
+FootOfMap in_plane(const PrecipitationPlanes& map, const GeodeticPlace& foot) {
   const double lat = foot.latitude_deg * sim::kRadiansPerDegree,
                lon = foot.longitude_deg * sim::kRadiansPerDegree;
   const std::array<double, 3> out = {std::cos(lat) * std::cos(lon), std::cos(lat) * std::sin(lon),
@@ -231,8 +231,9 @@ std::vector<SatellitePoint> read_track(const std::string& text, const std::strin
     } else {
       const double km = kKmPerM * table.number(r, height, kLeastM, kMostM),
                    up = latitude * sim::kRadiansPerDegree, turned = longitude * sim::kRadiansPerDegree;
-      point.place = geodetic(
-          {km * std::cos(up) * std::cos(turned), km * std::cos(up) * std::sin(turned), km * std::sin(up)});
+      point.place = geodetic_place(EarthShape::wgs84,
+                                   km * Eigen::Vector3d(std::cos(up) * std::cos(turned),
+                                                        std::cos(up) * std::sin(turned), std::sin(up)));
     }
     track.push_back(point);
   }
@@ -322,8 +323,8 @@ std::vector<MetElectrons> electrons_along(const std::vector<PrecipitationPlanes>
       if (std::abs(*other.time_s - point.time_s) < std::abs(*map->time_s - point.time_s)) map = &other;
     here.seconds_after_map = point.time_s - *map->time_s;
     const bool is_in_time = std::abs(here.seconds_after_map) <= request.time_tolerance_s;
-    const std::optional<SatellitePlace> foot = field_foot(igrf, point.place, map->height_km);
-    here.foot = foot.value_or(SatellitePlace{sim::kNaN, sim::kNaN, sim::kNaN});
+    const std::optional<GeodeticPlace> foot = field_foot(igrf, point.place, map->height_km);
+    here.foot = foot.value_or(GeodeticPlace{sim::kNaN, sim::kNaN, sim::kNaN});
     const FootOfMap plane = foot ? in_plane(*map, *foot) : FootOfMap{};
     here.east_km = plane.east_km;
     here.north_km = plane.north_km;

@@ -12,7 +12,7 @@ namespace vegard::fit {
 
 struct SatellitePoint {
   double time_s = 0.0;  ///< seconds since 1970 in UTC
-  SatellitePlace place;
+  GeodeticPlace place;
 };
 
 /// Reads a table with columns of these names, capital or small letters alike:
@@ -46,7 +46,7 @@ std::vector<SatellitePoint> track_of_elements(const std::string& text, const std
 /// What a map has at a foot; NaN where it knows nothing.
 struct MetElectrons {
   SatellitePoint point;
-  SatellitePlace foot;  ///< at the map's altitude; NaN where the field line does not come down
+  GeodeticPlace foot;  ///< at the map's altitude; NaN where the field line does not come down
   double east_km = 0.0, north_km = 0.0;
   double seconds_after_map = 0.0;
   double energy_kev = 0.0, energy_flux_mw_m2 = 0.0;

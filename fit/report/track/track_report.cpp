@@ -37,7 +37,7 @@ std::vector<TrackColumn> columns_of(const std::vector<MetElectrons>& met,
   add("longitude_deg", "longitude", "longitude of the satellite", "degrees_east",
       [](const M& m) { return m.point.place.longitude_deg; });
   add("altitude_km", "altitude", "altitude of the satellite", "km",
-      [](const M& m) { return m.point.place.altitude_km; });
+      [](const M& m) { return m.point.place.height_km; });
   add("foot_latitude_deg", "foot_latitude", "geodetic latitude of its foot along the field", "degrees_north",
       [](const M& m) { return m.foot.latitude_deg; });
   add("foot_longitude_deg", "foot_longitude", "longitude of its foot", "degrees_east",

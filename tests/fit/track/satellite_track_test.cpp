@@ -30,14 +30,14 @@ std::string refusal(const Call& call) {
 
 // Places of round numbers: the equator, a pole, and Bowring's formula back and forth.
 TEST(SatelliteTrack, GoesToTheEllipsoidAndBack) {
-  EXPECT_NEAR(earth_fixed({0.0, 90.0, 100.0})[1], 6478.137, 1e-9);
-  EXPECT_NEAR(earth_fixed({90.0, 0.0, 0.0})[2], 6356.752314, 1e-6);
-  for (const SatellitePlace& place :
-       {SatellitePlace{65.1, -147.4, 450.0}, {-33.0, 170.0, 0.0}, {89.9, 10.0, 35786.0}}) {
-    const SatellitePlace back = geodetic(earth_fixed(place));
+  EXPECT_NEAR(earth_place_km(EarthShape::wgs84, GeodeticPlace{0.0, 90.0, 100.0})[1], 6478.137, 1e-9);
+  EXPECT_NEAR(earth_place_km(EarthShape::wgs84, GeodeticPlace{90.0, 0.0, 0.0})[2], 6356.752314, 1e-6);
+  for (const GeodeticPlace& place :
+       {GeodeticPlace{65.1, -147.4, 450.0}, {-33.0, 170.0, 0.0}, {89.9, 10.0, 35786.0}}) {
+    const GeodeticPlace back = geodetic_place(EarthShape::wgs84, earth_place_km(EarthShape::wgs84, place));
     EXPECT_NEAR(back.latitude_deg, place.latitude_deg, 1e-9);
     EXPECT_NEAR(back.longitude_deg, place.longitude_deg, 1e-9);
-    EXPECT_NEAR(back.altitude_km, place.altitude_km, 1e-6);
+    EXPECT_NEAR(back.height_km, place.height_km, 1e-6);
   }
 }
 
@@ -45,11 +45,11 @@ TEST(SatelliteTrack, GoesToTheEllipsoidAndBack) {
 // is none, but far from it the way there and back is one line: the foot of a foot's conjugate is itself.
 TEST(SatelliteTrack, FootIsOnTheLine) {
   const sim::Igrf igrf(2014.2);
-  for (const SatellitePlace& from :
-       {SatellitePlace{65.0, -147.0, 480.0}, {68.0, 20.0, 850.0}, {-70.0, 40.0, 1200.0}}) {
+  for (const GeodeticPlace& from :
+       {GeodeticPlace{65.0, -147.0, 480.0}, {68.0, 20.0, 850.0}, {-70.0, 40.0, 1200.0}}) {
     const auto foot = field_foot(igrf, from, 110.0);
     ASSERT_TRUE(foot);
-    EXPECT_NEAR(foot->altitude_km, 110.0, 2e-3);
+    EXPECT_NEAR(foot->height_km, 110.0, 2e-3);
     // Half the way down and then on: the same foot.
     const auto half = field_foot(igrf, from, 300.0);
     const auto again = field_foot(igrf, *half, 110.0);
@@ -194,11 +194,11 @@ TEST(SatelliteTrack, ReadsTables) {
       "a.csv");
   ASSERT_EQ(own.size(), 1u);
   EXPECT_EQ(own[0].time_s, kMapTime_s);
-  EXPECT_EQ(own[0].place.altitude_km, 480.0);
+  EXPECT_EQ(own[0].place.height_km, 480.0);
   // Swarm: a geocentric latitude and the radius in metres; DMSP by Madrigal: seconds since 1970.
   const std::vector<SatellitePoint> swarm =
       read_track("Timestamp;Latitude;Longitude;Radius\n2014-03-10 06:05:33;45;10;6838137\n", "b.csv");
-  const EarthFixed km = earth_fixed(swarm[0].place);
+  const Eigen::Vector3d km = earth_place_km(EarthShape::wgs84, swarm[0].place);
   EXPECT_NEAR(km[2], 6838.137 * std::sqrt(0.5), 1e-6);
   EXPECT_GT(swarm[0].place.latitude_deg, 45.17);  // geodetic
   EXPECT_EQ(read_track("ut1_unix,gdlat,glon,gdalt\n1394431533,65,213,850\n", "c.csv")[0].time_s, kMapTime_s);
@@ -226,7 +226,7 @@ TEST(SatelliteTrack, TurnsAStateToTheEarth) {
   const double ut1_s = *sim::utc_seconds("2004-04-06T07:51:28.386Z") - 0.4399619;
   OrbitState state;
   state.km = {5094.18016210, 6127.64465950, 6380.34453270};
-  const EarthFixed km = earth_fixed(place_of_state(state, ut1_s));
+  const Eigen::Vector3d km = earth_place_km(EarthShape::wgs84, place_of_state(state, ut1_s));
   EXPECT_NEAR(km[0], -1033.47503130, 0.02);
   EXPECT_NEAR(km[1], 7901.30558560, 0.02);
   EXPECT_NEAR(km[2], 6380.34453270, 0.02);
@@ -242,7 +242,7 @@ TEST(SatelliteTrack, FollowsElements) {
   const std::vector<SatellitePoint> track =
       track_of_elements(text, "a.tle", "", {epoch_s, epoch_s + 7200.0}, oldest);
   EXPECT_NEAR(oldest, 7200.0 / 86400.0, 1e-6);
-  const EarthFixed km = earth_fixed(track[1].place);
+  const Eigen::Vector3d km = earth_place_km(EarthShape::wgs84, track[1].place);
   EXPECT_NEAR(km[2], 5471.33577327, 0.01);
   EXPECT_NEAR(std::hypot(km[0], km[1]), std::hypot(-3935.69800083, 409.10980837), 0.01);
   const auto refused = [&](const std::string& satellite, double time_s) {
