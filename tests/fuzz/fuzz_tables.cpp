@@ -10,10 +10,14 @@
 #include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
+#include "fit/report/ionosphere/electron_source.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/sky_kind/sky_model.h"
 #include "fit/survey/survey.h"
 #include "fit/survey/survey_plan.h"
+#include "fit/track/satellite_track.h"
+#include "fit/track/sgp4.h"
+#include "fit/triangulation/sight_table.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/number/mask5.h"
 #include "sim/base/utc_time.h"
@@ -259,10 +263,43 @@ void keyed_tables(const std::string& text) {
   require(keyed.numbers(table.columns[2], keys).size() == places);
 }
 
+/// What cameras see, of two.
+void sights(const std::string& text) {
+  for (const fit::SightedFeature& feature : fit::read_sights(text, "it.csv", {"a.toml", "b.toml"}, {})) {
+    require(!feature.name.empty() && (feature.curves.empty() || feature.curves.size() > 1));
+    for (const fit::Sight& sight : feature.sights)
+      require(sight.camera < 2 && std::isfinite(sight.pixel.x_px) && std::isfinite(sight.pixel.y_px));
+    for (const fit::PictureCurve& curve : feature.curves)
+      require(curve.camera < 2 && curve.points.size() > 1 && curve.points.size() == curve.error_px.size());
+  }
+}
+
+void tracks(const std::string& text) {
+  for (const fit::SatellitePoint& point : fit::read_track(text, "it.csv"))
+    require(std::isfinite(point.time_s) && std::abs(point.place.latitude_deg) <= 90.0 &&
+            std::isfinite(point.place.longitude_deg) && std::isfinite(point.place.height_km));
+}
+
+/// Two lines of an orbit.
+void elements(const std::string& text) {
+  for (const fit::OrbitalElements& of : fit::read_orbital_elements(text, "it.tle")) {
+    const fit::OrbitState state = fit::Sgp4(of, "it.tle").at(30.0);
+    for (int i = 0; i < 3; ++i) require(std::isfinite(state.km[i]) && std::isfinite(state.km_s[i]));
+  }
+}
+
+/// An answer of vegard invert.
+void electrons(const std::string& text) {
+  const tests::InputFile file(text, "it.json");
+  for (const sim::ElectronEstimate& row : fit::read_electron_source(file.path("it.json"), "", 0.0).rows)
+    require(row.energy_kev > 0.0 && row.energy_flux_mw_m2 >= 0.0);
+}
+
 constexpr Reader kReaders[] = {
-    csv,    height_profile, response,        tone,      colours,       stars,     pictures,     times,
-    camera, mask,           moments,         curtains,  precipitation, survey,    plan,         survey_list,
-    air,    sky_model,      emission_tables, reactions, aida_cameras,  solutions, keyed_tables, counts};
+    csv,       height_profile, response, tone,      colours,         stars,         pictures,
+    times,     camera,         mask,     moments,   curtains,        precipitation, survey,
+    plan,      survey_list,    air,      sky_model, emission_tables, reactions,     aida_cameras,
+    solutions, keyed_tables,   counts,   sights,    tracks,          elements,      electrons};
 
 }  // namespace
 

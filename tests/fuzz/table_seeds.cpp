@@ -67,7 +67,7 @@ constexpr const char* kSurvey =
     "= \"fog\"\n";
 
 constexpr const char* kCounts =
-    "uname = \"a\"\ndark_counts = 3.5\ngain_e_per_count = 2\n[[filter]]\nname = \"g\"\nline_nm = "
+    "xname = \"a\"\ndark_counts = 3.5\ngain_e_per_count = 2\n[[filter]]\nname = \"g\"\nline_nm = "
     "557.7\nwidth_nm = "
     "2.0\nwidth_error = 0.03\nrayleigh_per_count_s = 24.2\nrayleigh_per_count_s_error = 1\n[[filter]]\nname "
     "= "
@@ -126,6 +126,16 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "1 1 0 "
       "0 0 0 0 -0.5 0\n",
       "v" + small_solution(),
+      "yname,camera,x_px,y_px,sigma_px\nknot,1,465.5,354.3,1\nknot,b.toml,358.2,680.5,\nray,1,3,4,2\nray,1,5,"
+      "6,2\n"
+      "ray,2,7,8,2\nray,2,9,8,2\n",
+      "zTimestamp,Latitude,Longitude,Radius\n2014-03-10 06:05:33,66.2,-0.5,6838137\n",
+      "zut1_unix,glat,glon,gdalt\n1394431533.5,66.2,359.5,460\n",
+      "{DELTA 1 DEB\n1 06251U 62025E   06176.82412014  .00008885  00000-0  12808-3 0  3985\n"
+      "2 06251  58.0579  54.0425 0030035 139.1568 221.1854 15.56387291  6774\n",
+      "|{\"kind\": \"vegard invert\", \"spectrum\": \"maxwellian\", \"tables\": \"vegard\", \"solutions\": "
+      "[{\"energy_kev\": {\"value\": 3, \"sigma_ln\": 0.1, \"free\": true}, \"energy_flux_mw_m2\": "
+      "{\"value\": 5, \"sigma_ln\": 0.2}, \"correlations\": {\"energy_kev,energy_flux_mw_m2\": -0.5}}]}",
       "w# a profile\n# decoding: srgb\nband,row_px,r,\"g, h\"\n0,0,1,2\n0,1,,4\n1,0,5e-3,6\n1,1,7,8\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",
       "tnumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
