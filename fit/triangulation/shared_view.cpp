@@ -57,11 +57,14 @@ std::vector<GeodeticPlace> view_outline(const ViewPoint& view, double height_km)
   const Eigen::Matrix3d axes = east_north_up(here);
   std::vector<GeodeticPlace> low, high;
   bool has_zenith = false;
-  for (int azimuth = 0; azimuth <= 360; azimuth += 4) {
+  // From behind the camera around to there, so that the outline does not begin amid the view.
+  const double behind_deg = view.camera().camera.azimuth_deg + 180.0;
+  for (int turn_deg = 0; turn_deg <= 360; turn_deg += 4) {
+    const double azimuth_deg = behind_deg + turn_deg;
     std::optional<GeodeticPlace> lowest, highest;
     for (double elevation = kLowestShared_deg; elevation <= 90.0; elevation += 1.0) {
       double enu[3];
-      sim::enu_of_direction({static_cast<double>(azimuth), elevation}, enu);
+      sim::enu_of_direction({azimuth_deg, elevation}, enu);
       const Eigen::Vector3d direction = axes.transpose() * Eigen::Vector3d(enu[0], enu[1], enu[2]);
       const auto place = place_at_height(view, direction, height_km);
       if (!place) continue;
