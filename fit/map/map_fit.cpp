@@ -18,7 +18,6 @@ namespace {
 using sim::kGroundEnergies;
 
 constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
-constexpr int kReplicatesOfSpectra = 2;  // from which on some have other spectra of the electrons
 constexpr int kWorseTrials = 2;
 constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
@@ -292,7 +291,7 @@ MapResult Mapping::run() {
                           problem_.share.coarse);
   });
   require_light(coarse, start, chi2);
-  if (problem_.options.replicates >= kReplicatesOfSpectra && is_of_one_station(problem_.scenes))
+  if (problem_.options.replicates > 1 && is_of_one_station(problem_.scenes))
     try_other_spectra(problem_, coarse, start, chi2, result);
 
   std::vector<MapObservation> fine = problem_.pictures(1);
