@@ -4,44 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/map/solution_draw.h"
 #include "fit/map/spectra_left_open.h"
-#include "sim/base/number/random.h"
 
 namespace vegard::fit {
 namespace {
-
-using sim::kGroundEnergies;
-
-constexpr double kPriorSpread = 0.7;  // standard deviation of the logarithm of a replicate's sparsity
-// How far a replicate starts from the best map, as standard deviations of logarithms: by cell the prior's
-// strength, the flux, and the spectrum's slope (d ln x / d ln E).
-constexpr double kCellPriorSpread = 1.0, kFluxSpread = 0.7, kTiltSpread = 1.4;
-
-/// Returns one number of a film of independent normal numbers, drawn again for each replicate.
-double normal(std::uint64_t seed, std::uint32_t replicate, std::uint32_t picture, std::uint32_t i) {
-  const sim::Words w = sim::random_words(seed, sim::Stream::bootstrap, i, replicate + 1000u, picture);
-  const double u = sim::fine_uniform(w[0], w[1]);
-  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * 3.141592653589793 * sim::fine_uniform(w[2], w[3]));
-}
-
-/// Returns smooth normal numbers of variance 1 over a film: a model's error, which neighbours share.
-std::vector<float> smooth_error(const sim::FilmGeometry& film, std::uint64_t seed, int replicate, int picture,
-                                int threads) {
-  std::vector<float> drawn(static_cast<std::size_t>(film.rows) * film.columns), blurred(drawn.size());
-  for (std::size_t i = 0; i < drawn.size(); ++i)
-    drawn[i] = static_cast<float>(normal(seed, static_cast<std::uint32_t>(replicate),
-                                         static_cast<std::uint32_t>(picture) * 4u + 3u,
-                                         static_cast<std::uint32_t>(i)));
-  const sim::BlurKernel kernel = sim::gaussian_kernel(kModelErrorReach_cells);
-  sim::blur_window(drawn.data(), film.rows, film.columns, {{kernel, kernel}}, {0, 0, film.rows, film.columns},
-                   blurred.data(), threads);
-  // The variance of a mean with these weights, both ways.
-  double squares = kernel.weights[0] * kernel.weights[0];
-  for (std::size_t k = 1; k < kernel.weights.size(); ++k)
-    squares += 2.0 * kernel.weights[k] * kernel.weights[k];
-  for (float& x : blurred) x = static_cast<float>(x / squares);
-  return blurred;
-}
 
 /// Returns the values that a replicate has of the numbers beside the map, drawn from their priors.
 std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumber>& numbers,
@@ -49,7 +16,7 @@ std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumbe
   constexpr std::uint32_t kNumbers = 0xffe0u;  // in place of a picture
   std::vector<double> values;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const double drawn = normal(seed, replicate, kNumbers, static_cast<std::uint32_t>(i));
+    const double drawn = SolutionDraw{seed, replicate}.normal(kNumbers, static_cast<std::uint32_t>(i));
     values.push_back(numbers[i].value + numbers[i].error * drawn);
   }
   return values;
@@ -73,7 +40,6 @@ class Replicates {
   /// have it from then on.
   std::vector<MapObservation> pictures_drawn(const std::vector<double>& values,
                                              const sim::ElectronSpectrum& spectrum);
-  void set_drawn_data(std::uint32_t number, std::uint32_t p, MapObservation& picture) const;
   /// `shift`: of the modes from those of the best map.
   MapSolution solve_drawn(std::vector<MapObservation>& pictures, std::uint32_t number,
                           const Eigen::VectorXd& shift, double from, double to) const;
@@ -97,56 +63,17 @@ std::vector<MapObservation> Replicates::pictures_drawn(const std::vector<double>
   return all;
 }
 
-void Replicates::set_drawn_data(std::uint32_t number, std::uint32_t p, MapObservation& picture) const {
-  const std::vector<float> shared =
-      smooth_error(picture.film(), problem_.scene.seed, static_cast<int>(number), static_cast<int>(p),
-                   problem_.options.threads);
-  MapLight data = truth_[p];
-  for (std::size_t i = 0; i < data.size(); ++i) {
-    const double sigma = picture.sigma()[i], noise = picture.noise()[i];
-    if (sigma == 0.0) continue;
-    const double model_error = std::sqrt(std::max(0.0, sigma * sigma - noise * noise));
-    data[i] += static_cast<float>(noise * normal(problem_.scene.seed, number,
-                                                 p * 4u + static_cast<std::uint32_t>(i % 3),
-                                                 static_cast<std::uint32_t>(i / 3)) +
-                                  model_error * shared[i / 3]);
-  }
-  picture.set_data(std::move(data));
-}
-
 MapSolution Replicates::solve_drawn(std::vector<MapObservation>& pictures, std::uint32_t number,
                                     const Eigen::VectorXd& shift, double from, double to) const {
-  const double spread = kPriorSpread * normal(problem_.scene.seed, number, 0xffffu, 0u);
-  // A little light everywhere, so that what the prior has put out may come back.
-  // Fluxes and spectra are drawn about the best, so that what the data leave open does not come back to it.
-  std::vector<float> start = moved_map(result_.map, learnt_.response.answer(shift)),
-                     factor(static_cast<std::size_t>(result_.grid.cells()));
-  double most = 0.0, flux_of_all = 0.0, ln_energy_of_all = 0.0;
-  for (const float x : start) most = std::max(most, static_cast<double>(x));
-  for (const CellFlux& cell : result_.cells) {
-    flux_of_all += cell.flux_mw_m2;
-    ln_energy_of_all += static_cast<double>(cell.flux_mw_m2) * cell.ln_energy;
-  }
-  ln_energy_of_all /= std::max(1e-30, flux_of_all);
-  const auto draw = [&](std::size_t c, std::uint32_t what) {
-    return normal(problem_.scene.seed, number, 0xfff0u + what, static_cast<std::uint32_t>(c));
-  };
-  for (std::size_t c = 0; c < factor.size(); ++c) {
-    factor[c] = static_cast<float>(std::exp(kCellPriorSpread * draw(c, 0u)));
-    const double flux = kFluxSpread * draw(c, 1u), tilt = kTiltSpread * draw(c, 2u);
-    // A cell without light has no energy of its own.
-    const double about = result_.cells[c].flux_mw_m2 > 0.0f ? result_.cells[c].ln_energy : ln_energy_of_all;
-    for (std::size_t k = 0; k < problem_.energies_kev.size(); ++k) {
-      float& x = start[c * kGroundEnergies + k];
-      x += static_cast<float>(1e-4 * most);
-      x *= static_cast<float>(std::exp(flux + tilt * (std::log(problem_.energies_kev[k]) - about)));
-    }
-  }
+  const SolutionDraw draw{problem_.scene.seed, number};
   MapSolverOptions o;
-  o.cell_factor = std::move(factor);
+  o.cell_factor = draw.prior_factors(result_.grid.cells());
   o.steps = kReplicateSteps;
-  o.sparsity = result_.sparsity * std::exp(spread);
-  return problem_.solve(pictures, std::move(start), "error bars", from, to, std::move(o));
+  o.sparsity = draw.sparsity(result_.sparsity);
+  return problem_.solve(pictures,
+                        draw.start(moved_map(result_.map, learnt_.response.answer(shift)), result_.cells,
+                                   problem_.energies_kev),
+                        "error bars", from, to, std::move(o));
 }
 
 Eigen::VectorXd Replicates::drawn_shift(const std::vector<double>& values) const {
@@ -177,7 +104,8 @@ void Replicates::add(std::uint32_t number) {
     // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
     for (std::size_t p = 0; p < pictures.size(); ++p) {
       pictures[p].gain = result_.photos[p].gain;
-      set_drawn_data(number, static_cast<std::uint32_t>(p), pictures[p]);
+      pictures[p].set_data(SolutionDraw{problem_.scene.seed, number}.data(
+          pictures[p], truth_[p], static_cast<std::uint32_t>(p), 0, problem_.options.threads));
     }
     const MapSolution s = solve_drawn(pictures, number, shift, from, from + each);
     StepOutput out;

@@ -7,6 +7,7 @@
 #include "fit/map/map_error_bars.h"
 #include "fit/map/map_grid.h"
 #include "fit/map/map_problem.h"
+#include "fit/map/map_reading.h"
 #include "fit/map/spectra_left_open.h"
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
@@ -17,9 +18,7 @@ namespace {
 
 using sim::kGroundEnergies;
 
-constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;
 constexpr int kWorseTrials = 2;
-constexpr double kWideReach_km = 10.0;
 constexpr double kUsualSparsity = 4.0;
 
 /// Solves the coarse and then the fine problem.
@@ -34,9 +33,6 @@ class Mapping {
   /// Throws if light explains next to nothing of the pictures.
   void require_light(std::vector<MapObservation>& pictures, const std::vector<float>& start,
                      double chi2) const;
-  /// Keeps the fine cells near coarse ones that have light.
-  void keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& rough, sim::GroundGrid& fine) const;
-  void put_photos(std::vector<MapObservation>& pictures, MapResult& result) const;
   std::vector<float> flat_start(std::vector<MapObservation>& pictures, const sim::GroundGrid& grid) const;
   void keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& grid);
   /// Solves with one prior after the other, each time without some cells, and writes how well it predicts
@@ -46,7 +42,6 @@ class Mapping {
                          MapResult& result);
   std::vector<float> recorded(const std::string& name, int cells, std::vector<MapObservation>& pictures,
                               double& chi2, const std::function<MapSolution()>& work);
-  void tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const;
 
   MapProblem problem_;
 };
@@ -189,27 +184,6 @@ double Mapping::choose_sparsity(std::vector<MapObservation>& pictures, const std
   return strongest_good_prior(result.trials);
 }
 
-void Mapping::tell_what_is_seen(const std::vector<MapObservation>& pictures, MapResult& result) const {
-  const auto cells = static_cast<std::size_t>(result.grid.cells());
-  result.border_in_view.assign(cells, 0);
-  for (std::size_t c = 0; c < cells; ++c)
-    result.border_in_view[c] = is_border_in_view(result, result.grid.middle_km(static_cast<int>(c))) ? 1 : 0;
-  // Signal over noise of a cell by itself, at the median of the flux-weighted energies: sqrt(a' W a), where a
-  // and W are taken as if a cell's light fell on pixels of like weight.
-  result.sensitivity.assign(cells, 0.0f);
-  for (const MapObservation& picture : pictures) {
-    MapLight weighted = picture.weight();
-    std::vector<float> back(cells * kGroundEnergies, 0.0f);
-    std::vector<float> ones(cells * kGroundEnergies, 1.0f);
-    for (float& w : weighted) w = std::sqrt(w);
-    picture.add_adjoint(weighted, back);
-    const std::size_t middle = problem_.energies_kev.size() / 2;
-    for (std::size_t c = 0; c < cells; ++c)
-      result.sensitivity[c] = static_cast<float>(
-          std::hypot(result.sensitivity[c], std::max(0.0f, back[c * kGroundEnergies + middle])));
-  }
-}
-
 void Mapping::require_light(std::vector<MapObservation>& pictures, const std::vector<float>& start,
                             double chi2) const {
   double dark = 0.0;
@@ -224,49 +198,6 @@ void Mapping::require_light(std::vector<MapObservation>& pictures, const std::ve
   throw sim::unreadable(problem_.photos.front().file_name, "no light is above the noise and the sky")
       .expected("a photograph with aurora")
       .hint("check the mask and fit.roi_px; a smooth sky explains all of the picture");
-}
-
-void Mapping::keep_lit(const sim::GroundGrid& coarse, const std::vector<float>& rough,
-                       sim::GroundGrid& fine) const {
-  const std::vector<CellFlux> cells = CellReader(coarse, problem_.energies_kev).cells(rough);
-  std::vector<std::uint8_t> lit(cells.size(), 0);
-  float most = 0.0f;
-  for (const CellFlux& cell : cells) most = std::max(most, cell.flux_mw_m2);
-  for (std::size_t c = 0; c < lit.size(); ++c)
-    if (cells[c].flux_mw_m2 > kKeptShare * most)
-      for (const auto& near : coarse.near(
-               static_cast<int>(c), std::max(kKeptReach_km, 2.5 * coarse.depth_km(static_cast<int>(c)))))
-        lit[near.cell] = 1;
-  std::vector<bool> kept(fine.cells(), false);
-  for (int c = 0; c < fine.cells(); ++c) {
-    const sim::EastNorth middle = fine.middle_km(c);
-    const int under = coarse.cell_at(middle.east, middle.north);
-    kept[c] = under >= 0 && lit[under] != 0;
-  }
-  fine.keep(kept);
-}
-
-void Mapping::put_photos(std::vector<MapObservation>& pictures, MapResult& result) const {
-  result.chi2 = 0.0;
-  for (std::size_t p = 0; p < pictures.size(); ++p) {
-    MapObservation& picture = pictures[p];
-    MappedPhoto photo;
-    photo.name = problem_.scene.fit.photos.empty() ? "" : problem_.scene.fit.photos[p].name;
-    photo.scene = problem_.scenes[p];
-    if (!problem_.modes.empty()) photo.scene.emission.modes = problem_.modes;
-    photo.film = picture.film();
-    photo.data = picture.data();
-    photo.sigma = picture.sigma();
-    photo.gain = picture.gain;
-    photo.values = picture.values();
-    MapLight residual, none(picture.cells() * 3, 0.0f);
-    result.chi2_without_aurora += picture.residual(none, residual);
-    picture.forward(result.map, photo.model);
-    photo.chi2 = picture.residual(photo.model, residual);
-    photo.sky = picture.sky();
-    result.chi2 += photo.chi2;
-    result.photos.push_back(std::move(photo));
-  }
 }
 
 MapResult Mapping::run() {
@@ -297,20 +228,14 @@ MapResult Mapping::run() {
   std::vector<MapObservation> fine = problem_.pictures(1);
   for (std::size_t p = 0; p < fine.size(); ++p) fine[p].gain = coarse[p].gain;
   result.grid = map_grid(fine, problem_.scene.site, farthest, 1.0);
-  keep_lit(coarse_grid, rough, result.grid);
+  result.grid.keep(cells_near_light(coarse_grid, rough, problem_.energies_kev, result.grid));
   problem_.look(fine, result.grid);
   problem_.near = MapNeighbours(result.grid);
   result.map = recorded("map", result.grid.cells(), fine, result.chi2, [&] {
     return problem_.solve(fine, refined_map(rough, coarse_grid, result.grid), result.sparsity, kFineSteps,
                           "map", problem_.share.coarse, problem_.share.map);
   });
-  if (!problem_.modes.empty()) result.scene.emission.modes = problem_.modes;
-  result.cells = CellReader(result.grid, problem_.energies_kev).cells(result.map);
-  for (const CellFlux& cell : CellReader(result.grid, problem_.energies_kev, kWideReach_km).cells(result.map))
-    result.ln_energy_around.push_back(cell.ln_energy);
-  result.values = all_values(fine);
-  put_photos(fine, result);
-  tell_what_is_seen(fine, result);
+  MapReading(result.grid, problem_.energies_kev).read(problem_, fine, result);
   add_replicates(problem_, fine, result);
   result.interrupted = problem_.stopped();
   return result;

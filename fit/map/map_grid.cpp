@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "fit/map/cell_reader.h"
 #include "sim/base/number/constants.h"
 #include "sim/render/ground/ground_light.h"
 #include "sim/scene/structs/site_axes.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr double kCellsPerResolution = 0.8;  // a cell's side over what a film's cell sees of it
 constexpr double kMinCell_km = 1.5;
+constexpr double kKeptShare = 3e-3, kKeptReach_km = 12.0;  // of the brightest cell; about cells with more
 constexpr double kFarthest_km = 700.0, kNearestEnd_km = 250.0;
 constexpr double kSquare_km = 1.5, kMaxSquares = 60000.0;
 
@@ -69,6 +72,26 @@ sim::GroundGrid map_grid(const std::vector<MapObservation>& pictures, const sim:
   return sim::GroundGrid(sim::SquareCells{west - around, south - around, step,
                                           static_cast<int>(wide / step) + 1,
                                           static_cast<int>(high / step) + 1});
+}
+
+std::vector<bool> cells_near_light(const sim::GroundGrid& coarse, const std::vector<float>& rough,
+                                   const std::vector<double>& energies_kev, const sim::GroundGrid& fine) {
+  const std::vector<CellFlux> cells = CellReader(coarse, energies_kev).cells(rough);
+  std::vector<std::uint8_t> lit(cells.size(), 0);
+  float most = 0.0f;
+  for (const CellFlux& cell : cells) most = std::max(most, cell.flux_mw_m2);
+  for (std::size_t c = 0; c < lit.size(); ++c)
+    if (cells[c].flux_mw_m2 > kKeptShare * most)
+      for (const auto& near : coarse.near(
+               static_cast<int>(c), std::max(kKeptReach_km, 2.5 * coarse.depth_km(static_cast<int>(c)))))
+        lit[near.cell] = 1;
+  std::vector<bool> kept(fine.cells(), false);
+  for (int c = 0; c < fine.cells(); ++c) {
+    const sim::EastNorth middle = fine.middle_km(c);
+    const int under = coarse.cell_at(middle.east, middle.north);
+    kept[c] = under >= 0 && lit[under] != 0;
+  }
+  return kept;
 }
 
 std::vector<float> refined_map(const std::vector<float>& rough, const sim::GroundGrid& coarse,

@@ -19,6 +19,10 @@ double ground_reach_km(const std::vector<MapObservation>& pictures);
 sim::GroundGrid map_grid(const std::vector<MapObservation>& pictures, const sim::Site& home,
                          double farthest_km, double coarseness);
 
+/// Returns, for each fine cell, whether it is near to a coarse one that has light in the map `rough`.
+std::vector<bool> cells_near_light(const sim::GroundGrid& coarse, const std::vector<float>& rough,
+                                   const std::vector<double>& energies_kev, const sim::GroundGrid& fine);
+
 /// Returns a coarse map on a finer grid, with a little light everywhere.
 std::vector<float> refined_map(const std::vector<float>& rough, const sim::GroundGrid& coarse,
                                const sim::GroundGrid& fine);
