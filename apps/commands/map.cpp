@@ -1,4 +1,6 @@
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,18 +11,22 @@
 #include "apps/options/json_answer.h"
 #include "apps/options/photo_options.h"
 #include "apps/options/photographs.h"
+#include "apps/options/picture_lists.h"
 #include "apps/options/refusals.h"
 #include "apps/options/scene_options.h"
 #include "apps/options/spectrum_options.h"
 #include "apps/options/standard_streams.h"
+#include "apps/output/animation/movie.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
 #include "fit/measurement/sky_light.h"
 #include "fit/photo/filter_stack.h"
 #include "fit/photo/photo.h"
 #include "fit/report/map_run.h"
+#include "fit/report/map_sequence/map_sequence_run.h"
 #include "fit/search/file_journal.h"
 #include "sim/base/file/input_file.h"
+#include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
 
 namespace vegard::apps {
@@ -33,11 +39,13 @@ struct MapRequest {
   SpectrumOptions spectrum;
   std::string out;
   int threads = 0;
-  int replicates = fit::MapOptions().replicates;
+  std::optional<int> replicates;
   double sparsity = 0.0;
   double farthest_km = 0.0;
   double altitude_scale = fit::MapOptions().altitude_scale;
   bool overwrite = false, resume = false, no_metadata = false, netcdf = false;
+  std::vector<std::string> sequence;
+  double time_step_s = 0.0;
 };
 
 std::vector<NamedInput> files_of_map(const MapRequest& options, const sim::Scene& scene) {
@@ -54,8 +62,111 @@ fit::JournalMode journal_mode(const MapRequest& options) {
   return options.overwrite ? fit::JournalMode::overwrite : fit::JournalMode::fresh;
 }
 
+fit::MapOptions map_options_of(const MapRequest& options) {
+  fit::MapOptions map_options;
+  map_options.threads = options.threads;
+  constexpr int kOfSequence = 6;
+  map_options.replicates =
+      options.replicates.value_or(options.sequence.empty() ? fit::MapOptions().replicates : kOfSequence);
+  map_options.sparsity = options.sparsity;
+  map_options.farthest_km = options.farthest_km;
+  map_options.altitude_scale = options.altitude_scale;
+  map_options.spectrum = electron_spectrum(options.spectrum);
+  map_options.stop = &watch_for_interrupt();
+  map_options.progress = map_progress();
+  return map_options;
+}
+
+/// A frame of the sequence.
+fit::Photo frame_of(const MapRequest& options, const sim::Scene& scene, const std::string& file) {
+  PhotoWords words = options.photo;
+  words.file = file;
+  return std::move(photographs_asked(words, scene).front());
+}
+
+/// Encodes a sequence's film; false, with the reason told, where that cannot be.
+bool encoded_film(const std::vector<std::string>& pictures, const std::string& movie) {
+  constexpr double kFramesPerSecond = 8.0;
+  try {
+    return !write_movie(movie, pictures, kFramesPerSecond, false).empty();
+  } catch (const sim::Error& error) {
+    tell("vegard: there is no film: %s\n", error.what());
+    return false;
+  }
+}
+
+int tell_sequence(const MapRequest& options, const fit::MapSequenceRun& run) {
+  bool all_good = true;
+  for (const fit::MappedFrame& frame : run.frames()) all_good = all_good && frame.is_good;
+  for (const fit::CurtainTrack& track : run.tracks()) {
+    const fit::TrackedCurtain &first = track.frames.front(), &last = track.frames.back();
+    const auto words = [](const fit::WithError& v) {
+      return sim::number_with_error(v.value, std::isfinite(v.error) ? std::optional(v.error) : std::nullopt);
+    };
+    say("curtain %d, %zu frames: distance %s to %s km, E0 %s to %s keV\n", track.number, track.frames.size(),
+        words(first.distance_km).c_str(), words(last.distance_km).c_str(), words(first.energy_kev).c_str(),
+        words(last.energy_kev).c_str());
+  }
+  answer_with(sim::input_bytes(options.out + "/map_sequence.json", "a sequence of maps"));
+  json_answer()["report"] = options.out + "/report.html";
+  say("%s\n", (options.out + "/report.html").c_str());
+  return all_good ? good : doubted;
+}
+
+int run_map_sequence(const MapRequest& options, const std::string& command) {
+  sim::Scene scene = scene_of(options.scene);
+  const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
+  if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
+  if (!options.photo.file.empty() || !options.photo.filters.empty())
+    throw usage_error("--sequence", "cannot be together with --photo or --line", "the frames");
+  const std::vector<SequencePhoto> photos = sequence_photos(options.sequence, scene);
+  std::vector<NamedInput> inputs = files_of_map(options, scene);
+  for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "a frame"});
+  protect_inputs_inside("--out", options.out, inputs);
+  fit::check_map_sequence_directory(options.out, options.overwrite);
+  if (!options.no_metadata) take_from_photograph(scene, photos.front().file, options.scene.changes);
+  fit::MapFrames frames;
+  fit::MapSequenceRunFacts facts;
+  facts.command = command;
+  std::vector<std::string> sums;
+  for (const SequencePhoto& photo : photos) {
+    const fit::Photo read = frame_of(options, scene, photo.file);  // all of them now, not after hours
+    for (const fit::InputFile& input : fit::inputs_of(options.scene.file, scene_sha256, read))
+      if (facts.inputs.empty() || input.role != facts.inputs.front().role) facts.inputs.push_back(input);
+    sums.push_back(read.sha256);
+    frames.names.push_back(photo.name);
+    frames.time_s.push_back(options.time_step_s > 0.0
+                                ? options.time_step_s * static_cast<double>(frames.time_s.size())
+                                : photo.time_s);
+  }
+  frames.read = [&](std::size_t i) { return frame_of(options, scene, photos[i].file); };
+  fit::MapOptions map_options = map_options_of(options);
+  fit::JournalSubject subject = fit::subject_of_map(map_options, scene, {frames.read(0)});
+  subject.push_back({"--replicates", std::to_string(map_options.replicates)});
+  for (std::size_t i = 0; i < frames.names.size(); ++i)
+    subject.push_back(
+        {"frame " + std::to_string(i + 1) + " at " + sim::short_number(frames.time_s[i], 17) + " s",
+         sums[i]});
+  fit::FileJournal journal(fit::journal_file(options.out), subject, journal_mode(options));
+  if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
+  map_options.journal = &journal;
+  fit::MapSequenceRun run(frames.names, frames.time_s, true);
+  try {
+    facts.sequence = sim::placing_errors(scene, [&] {
+      return fit::map_sequence(scene, frames, map_options,
+                               [&](const fit::MapOfFrame& frame) { run.add(frame); });
+    });
+  } catch (const fit::MapStopped&) {
+    tell("vegard: interrupted; the same command with --resume goes on\n");
+    return exit_code_of_interruption();
+  }
+  map_options.progress = {};
+  run.write(options.out, options.overwrite, facts, encoded_film);
+  journal.remove();
+  return tell_sequence(options, run);
+}
+
 int run_map(const MapRequest& options, const std::string& command) {
-  const sim::ElectronSpectrum spectrum = electron_spectrum(options.spectrum);
   sim::Scene scene = scene_of(options.scene);
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
@@ -68,18 +179,10 @@ int run_map(const MapRequest& options, const std::string& command) {
   if (scene.fit.photos.empty() && !photo.empty() && !options.no_metadata)
     from_photograph = take_from_photograph(scene, photo, options.scene.changes);
   const std::vector<fit::Photo> photos = photographs_asked(options.photo, scene);
-  fit::MapOptions map_options;
-  map_options.threads = options.threads;
-  map_options.replicates = options.replicates;
-  map_options.sparsity = options.sparsity;
-  map_options.farthest_km = options.farthest_km;
-  map_options.altitude_scale = options.altitude_scale;
-  map_options.spectrum = spectrum;
-  map_options.stop = &watch_for_interrupt();
+  fit::MapOptions map_options = map_options_of(options);
   fit::FileJournal journal(fit::journal_file(options.out), fit::subject_of_map(map_options, scene, photos),
                            journal_mode(options));
   if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
-  map_options.progress = map_progress();
   std::optional<fit::PhotoMap> made;
   try {
     made = fit::mapped_photos(scene, photos, std::move(map_options), journal);
@@ -114,16 +217,26 @@ void add_map_command(Program& program) {
       .type_name("IMAGE");
   add_filter_option(command, options->photo.filters);
   add_at_option(command, options->photo.at);
+  command
+      .option("--sequence", options->sequence,
+              "The frames of one camera that stood still: images in their order, a list (.txt), a folder, a "
+              "film or a file of frames; one solution for all of them")
+      .type_name("IMAGE");
+  command
+      .option("--step", options->time_step_s,
+              "Time from one frame of the sequence to the next in seconds (0: by their times)")
+      .range(0.0, 3600.0);
   command.option("--out", options->out, "The directory to write").type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
   add_decoding_option(command, options->photo.decoding);
   add_no_metadata_option(command, options->no_metadata);
   add_threads_option(command, options->threads);
   command
-      .option("--replicates", options->replicates,
-              "Perturbed solutions from which error bars follow (0: no error bars)")
-      .range(0, 1000)
-      .shows_default();
+      .option(
+          "--replicates", options->replicates,
+          "Perturbed solutions from which error bars follow (left out: 16, or 6 of a sequence; 0: no error "
+          "bars)")
+      .range(0, 1000);
   command
       .option(
           "--sparsity", options->sparsity,
@@ -145,6 +258,7 @@ void add_map_command(Program& program) {
   command.flag("--resume", options->resume,
                "Continue a map that was interrupted, from the finished steps in RUN.part");
   command.runs([options, words = program.command_line()] {
+    if (!options->sequence.empty()) return run_map_sequence(*options, words);
     options->photo = with_frames_chosen(options->photo);
     return run_map(*options, words);
   });

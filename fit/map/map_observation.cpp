@@ -336,7 +336,7 @@ void MapObservation::factor_sky() {
 void MapObservation::look_at(const sim::Site& home, const sim::GroundGrid& grid,
                              const std::vector<double>& energies_kev, double rates_at_flux_mw_m2,
                              double altitude_scale, const sim::ElectronSpectrum& spectrum) {
-  light_ = std::make_unique<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
+  light_ = std::make_shared<sim::GroundLight>(scene_, home, grid, film_, wanted_, energies_kev,
                                               rates_at_flux_mw_m2, threads_, altitude_scale, spectrum, stop_);
 }
 

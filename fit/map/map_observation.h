@@ -71,10 +71,20 @@ class MapObservation {
   /// Sets weights of the given cells to 0: one entry per cell, 1: left out. Empty: none is left out.
   void leave_out(const std::vector<std::uint8_t>& cells);
 
+  /// Light will be computed in all cells, so that the operator serves other pictures of the same camera.
+  void want_all() { wanted_.assign(cells(), 1); }
   /// Makes the forward operator for a grid.
   void look_at(const sim::Site& home, const sim::GroundGrid& grid, const std::vector<double>& energies_kev,
                double rates_at_flux_mw_m2, double altitude_scale = 1.0,
                const sim::ElectronSpectrum& spectrum = {});
+  /// Takes the forward operator and the light of another picture of the same camera. They are one from then
+  /// on: what changes the one's light changes the other's.
+  void share_light_of(const MapObservation& other) {
+    light_ = other.light_;
+    rates_ = other.rates_;
+  }
+  /// Takes other rates for the forward operator (sim/render/ground/ground_rates.h).
+  void set_rates(std::vector<float> rates) { light_->set_rates(std::move(rates)); }
   /// Takes the light of other electrons, or of other emission tables, for the forward operator that
   /// look_at() has made: `scene` differs from the picture's own in its emission alone.
   void look_by_light_of(const sim::Scene& scene, const std::vector<double>& energies_kev,
@@ -143,7 +153,7 @@ class MapObservation {
   std::vector<std::uint8_t> wanted_;
   std::vector<std::array<double, 3>> colour_;  ///< per rayleigh of each line
   std::vector<sim::PlaneBlur> blur_;
-  std::unique_ptr<sim::GroundLight> light_;
+  std::shared_ptr<sim::GroundLight> light_;
   std::shared_ptr<const sim::ModeRates> rates_;
   std::vector<float> sky_basis_;                    ///< [cell * terms + term]
   std::array<std::vector<double>, 3> sky_inverse_;  ///< (B' W B + prior)^-1 of a channel

@@ -13,11 +13,12 @@ namespace {
 
 using sim::kGroundEnergies;
 
-constexpr double kAlong_km = 6.0;  // smoothing length of Q' and p'
-constexpr double kEpsilon = 1e-3;  // of the brightest neighbourhood: less light counts as none
-constexpr double kDark = 1e-5;     // of the brightest neighbourhood: less light, with less around, is put out
-constexpr int kDarkFrom = 40;      // the step from which cells may count as dark
-constexpr double kFewer = 0.8;     // of their cells: lines of sight are made anew once no more are left
+constexpr double kAlong_km = 6.0;   // smoothing length of Q' and p'
+constexpr double kEpsilon = 1e-3;   // of the brightest neighbourhood: less light counts as none
+constexpr double kChanging = 0.03;  // of the brightest neighbourhood: less light may come and go
+constexpr double kDark = 1e-5;  // of the brightest neighbourhood: less light, with less around, is put out
+constexpr int kDarkFrom = 40;   // the step from which cells may count as dark
+constexpr double kFewer = 0.8;  // of their cells: lines of sight are made anew once no more are left
 constexpr double kMaxModeStep = 1.0;  // standard deviations
 constexpr int kHalvings = 3;          // of a step of the modes that does not lead down
 constexpr double kLevel = 5e-4;       // relative fall from revision to revision that is no longer waited for
@@ -147,11 +148,43 @@ class MapSolver {
     return most;
   }
 
-  /// The weights of the sparsity and of the neighbours' mean spectrum, from the map as it is.
-  void reweight() {
-    const double epsilon = kEpsilon * smooth_flux();
+  /// The flux of each neighbourhood in the prediction; empty without one.
+  std::vector<float> smooth_prediction() const {
+    std::vector<float> smooth;
+    if (options_.time_bond <= 0.0 || options_.predicted.empty()) return smooth;
+    std::vector<float> flux(cells_);
+    for (std::size_t c = 0; c < cells_; ++c)
+      for (int k = 0; k < energies_; ++k) flux[c] += options_.predicted[c * kGroundEnergies + k];
     for (std::size_t c = 0; c < cells_; ++c) {
-      linear_[c] = static_cast<float>(options_.sparsity / (smooth_[c] + epsilon));
+      double sum = 0.0;
+      for (const MapNeighbours::Near& m : near_[c]) sum += m.weight * flux[m.cell];
+      smooth.push_back(static_cast<float>(sum));
+    }
+    return smooth;
+  }
+
+  bool is_predicted(std::size_t c) const {
+    return !smooth_predicted_.empty() && (options_.unpredicted.empty() || options_.unpredicted[c] == 0);
+  }
+
+  /// Holds a cell near its prediction beside what holds it already: two parabolas make one.
+  void hold_to_prediction(std::size_t c, double most) {
+    const double bright = std::max(smooth_[c], smooth_predicted_[c]);
+    const auto bond = static_cast<float>(options_.time_bond / std::pow(bright + kChanging * most, 2));
+    for (int k = 0; k < energies_; ++k) {
+      const std::size_t i = c * kGroundEnergies + k;
+      target_[i] = (bond_[i] * target_[i] + bond * options_.predicted[i]) / (bond_[i] + bond);
+      bond_[i] += bond;
+    }
+  }
+
+  /// The weights of the sparsity, of the neighbours' mean spectrum and of the prediction, from the map as it
+  /// is.
+  void reweight() {
+    const double most = smooth_flux(), epsilon = kEpsilon * most;
+    for (std::size_t c = 0; c < cells_; ++c) {
+      const double bright = is_predicted(c) ? 0.5 * (smooth_[c] + smooth_predicted_[c]) : smooth_[c];
+      linear_[c] = static_cast<float>(options_.sparsity / (bright + epsilon));
       if (!options_.cell_factor.empty()) linear_[c] *= options_.cell_factor[c];
       if (options_.energy_bond <= 0.0) continue;
       double spectrum[kGroundEnergies] = {};
@@ -162,6 +195,7 @@ class MapSolver {
         bond_[c * kGroundEnergies + k] =
             static_cast<float>(options_.energy_bond / std::pow(smooth_[c] + epsilon, 2));
       }
+      if (is_predicted(c)) hold_to_prediction(c, most);
     }
   }
 
@@ -369,6 +403,7 @@ class MapSolver {
   std::vector<float> x_, x_before_, step_ = std::vector<float>(n_), scale_ = std::vector<float>(n_, 0.0f);
   std::vector<float> gradient_ = std::vector<float>(n_), gradient_before_;
   std::vector<float> flux_ = std::vector<float>(cells_), smooth_ = std::vector<float>(cells_);
+  std::vector<float> smooth_predicted_ = smooth_prediction();
   std::vector<float> linear_ = std::vector<float>(cells_, 0.0f);  // weights of the sparsity
   std::vector<float> bond_ = std::vector<float>(n_, 0.0f), target_ = std::vector<float>(n_, 0.0f);
   std::vector<MapLight> light_, residual_, along_;  // by picture; along_: the light of step_

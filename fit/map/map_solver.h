@@ -13,6 +13,12 @@
 // doi:10.1088/0266-5611/25/1/015002): steps along the gradient times x / (A'W A x), which is the direction of
 // the multiplicative method, with the step lengths of Barzilai and Borwein.
 //
+// Where another map predicts this one (that of the frame before, moved), it is held near the prediction y by
+//
+//     kappa / 2 sum over cells  |x - y|^2 / Q''^2
+//
+// with Q'' the larger of both smoothed fluxes; Q' then counts what the prediction has, too.
+//
 // Where the emission tables have modes of their uncertainty, their coefficients m are solved for as well,
 // with T/2 |m - m0|^2 added to the function: T is how many values count as one for what changes the light as
 // a whole, as they share smooth errors (times chi2 per value, where that is above 1). In between m takes
@@ -20,6 +26,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -31,11 +38,14 @@ namespace vegard::fit {
 
 struct MapSolverOptions {
   int steps = 600;
-  int held = 20;                   ///< steps between two updates of Q' and p'
-  int gains_from = 40;             ///< the step from which unknown gains are solved for
-  double sparsity = 1.0;           ///< lambda
-  double energy_bond = 10.0;       ///< mu
-  std::vector<float> cell_factor;  ///< factor on lambda, by cell; empty: 1
+  int held = 20;                          ///< steps between two updates of Q' and p'
+  int gains_from = 40;                    ///< the step from which unknown gains are solved for
+  double sparsity = 1.0;                  ///< lambda
+  double energy_bond = 10.0;              ///< mu
+  std::vector<float> cell_factor;         ///< factor on lambda, by cell; empty: 1
+  std::vector<float> predicted;           ///< y; empty: none
+  double time_bond = 0.0;                 ///< kappa
+  std::vector<std::uint8_t> unpredicted;  ///< by cell, 1: y says nothing there; empty: it does everywhere
   /// Coefficients of the modes of the tables' uncertainty to begin with, and the means of their normal
   /// priors, whose standard deviation is 1. Empty: they are not solved for.
   std::vector<double> modes, modes_centre;
