@@ -15,23 +15,13 @@ namespace {
 constexpr const char* kBuiltIn = "sky_kinds.json";
 constexpr int kMaxNodes = 100000;
 
-sim::Error bad_model(const std::string& file, const std::string& problem) {
-  return sim::unreadable(file, problem).expected("what scripts/learn_sky_kind.py writes");
-}
-
-int feature_of(const std::string& name, const std::string& file) {
-  for (const SkyFeatureWords& words : sky_feature_words())
-    if (name == words.name) return static_cast<int>(words.feature);
-  throw bad_model(file, "asks for a feature '" + name + "' that there is not");
-}
-
 void check_kind(const nlohmann::json& json, const std::string& name) {
   constexpr int kFormat = 2;
   const std::string kind = json.at("kind").get<std::string>();
   if (kind == "vegard sky trees" || (kind == "vegard sky kinds" && json.at("format") != kFormat))
-    throw bad_model(name, "is a model of the sky of another version")
+    throw bad_sky_model(name, "is a model of the sky of another version")
         .hint("learn it anew of the same marks (docs/surveys.md, \"The filter\")");
-  if (kind != "vegard sky kinds") throw bad_model(name, "is no model of the sky");
+  if (kind != "vegard sky kinds") throw bad_sky_model(name, "is no model of the sky");
 }
 
 }  // namespace
@@ -48,12 +38,8 @@ double SkyModel::Line::probability(double sum) const {
 }
 
 double SkyModel::Question::answer(const SkyFeatures& features) const {
-  const Weights& weights = std::isnan(feature(features, SkyFeature::green_spread)) ? grey : colour;
-  double sum = weights.constant;
-  for (const Term& term : weights.terms) {
-    const double value = features[static_cast<std::size_t>(term.feature)];
-    sum += std::isnan(value) ? term.missing : term.weight * std::clamp(value, term.least, term.most);
-  }
+  const FeatureWeights& weights = std::isnan(feature(features, SkyFeature::green_spread)) ? grey : colour;
+  double sum = weights.sum(features);
   const bool knows_directions = !std::isnan(feature(features, SkyFeature::banded));
   if (!knows_directions || trees.empty()) return line.probability(sum);
   for (const Tree& tree : trees) {
@@ -73,13 +59,13 @@ SkyModel::Tree SkyModel::tree_of(const std::string& text, const std::string& nam
   Tree tree;
   const auto count = static_cast<int>(nodes.size());
   if (!nodes.is_array() || count < 1 || count > sky_model::kMaxNodes)
-    throw sky_model::bad_model(name, "has a tree of no nodes");
+    throw bad_sky_model(name, "has a tree of no nodes");
   for (const nlohmann::json& node : nodes) {
     Node one;
     if (node.contains("score")) {
       one.score = node.at("score").get<double>();
     } else {
-      one.feature = sky_model::feature_of(node.at("feature").get<std::string>(), name);
+      one.feature = feature_number(node.at("feature").get<std::string>(), name);
       one.threshold = node.at("threshold").get<double>();
       one.below = node.at("below").get<int>();
       one.above = node.at("above").get<int>();
@@ -87,35 +73,18 @@ SkyModel::Tree SkyModel::tree_of(const std::string& text, const std::string& nam
       // Branches lead on, never back: every walk ends.
       const auto own = static_cast<int>(tree.size());
       if (one.below <= own || one.above <= own || one.below >= count || one.above >= count)
-        throw sky_model::bad_model(name, "has a branch that leads to no node behind it");
+        throw bad_sky_model(name, "has a branch that leads to no node behind it");
     }
     tree.push_back(one);
   }
   return tree;
 }
 
-SkyModel::Weights SkyModel::weights_of(const std::string& text, const std::string& name) {
-  const nlohmann::json json = nlohmann::json::parse(text);
-  Weights weights;
-  weights.constant = json.at("constant").get<double>();
-  for (const nlohmann::json& term : json.at("terms")) {
-    Term one;
-    one.feature = sky_model::feature_of(term.at("feature").get<std::string>(), name);
-    one.weight = term.at("weight").get<double>();
-    one.least = term.at("least").get<double>();
-    one.most = term.at("most").get<double>();
-    one.missing = term.at("missing").get<double>();
-    if (!(one.least <= one.most)) throw sky_model::bad_model(name, "has a weight of no range");
-    weights.terms.push_back(one);
-  }
-  return weights;
-}
-
 SkyModel::Question SkyModel::question_of(const std::string& text, const std::string& name) {
   const nlohmann::json json = nlohmann::json::parse(text);
   Question question;
-  question.grey = weights_of(json.at("grey").dump(), name);
-  question.colour = weights_of(json.at("colour").dump(), name);
+  question.grey = feature_weights(json.at("grey").dump(), name);
+  question.colour = feature_weights(json.at("colour").dump(), name);
   const auto line = [&](const char* key) {
     return Line{json.at(key).at("slope").get<double>(), json.at(key).at("offset").get<double>()};
   };
@@ -130,7 +99,7 @@ SkyModel::SkyModel(const std::string& text, const std::string& name) {
     const nlohmann::json json = nlohmann::json::parse(text);
     sky_model::check_kind(json, name);
     const nlohmann::json& questions = json.at("questions");
-    if (!questions.is_object() || questions.empty()) throw sky_model::bad_model(name, "answers no question");
+    if (!questions.is_object() || questions.empty()) throw bad_sky_model(name, "answers no question");
     for (int q = 0; q < kSkyQuestions; ++q) {
       const char* const word = sky_question_name(static_cast<SkyQuestion>(q));
       const auto at = static_cast<std::size_t>(q);
@@ -141,7 +110,7 @@ SkyModel::SkyModel(const std::string& text, const std::string& name) {
       }
     }
   } catch (const nlohmann::json::exception&) {
-    throw sky_model::bad_model(name, "is no model of the sky, or a damaged one");
+    throw bad_sky_model(name, "is no model of the sky, or a damaged one");
   }
 }
 

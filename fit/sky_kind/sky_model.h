@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/sky_kind/feature_weights.h"
 #include "fit/sky_kind/sky_features.h"
 
 namespace vegard::fit {
@@ -40,11 +41,6 @@ class SkyModel {
   SkyScores scores(const SkyFeatures& features) const;
 
  private:
-  struct Term {
-    int feature = 0;
-    double weight = 0.0, least = 0.0, most = 0.0;  ///< beyond what was learnt from a feature tells no more
-    double missing = 0.0;                          ///< what counts for a feature that there is not
-  };
   struct Node {
     int feature = -1;        ///< -1: a leaf
     double threshold = 0.0;  ///< a smaller feature leads to node `below`, others to node `above`
@@ -53,10 +49,6 @@ class SkyModel {
     double score = 0.0;             ///< of a leaf
   };
   using Tree = std::vector<Node>;
-  struct Weights {
-    double constant = 0.0;
-    std::vector<Term> terms;
-  };
   /// From a sum to the logarithm of the odds.
   struct Line {
     double slope = 1.0, offset = 0.0;
@@ -64,14 +56,13 @@ class SkyModel {
     double probability(double sum) const;
   };
   struct Question {
-    Weights grey, colour;
+    FeatureWeights grey, colour;
     Line line;
     std::vector<Tree> trees;
     Line line_with_trees;
 
     double answer(const SkyFeatures& features) const;
   };
-  static Weights weights_of(const std::string& json, const std::string& name);
   static Question question_of(const std::string& json, const std::string& name);
   static Tree tree_of(const std::string& json, const std::string& name);
 
