@@ -7,7 +7,8 @@ several, rayed, overhead, as many as you know. Questions without answers stay th
 
   scripts/learn_sky_kind.py --results filter.sqlite --truth labels.csv -o gill.json
 
-The built-in model (docs/sky_kind.md): made skies and marked pictures by tests/sky_table, made nights as above.
+The built-in model (docs/surveys.md, "The filter"): made skies and marked pictures by tests/sky_table, made nights as above. Kinds of
+pictures by themselves are learnt by scripts/learn_kinds.py.
 
   scripts/learn_sky_kind.py real.csv made21.csv made22.csv --results night1.sqlite --truth night1/truth.csv --validate
   scripts/learn_sky_kind.py real.csv made21.csv made22.csv --results night1.sqlite --truth night1/truth.csv -o data/filter/sky_kinds.json
@@ -56,11 +57,8 @@ ASKED = {
     "moon": ["clipped", "disc", "disc round", "halo", "peak", "moon elevation", "moon light", "moon peak"],
     "lamp": ["clipped", "disc", "disc round", "halo", "lamp peak", "peak", "points", "warm"],
 }
-KINDS = ["black", "overhead", "rayed", "several_arcs", "one_arc", "diffuse", "twilight", "cloud", "moon", "lamps", "clear"]
-AURORA = KINDS[1:6]
 REAL_SHARE, RIDGE, PULL = 0.7, 0.003, 0.03
 TREES, DEPTH, RATE, LEAST_SHARE, DAMPING, BINS = 60, 3, 0.15, 0.001, 0.001, 32
-SURE = 0.6
 
 
 def number(text):
@@ -73,11 +71,11 @@ class Skies:
     def __init__(self):
         self.rows, self.names = [], []
 
-    def add(self, features, answers, camera, group, kinds="", file=""):
+    def add(self, features, answers, camera, group):
         for name in features:
             if name not in self.names:
                 self.names.append(name)
-        self.rows.append((features, answers, camera, group, kinds, file))
+        self.rows.append((features, answers, camera, group))
 
     def arrays(self):
         self.x = np.array([[row[0].get(name, np.nan) for name in self.names] for row in self.rows])
@@ -96,8 +94,7 @@ def read_table(skies, table):
         if row["black"] == "1" and not row["kinds"]:
             continue
         features = {name: number(value) for name, value in row.items() if name not in known}
-        skies.add(features, {q: number(row[q]) for q in QUESTIONS}, row["camera"], row["camera"] or os.path.basename(table), row["kinds"],
-                  row["file"])
+        skies.add(features, {q: number(row[q]) for q in QUESTIONS}, row["camera"], row["camera"] or os.path.basename(table))
 
 
 def read_survey(skies, database, truth):
@@ -113,7 +110,7 @@ def read_survey(skies, database, truth):
     for n, row in enumerate(known):
         answers = {q: number(row.get(q)) for q in QUESTIONS}
         # Frames that follow each other are alike: fifths of the night are left out together.
-        skies.add(found[row["file"]], answers, "", f"{os.path.basename(truth)} {5 * n // len(known)}", "", row["file"])
+        skies.add(found[row["file"]], answers, "", f"{os.path.basename(truth)} {5 * n // len(known)}")
     return len(known)
 
 
@@ -372,29 +369,6 @@ def always(skies, question):
     return {"colour": constant, "grey": constant, "line": line, "trees": [], "line_with_trees": line}
 
 
-def kinds_of(p, black):
-    """Probabilities of the kinds, as fit/sky_kind/sky_kind.cpp finds them."""
-    share = {"black": 1.0 if black else 0.0}
-
-    def give(left, kinds):
-        for kind, of in kinds:
-            share[kind] = left * of
-            left *= 1.0 - of
-
-    sky = 1.0 - share["black"]
-    aurora = sky * p["aurora"]
-    arcs = min(aurora, sky * p["arc"])
-    share["diffuse"] = aurora - arcs
-    give(arcs, [("overhead", p["overhead"]), ("rayed", p["rayed"]), ("several_arcs", p["several"]), ("one_arc", 1.0)])
-    give(sky - aurora, [("twilight", p["twilight"]), ("cloud", p["cloud"]), ("moon", p["moon"]), ("lamps", p["lamp"]), ("clear", 1.0)])
-    return share, aurora
-
-
-def is_black(skies, i):
-    value = lambda name: skies.x[i, skies.at[name]]
-    return value("level") < -2.5 and value("star cover") < 0.2 and value("contrast") < 0.2
-
-
 def told(words, said):
     """How often what was said with a probability is so."""
     print(words)
@@ -405,7 +379,7 @@ def told(words, said):
                   f"so {np.mean([g for _, g in some]):.2f}")
 
 
-def validate(skies, sums, detail=True):
+def validate(skies, sums):
     folds = folds_of(skies)
     p = np.zeros((len(skies.rows), len(QUESTIONS)))
     for k, q in enumerate(QUESTIONS):
@@ -414,34 +388,6 @@ def validate(skies, sums, detail=True):
                 own = (folds == fold) & (knows_directions(skies) == has_directions)
                 slope, offset = calibration(skies, q, sums[q], has_directions, folds == fold)
                 p[own, k] = sigmoid(slope * sums[q][own] + offset)
-    real = [i for i, row in enumerate(skies.rows) if row[4]]
-    table, right, aurora_right, each, said, kinds_said, sure = {}, 0, 0, {}, [], [], []
-    for i in real:
-        words = skies.rows[i][4].split("|")
-        share, aurora = kinds_of(dict(zip(QUESTIONS, p[i])), is_black(skies, i))
-        found = max((k for k in KINDS if (k in AURORA) == (aurora > 0.5)), key=lambda k: share[k])
-        good = found in words
-        either = aurora if found in AURORA else 1.0 - aurora
-        is_sure = share[found] >= SURE * either or found == "black"
-        right += good
-        aurora_right += (found in AURORA) == (words[0] in AURORA)
-        each.setdefault(skies.camera[i], []).append(good)
-        said.append((aurora, words[0] in AURORA))
-        kinds_said.append((share[found], good))
-        if is_sure:
-            sure.append(good)
-        table[words[0], found] = table.get((words[0], found), 0) + 1
-        if detail:
-            print(f"{'  ' if good else 'X '}{skies.rows[i][5]}: {skies.rows[i][4]}; aurora {aurora:.2f}, {found} ({share[found]:.2f})"
-                  f"{'' if is_sure else ', unsure'}")
-    if real:
-        print(f"real, cameras left out: kind right in {right} of {len(real)}, each of {len(each)} cameras once "
-              f"{100.0 * np.mean([np.mean(v) for v in each.values()]):.0f} %; where it is sure {sum(sure)} of {len(sure)}; "
-              f"aurora or none right in {aurora_right}")
-        told("the kind of real pictures", kinds_said)
-        told("aurora in real pictures", said)
-        for (marked, found), n in sorted(table.items()):
-            print(f"  {marked} found as {found}: {n}")
     for k, q in enumerate(QUESTIONS):
         for words, of in [("real", skies.camera != ""), ("made", skies.camera == "")]:
             used = used_of(skies, q) & of & ~np.isnan(sums[q])
@@ -460,7 +406,6 @@ def validate(skies, sums, detail=True):
         for group in sorted({skies.group[i].split(" ")[0] for i in made}):
             own = [i for i in made if skies.group[i].split(" ")[0] == group]
             print(f"{group}: class right in {100.0 * np.mean([name(p[i]) == name(skies.y[i]) for i in own]):.1f} % of {len(own)}")
-    return right, aurora_right
 
 
 def sha256_of(path):

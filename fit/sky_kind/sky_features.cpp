@@ -638,6 +638,11 @@ const std::array<SkyFeatureWords, kSkyFeatures>& sky_feature_words() {
       {F::sun_elevation, "sun elevation", "deg"},
       {F::moon_elevation, "moon elevation", "deg"},
       {F::moon_light, "moon light", ""},
+      {F::star_tiles, "star tiles", ""},
+      {F::ridge_top, "ridge top", "dex"},
+      {F::thin_lines, "thin lines", ""},
+      {F::wide_lines, "wide lines", ""},
+      {F::ray_strength, "ray strength", "dex"},
   }};
   return words;
 }

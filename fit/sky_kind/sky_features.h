@@ -57,8 +57,17 @@ enum class SkyFeature {
   sun_elevation,   ///< degrees
   moon_elevation,  ///< degrees, as seen from the site
   moon_light,      ///< illuminated fraction of the Moon, 0 if it is below the horizon
+  // By fit/sky_kind/sky_lines.h, of pictures by themselves alone, else no numbers.
+  star_tiles,   ///< share of the sky's tiles that have more star-like points than dark ones
+  ridge_top,    ///< log10 of how strong the strongest thin bright lines are
+  thin_lines,   ///< length of all thin bright lines, over the picture's longer side
+  wide_lines,   ///< the same of lines twice as wide
+  ray_strength  ///< log10 of the strength of fine lines that cross the coarse ones, where the light is
 };
-inline constexpr int kSkyFeatures = 39;
+inline constexpr int kSkyFeatures = 44;
+
+/// Whether the filter of surveys finds the feature too.
+inline bool is_of_surveys(SkyFeature feature) { return feature < SkyFeature::star_tiles; }
 
 using SkyFeatures = std::array<double, kSkyFeatures>;
 

@@ -9,7 +9,8 @@
 #include "fit/photo/mask/circle.h"
 #include "fit/photo/mask/horizon.h"
 #include "fit/photo/mask/text.h"
-#include "fit/sky_kind/sky_model.h"
+#include "fit/sky_kind/kind_model.h"
+#include "fit/sky_kind/sky_lines.h"
 
 namespace vegard::fit {
 namespace sky_kind {
@@ -27,21 +28,6 @@ std::string percent(double probability) {
   constexpr int kMost = 99;  // no answer is certain
   return fmt::format("{} %", std::min(kMost, static_cast<int>(std::lround(100.0 * probability))));
 }
-
-struct Words {
-  const char *name, *words;
-};
-constexpr std::array<Words, kSkyKinds> kWords = {{{"black", "a black frame, of a closed camera"},
-                                                  {"overhead", "aurora overhead (a corona)"},
-                                                  {"rayed", "rayed aurora"},
-                                                  {"several_arcs", "several arcs"},
-                                                  {"one_arc", "one arc"},
-                                                  {"diffuse", "diffuse aurora"},
-                                                  {"twilight", "twilight"},
-                                                  {"cloud", "cloud"},
-                                                  {"moon", "the Moon"},
-                                                  {"lamps", "lamps or a town"},
-                                                  {"clear", "a clear sky"}}};
 
 /// "Aurora (83 %): one arc (70 %)." or, where no kind is likely enough, "Aurora (83 %), kind unsure: one arc
 /// (40 %) or rayed aurora (22 %)."
@@ -71,12 +57,6 @@ std::string sentence_of(const SkyFinding& found) {
 }  // namespace
 }  // namespace sky_kind
 
-const char* sky_kind_name(SkyKind kind) { return sky_kind::kWords[static_cast<std::size_t>(kind)].name; }
-
-const char* sky_kind_words(SkyKind kind) { return sky_kind::kWords[static_cast<std::size_t>(kind)].words; }
-
-bool is_aurora(SkyKind kind) { return kind >= SkyKind::overhead && kind <= SkyKind::diffuse; }
-
 PixelSet not_sky(const Photo& photo) {
   const int w = photo.linear.width, h = photo.linear.height;
   constexpr double kMargin_px = 2.0;
@@ -91,30 +71,16 @@ PixelSet not_sky(const Photo& photo) {
 }
 
 SkyFinding kind_of_sky(const SkyFeatures& features) {
-  const SkyScores scores = SkyModel::built_in().scores(features);
-  const auto says = [&](SkyQuestion question) { return score(scores, question); };
   SkyFinding found;
   found.features = features;
-  // Each kind is what those before it are not.
-  const auto give = [&](double& left, SkyKind kind, double share) {
-    found.probabilities[static_cast<std::size_t>(kind)] = left * share;
-    left *= 1.0 - share;
-  };
-  double sky = 1.0;
-  give(sky, SkyKind::black, sky_kind::is_black(features) ? 1.0 : 0.0);
-  found.aurora = sky * says(SkyQuestion::aurora);
-  double none = sky - found.aurora;
-  double arcs = std::min(found.aurora, sky * says(SkyQuestion::arc)), rest = found.aurora - arcs;
-  give(rest, SkyKind::diffuse, 1.0);
-  give(arcs, SkyKind::overhead, says(SkyQuestion::overhead));
-  give(arcs, SkyKind::rayed, says(SkyQuestion::rayed));
-  give(arcs, SkyKind::several_arcs, says(SkyQuestion::several));
-  give(arcs, SkyKind::one_arc, 1.0);
-  give(none, SkyKind::twilight, says(SkyQuestion::twilight));
-  give(none, SkyKind::cloud, says(SkyQuestion::cloud));
-  give(none, SkyKind::moon, says(SkyQuestion::moon));
-  give(none, SkyKind::lamps, says(SkyQuestion::lamp));
-  give(none, SkyKind::clear, 1.0);
+  const double sky = sky_kind::is_black(features) ? 0.0 : 1.0;
+  if (sky == 0.0) {
+    found.probabilities[static_cast<std::size_t>(SkyKind::black)] = 1.0;
+  } else {
+    found.probabilities = KindModel::built_in().probabilities(features);
+  }
+  for (int k = 0; k < kSkyKinds; ++k)
+    if (is_aurora(static_cast<SkyKind>(k))) found.aurora += found.probabilities[static_cast<std::size_t>(k)];
 
   // Aurora or none first: five kinds share its probability.
   constexpr double kLikelierThanNot = 0.5;
@@ -136,8 +102,10 @@ SkyFinding kind_of_sky(const SkyFeatures& features) {
 SkyFinding kind_of_sky(const Photo& photo, const PixelSet& left_out) {
   std::vector<std::uint8_t> kept(left_out.in.size());
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = left_out.in[i] == 0 ? 1 : 0;
-  return kind_of_sky(
-      sky_features(photo, sky_cells(photo.linear.width, photo.linear.height, kept, photo.file_name)));
+  SkyFeatures features =
+      sky_features(photo, sky_cells(photo.linear.width, photo.linear.height, kept, photo.file_name));
+  add_lines(photo, left_out, features);
+  return kind_of_sky(features);
 }
 
 }  // namespace vegard::fit

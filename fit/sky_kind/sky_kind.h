@@ -1,8 +1,8 @@
 // What kind of sky a photograph shows, with probabilities, by features that hold for cameras never seen
 // before.
 //
-// Aurora or none is right in nine of ten pictures of cameras that the model has not seen, the kind in less
-// than half of them (docs/sky_kind.md).
+// Aurora or none is right in nine of ten pictures of cameras that the model has not seen, the kind in three
+// of four (docs/sky_kind.md).
 #pragma once
 
 #include <array>
@@ -11,32 +11,10 @@
 
 #include "fit/photo/mask/pixel_set.h"
 #include "fit/photo/photo.h"
+#include "fit/sky_kind/kinds.h"
 #include "fit/sky_kind/sky_features.h"
 
 namespace vegard::fit {
-
-/// The kinds in the order in which one goes before another: a rayed arc below the Moon is a rayed arc.
-enum class SkyKind {
-  black,
-  overhead,
-  rayed,
-  several_arcs,
-  one_arc,
-  diffuse,
-  twilight,
-  cloud,
-  moon,
-  lamps,
-  clear
-};
-inline constexpr int kSkyKinds = 11;
-
-/// "one_arc", as in tables.
-const char* sky_kind_name(SkyKind kind);
-/// "one arc", as in sentences.
-const char* sky_kind_words(SkyKind kind);
-/// True for overhead, rayed, several_arcs, one_arc and diffuse.
-bool is_aurora(SkyKind kind);
 
 struct SkyFinding {
   SkyKind kind = SkyKind::clear;                  ///< the likeliest of those with aurora, or of those without
@@ -56,7 +34,7 @@ PixelSet not_sky(const Photo& photo);
 /// sim::Error(unreadable_input) if no sky is left.
 SkyFinding kind_of_sky(const Photo& photo, const PixelSet& left_out);
 
-/// The same by features that are known already.
+/// The same by features that are known already, those of fit/sky_kind/sky_lines.h among them.
 SkyFinding kind_of_sky(const SkyFeatures& features);
 
 }  // namespace vegard::fit

@@ -55,9 +55,11 @@ WorkAnswer filter_answer(const FilterFinding& found) {
                                  {},
                                  {},
                                  {}});
-  for (const SkyFeatureWords& words : sky_feature_words())
+  for (const SkyFeatureWords& words : sky_feature_words()) {
+    if (!is_of_surveys(words.feature)) continue;
     answer.quantities.push_back(
         {0, words.name, words.unit, finite_or_none(feature(found.features, words.feature)), {}, {}, {}});
+  }
   return answer;
 }
 

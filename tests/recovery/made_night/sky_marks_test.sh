@@ -1,6 +1,6 @@
 #!/bin/bash
 # Kinds of sky of real pictures against marks by eye: sky_marks_test.sh SKY_TABLE MARKS. Skips (77) without VEGARD_PHOTOS.
-# The weights have seen these pictures (scripts/learn_sky_kind.py --validate judges unseen cameras): this test notices that
+# The weights have seen these pictures (scripts/learn_kinds.py --validate judges unseen cameras): this test notices that
 # features or weights have changed for the worse.
 set -u
 table=$1 marks=$2

@@ -1,5 +1,5 @@
-// Tables for scripts/learn_sky_kind.py: features of skies and what is true of them, of made skies or of
-// pictures that were marked by eye; and how many kinds of marked pictures are found.
+// Tables for scripts/learn_kinds.py and learn_sky_kind.py: features of skies and what is true of them, of
+// made skies or of pictures that were marked by eye; and how many kinds of marked pictures are found.
 #include <cmath>
 #include <cstdio>
 #include <exception>
