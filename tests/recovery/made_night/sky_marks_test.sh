@@ -11,7 +11,7 @@ fi
 out=$(mktemp) || exit 1
 trap 'rm -f "$out"' EXIT
 "$table" --marks "$marks" --photos "$VEGARD_PHOTOS" -o "$out" || exit 1
-# Aurora or none in 80 %, and the kind in half of the pictures.
+# Aurora or none in 90 %, and the kind in three quarters of the pictures.
 awk -F, 'NR > 1 {
   found = $(NF - 2); split($3, words, "|"); n++
   aurora = "|overhead|rayed|several_arcs|one_arc|diffuse|"
@@ -20,5 +20,5 @@ awk -F, 'NR > 1 {
   else print "not so: " $1 " is " $3 ", found " found " (" $(NF - 1) ")"
 } END {
   printf "kind right in %d, aurora or none in %d of %d pictures\n", right, both, n
-  exit !(n > 0 && both >= 0.8 * n && right >= 0.5 * n)
+  exit !(n > 0 && both >= 0.9 * n && right >= 0.75 * n)
 }' "$out"
