@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -250,6 +251,33 @@ std::string RandomBytes::bytes(std::uint64_t place, std::uint64_t count) const {
     throw unreadable(name_, "the file is truncated, or damaged: what it points to lies behind its end")
         .hint(kCopyAgain);
   return all;
+}
+
+std::string gzipped(std::string_view bytes) {
+  constexpr int kMemoryLevel = 8;
+  z_stream stream{};
+  if (::deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + kGzipOnly, kMemoryLevel,
+                     Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  std::string packed;
+  // NOLINTNEXTLINE: zlib does not change what it reads
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  int state = Z_OK;
+  // Both sides piece by piece: zlib counts in 32 bits.
+  std::size_t left = bytes.size();
+  char block[kPackedBlock];
+  do {
+    if (stream.avail_in == 0) {
+      stream.avail_in = static_cast<uInt>(std::min<std::size_t>(left, 1u << 30));
+      left -= stream.avail_in;
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(block);
+    stream.avail_out = sizeof block;
+    state = ::deflate(&stream, left == 0 ? Z_FINISH : Z_NO_FLUSH);
+    packed.append(block, sizeof block - stream.avail_out);
+  } while (state != Z_STREAM_END);
+  ::deflateEnd(&stream);
+  return packed;
 }
 
 }  // namespace vegard::sim

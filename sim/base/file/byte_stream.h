@@ -86,4 +86,7 @@ class ByteStream {
 /// True if the first bytes are those of gzip data.
 bool is_gzip(std::string_view bytes);
 
+/// Returns bytes as gzip data, the same for the same bytes.
+std::string gzipped(std::string_view bytes);
+
 }  // namespace vegard::sim

@@ -76,6 +76,16 @@ TEST(ByteStream, OfGzipFilesInARowAndZerosBehindThem) {
   EXPECT_EQ(all_of(stream), "abcde");
 }
 
+TEST(ByteStream, OfWhatWasPacked) {
+  for (const std::string& bytes : {std::string(), std::string("some words"), many_bytes()}) {
+    const std::string packed = gzipped(bytes);
+    ByteStream stream(packed, "packed");
+    EXPECT_EQ(all_of(stream), bytes);
+    EXPECT_EQ(gzipped(bytes), packed);
+  }
+  EXPECT_LT(gzipped(std::string(100000, 'a')).size(), 1000u);
+}
+
 TEST(ByteStream, OfNothing) {
   ByteStream stream(std::string_view(), "it");
   EXPECT_EQ(stream.look(2), "");
