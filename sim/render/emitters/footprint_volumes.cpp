@@ -171,25 +171,33 @@ template std::unique_ptr<Emitter<FreeDual>> footprint_emitter(const Scene&, cons
                                                               const VolumeFiles&, const NumberAs<FreeDual>&,
                                                               int, const FootprintLook&);
 
+FootprintParts footprint_parts(const Scene& scene, const Footprint& f, const VolumeFiles& files, int threads,
+                               const FootprintLook& look) {
+  const std::vector<double> instants =
+      look.instants_s.empty() ? std::vector<double>{scene.time.start_s} : look.instants_s;
+  FootprintParts parts{f, {}, {}, {}};
+  EnergyRange range;
+  if (f.shape == FootprintShape::shell) {
+    parts.cube = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instants.front());
+    for (FootprintGrid<double>& face : parts.cube.face) {
+      range.take(face);
+      dim(face, look.share);
+    }
+  } else {
+    parts.plane = plane_at<double>(scene, f, files, plain_number, instants, look.share, threads, parts.drawn);
+    range.take(parts.plane.grid);
+  }
+  parts.profiles = profiles_of(scene, parts.drawn, range, false, look.of_lines).usual;
+  return parts;
+}
+
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& f, const VolumeFiles& files,
                                             int threads) {
   const double instant = scene.time.start_s, share = substorm_share(scene, f, instant);
-  EnergyRange range;
-  if (f.shape == FootprintShape::shell) {
-    CubeFootprint<double> map = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instant);
-    for (FootprintGrid<double>& face : map.face) {
-      range.take(face);
-      dim(face, share);
-    }
-    return cube_footprint_field(scene, f, std::move(map), profiles_of(scene, f, range, false, {}).usual,
-                                threads);
-  }
-  Footprint own;
-  PlaneFootprint<double> map =
-      plane_at<double>(scene, f, files, plain_number, {instant}, share, threads, own);
-  range.take(map.grid);
-  return plane_footprint_field(scene, own, std::move(map), profiles_of(scene, own, range, false, {}).usual,
-                               threads);
+  FootprintParts parts = footprint_parts(scene, f, files, threads, {{instant}, share, {}});
+  if (f.shape == FootprintShape::shell)
+    return cube_footprint_field(scene, f, std::move(parts.cube), parts.profiles, threads);
+  return plane_footprint_field(scene, parts.drawn, std::move(parts.plane), parts.profiles, threads);
 }
 
 namespace {

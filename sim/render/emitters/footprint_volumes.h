@@ -53,6 +53,19 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
                                               const VolumeFiles& files, const NumberAs<T>& number,
                                               int threads, const FootprintLook& look = {});
 
+/// What the emitter of a volume is made of: the footprint with what its map says itself, the map of a box or
+/// of a shell (the other is empty), and the profiles of its electrons.
+struct FootprintParts {
+  Footprint drawn;
+  PlaneFootprint<double> plane;
+  CubeFootprint<double> cube;
+  ProfileTable profiles;
+};
+
+/// Returns the parts of one look at a footprint that is no curtain.
+FootprintParts footprint_parts(const Scene& scene, const Footprint& footprint, const VolumeFiles& files,
+                               int threads, const FootprintLook& look);
+
 /// Makes the footprint's field in the observer's east, north and up, at the scene's start.
 std::unique_ptr<LightField> footprint_field(const Scene& scene, const Footprint& footprint,
                                             const VolumeFiles& files, int threads);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/distributions.h"
@@ -264,6 +265,37 @@ void add_milky_way(const Scene& scene, const std::vector<double>& instants_s, in
   });
 }
 
+/// Calls `add(enu, magnitude, colour index)` for the stars and planets of a scene at each instant.
+template <class Add>
+void each_star(const Scene& scene, const std::vector<double>& instants_s, const std::atomic<bool>* stop,
+               const Add& add) {
+  const auto stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
+  if (scene.stars.shown && scene.stars.source == StarSource::random) {
+    const double count = std::floor(stars_brighter_than(scene.stars.faintest_magnitude) + 0.5);
+    for (std::uint32_t number = 0; number < count && !stopped(); ++number) {
+      const Star one = star(scene.seed, number);
+      for (const double instant : instants_s)
+        add(star_direction(one, scene.site.latitude_deg, instant), one.magnitude, one.colour_index);
+    }
+  }
+  const Observer observer = observer_of(scene);
+  if (scene.stars.shown && scene.stars.source == StarSource::catalogue)
+    for (const BrightStar& one : catalogue_stars()) {
+      if (one.magnitude > scene.stars.faintest_magnitude || stopped()) break;
+      for (const double instant : instants_s)
+        add(direction_of_star(one.place, observer, julian_date_at(scene, instant)), one.magnitude,
+            std::clamp(one.colour_index, kBluest, kReddest));
+    }
+  if (scene.stars.planets)
+    for (const Planet planet : kPlanets)
+      for (const double instant : instants_s) {
+        const double date = julian_date_at(scene, instant);
+        const PlanetLight of_planet = light_of_planet(planet, date);
+        add(direction_of_star({place_of_planet(planet, date), 0.0, 0.0}, observer, date), of_planet.magnitude,
+            of_planet.colour_index);
+      }
+}
+
 }  // namespace
 
 double stars_brighter_than(double magnitude) {
@@ -309,32 +341,35 @@ Image star_light(const Scene& scene, const std::vector<double>& instants_s, cons
   if (scene.stars.milky_way) add_milky_way(scene, instants_s, threads, light);
   if (scene.moon.shown && !stopped()) add_moon_disc(scene, instants_s, threads, light);
   StarPainter painter(scene, instants_s.size(), light);
-  if (scene.stars.shown && scene.stars.source == StarSource::random) {
-    const double count = std::floor(stars_brighter_than(scene.stars.faintest_magnitude) + 0.5);
-    for (std::uint32_t number = 0; number < count && !stopped(); ++number) {
-      const Star one = star(scene.seed, number);
-      for (const double instant : instants_s)
-        painter.add(star_direction(one, scene.site.latitude_deg, instant), one.magnitude, one.colour_index,
-                    scene.stars.gain);
-    }
-  }
-  const Observer observer = observer_of(scene);
-  if (scene.stars.shown && scene.stars.source == StarSource::catalogue)
-    for (const BrightStar& one : catalogue_stars()) {
-      if (one.magnitude > scene.stars.faintest_magnitude || stopped()) break;
-      for (const double instant : instants_s)
-        painter.add(direction_of_star(one.place, observer, julian_date_at(scene, instant)), one.magnitude,
-                    std::clamp(one.colour_index, kBluest, kReddest), scene.stars.gain);
-    }
-  if (scene.stars.planets)
-    for (const Planet planet : kPlanets)
-      for (const double instant : instants_s) {
-        const double date = julian_date_at(scene, instant);
-        const PlanetLight of_planet = light_of_planet(planet, date);
-        painter.add(direction_of_star({place_of_planet(planet, date), 0.0, 0.0}, observer, date),
-                    of_planet.magnitude, of_planet.colour_index, scene.stars.gain);
-      }
+  each_star(scene, instants_s, stop,
+            [&](const std::array<double, 3>& enu, double magnitude, double colour_index) {
+              painter.add(enu, magnitude, colour_index, scene.stars.gain);
+            });
   return light;
+}
+
+std::vector<PointOfLight> star_points(const Scene& scene, double instant_s, std::size_t most) {
+  const Tints tints{SensorResponse(scene)};
+  const StarExtinction air(scene);
+  const double per_photon = luminance_per_photon(scene) * scene.stars.gain;
+  const double lowest = sine_of_horizon(std::max(0.0, scene.site.altitude_m) * 1e-3, scene.body.radius_km);
+  std::vector<std::pair<double, PointOfLight>> stars;
+  each_star(scene, {instant_s}, nullptr,
+            [&](const std::array<double, 3>& enu, double magnitude, double colour_index) {
+              if (enu[2] < lowest) return;
+              PointOfLight point{enu, tints.at(colour_index)};
+              const std::array<double, 3> let_through = air.towards(enu[2]);
+              for (int c = 0; c < 3; ++c)
+                point.rgb_steradian[c] *= let_through[c] * per_photon * star_photons_cm2_s(magnitude);
+              stars.emplace_back(magnitude, point);
+            });
+  std::stable_sort(stars.begin(), stars.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (stars.size() > most) stars.resize(most);
+  std::vector<PointOfLight> points;
+  points.reserve(stars.size());
+  for (const auto& [magnitude, point] : stars) points.push_back(point);
+  return points;
 }
 
 double milky_way_s10(double longitude_deg, double latitude_deg) {

@@ -53,6 +53,16 @@ bool has_stars(const Scene& scene);
 Image star_light(const Scene& scene, const std::vector<double>& instants_s,
                  const std::atomic<bool>* stop = nullptr, int threads = 0);
 
+/// A star or planet in the sensor: its direction (east, north, up) and its linear RGB times steradian, which
+/// over the solid angle of its image is the light of star_light().
+struct PointOfLight {
+  std::array<double, 3> enu{}, rgb_steradian{};
+};
+
+/// Returns the scene's stars and planets above the observer's horizon at an instant, the brightest first, at
+/// most `most` of them.
+std::vector<PointOfLight> star_points(const Scene& scene, double instant_s, std::size_t most);
+
 // The Milky Way: the light of all stars that are too faint to be seen individually.
 //
 // Our own model with eleven numbers: stars in a disc and a bulge, dust in a thinner disc, and the integral of

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "sim/base/image.h"
 #include "sim/emit/footprint/map/footprint_map.h"
@@ -49,6 +50,34 @@ PlaneFootprint<T> sheet_plane(const Scene& scene, const Footprint& footprint, co
 
 /// Returns the number of beams per layer of a sheet, for cells with this edge.
 int footprint_beams(const Sheet& sheet, double cell_km);
+
+// One sheet as a map, with what its beams say of heights: for a view that marches it
+// (sim/render/live/live_view.h).
+
+/// Where a sheet's feet are: in the plane of columns along `along` (the sheet's bearing; of a curve, the
+/// east) and rows to the left of it, without the sheet's drift since the scene's start. Both corners are in
+/// km, as EastNorth of that plane.
+struct SheetMapWindow {
+  EastNorth along{1.0, 0.0}, first, last;
+};
+
+/// Returns the window that holds a sheet at all these instants, with a margin.
+SheetMapWindow sheet_map_window(const Scene& scene, int sheet, const std::vector<double>& instants_s,
+                                double margin_km);
+
+/// Energy flux, in mW m^-2 (for a sheet of given brightness over the flux of its electrons), logarithm of the
+/// energy over the sheet's energy_kev, and means, weighted by flux, of the beams' altitude shift and of the
+/// logarithm of the stretch above the profile's peak (BeamLight); the last three are empty where they are 0
+/// everywhere.
+struct SheetMap {
+  PlaneFootprint<double> plane;
+  std::vector<double> shift_km, ln_stretch;
+};
+
+/// Returns the map of all arcs and layers at an instant. `tube_km` is the standard deviation of the tube
+/// around each beam.
+SheetMap sheet_map(const Scene& scene, int sheet, const SheetMapWindow& window, double instant_s,
+                   double cell_km, double tube_km, int threads);
 
 // Footprints of a curve: light along it, with a Gaussian across.
 //
