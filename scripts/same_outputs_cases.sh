@@ -182,6 +182,7 @@ run preview_fast preview $small -o out/preview_fast --frames 2 --size 80x80 --po
 
 # --- Light for other programs --------------------------------------------------------------------------------------------------------
 run points points $small -o out/points.ply --set sheet.main.beams=20
+run export export $small --web out/small.html
 run points_table points $small -o out/points.csv --max-points 10000 --unit m
 run volume volume $small -o out/volume.vdb --voxel-km 4
 run volume_houdini volume $small -o out/houdini.vdb --voxel-km 4 --lines 557.7 --for houdini

@@ -165,7 +165,7 @@ class StudioServer::Routes {
   }
 
   static void send_page(const std::string& name, httplib::Response& response) {
-    for (const StudioPage& page : studio_pages())
+    for (const EmbeddedFile& page : studio_pages())
       if (page.name == name) {
         response.set_header(
             "Content-Security-Policy",

@@ -24,11 +24,15 @@ def chromium():
 
 
 class Browser:
-    def __init__(self):
+    def __init__(self, has_webgl=False):
+        """`has_webgl`: by Chromium's own software driver, the same everywhere."""
         self.profile = tempfile.TemporaryDirectory(prefix="vegard-chromium-", ignore_cleanup_errors=True)
         words = [chromium(), "--headless=new", "--remote-debugging-pipe", f"--user-data-dir={self.profile.name}",
                  "--disable-gpu", "--hide-scrollbars", "--no-first-run", "--disable-background-networking",
                  "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage"]
+        if has_webgl:
+            words.remove("--disable-gpu")
+            words += ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"]
         if os.geteuid() == 0:
             words.append("--no-sandbox")  # which root cannot have
         theirs_in, self.to = os.pipe()

@@ -59,6 +59,7 @@ printf 'name,camera,x_px,y_px\nknot,1,465.5,354.3\nknot,2,358.2,680.5\n' >sights
 refused triangulate sights.csv --camera at_69.toml --camera at_68.toml --pointing-error 0.1
 refused keogram a.png b.png -o out.csv
 refused directions "$small" -o out.exr
+refused export "$small" --web out.html
 expect_exit 0 render "$SCENES/map_light.toml" -o band.png
 few_pixels=(--set camera.width=48 --set camera.height=32) # a map of them is drawn in about a second
 expect_exit 0 render "$SCENES/map_light.toml" "${few_pixels[@]}" -o little.png

@@ -50,6 +50,7 @@ CALLS = {
     ),
     "points": Call(["points", "small.toml", "-o", "out.ply", *FEW]),
     "volume": Call(["volume", "small.toml", "-o", "out.vdb", "--voxel-km", "4", *FEW], free=r"8 x 8 x 8"),
+    "export": Call(["export", "small.toml", "--web", "out.html", *FEW], free=r"left out: .*"),
     "describe": Call(["describe", PHOTO], result=True),
     "horizon": Call("horizon --size 600,400 --points 100,200 300,203 500,200 --hfov 53.13 -o out.toml"),
     "profile": Call(["profile", PHOTO, "-o", "out.csv", "--bands", "4"], free=r"decoding: .*"),
