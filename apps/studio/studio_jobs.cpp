@@ -29,9 +29,9 @@ constexpr auto kPatience = std::chrono::seconds(10);
 
 /// Those that read photographs, scenes and runs and write beside them.
 const std::vector<std::string>& allowed() {
-  static const std::vector<std::string> words = {"measure", "describe", "mask",  "calibrate",
-                                                 "horizon", "border",   "map",   "fit",
-                                                 "render",  "preview",  "params"};
+  static const std::vector<std::string> words = {"measure", "describe", "mask",   "calibrate",
+                                                 "horizon", "border",   "map",    "fit",
+                                                 "render",  "preview",  "params", "export"};
   return words;
 }
 
@@ -174,10 +174,13 @@ int StudioJobs::begin(const std::vector<std::string>& words, Output output) {
   auto one = std::make_shared<Job>();
   one->words = words;
   if (output == Output::shown) {
-    const std::string out =
-        fmt::format("{}/{}{}", scratch(), jobs_.size(), words[0] == "preview" ? "" : ".png");
-    one->picture = words[0] == "preview" ? out + "/frame_0000.png" : out;
-    one->words.insert(one->words.end(), {"-o", out});
+    const bool is_preview = words[0] == "preview", is_page = words[0] == "export";
+    const std::string out = fmt::format("{}/{}{}", scratch(), jobs_.size(),
+                                        is_preview ? ""
+                                        : is_page  ? ".html"
+                                                   : ".png");
+    one->picture = is_preview ? out + "/frame_0000.png" : out;
+    one->words.insert(one->words.end(), {is_page ? "--web" : "-o", out});
     // One that is looked at no more.
     for (const auto& older : jobs_) remove_picture(*older);
   }

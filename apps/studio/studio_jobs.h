@@ -27,8 +27,9 @@ class StudioJobs {
   StudioJobs& operator=(const StudioJobs&) = delete;
 
   /// Begins `vegard WORDS...` and returns its number. Throws Error(usage) for a command that a page may not
-  /// run, a word that names what is outside of the folder, and if too many run. With `shown`, render and
-  /// preview write their picture outside of the folder, to be shown only: picture() has its path.
+  /// run, a word that names what is outside of the folder, and if too many run. With `shown`,
+  /// render, preview and export write their picture or page outside of the folder, to be shown only:
+  /// picture() has its path.
   enum class Output { kept, shown };
   int begin(const std::vector<std::string>& words, Output output = Output::kept);
 

@@ -112,6 +112,11 @@ def scene(page, screenshots):
     page.wait("document.body.innerText.includes('Saved as small_changed.toml')", "the changed scene is saved")
     page.browser.value("[...document.querySelectorAll('button')].find(button => button.textContent === 'Undo').click(), 0")
     page.wait(commands + " === 'vegard render small.toml -o picture.png'", "undone")
+    page.browser.value("[...document.querySelectorAll('button')].find(button => button.textContent === 'Fly through it').click(), 0")
+    page.wait("/^picture/.test(document.querySelector('iframe.live')?.getAttribute('src'))", "the live view is made")
+    page.expect(page.browser.value("[...document.querySelectorAll('code.command')].some(code => code.textContent === 'vegard export small.toml --web small.html')"),
+                "the command of the live view is shown")
+    time.sleep(1.0)  # of the frame's own loading
     # A value that the scene does not allow is said by name.
     page.browser.value("""(() => { const box = document.getElementById('p-sheet.main.energy_kev');
       box.value = '-4'; box.dispatchEvent(new Event('change')); return 0; })()""")

@@ -1,5 +1,6 @@
 // A scene: its parameters as sliders, its picture as they move, a photograph beside it, saving and fitting.
 import { address, command_line, run, tell } from "./api.js";
+import { live_panel } from "./live.js";
 import { choice, command_panel, element, field } from "./parts.js";
 
 const kRest_ms = 700;     // after which the picture is made in full
@@ -74,6 +75,7 @@ export async function scene_view(name, files, changed) {
       else draw(full_words());
     }, kRest_ms);
     fit.show();
+    live.show();
   }
   function set(path, value) {
     if ((changes.get(path) ?? first.get(path)) === value) return;
@@ -143,6 +145,8 @@ export async function scene_view(name, files, changed) {
     return ["fit", name, ...changed_words(), "--photo", photo, "--out", `runs/${photo.replace(/^.*\//, "").replace(/\.[^.]*$/, "")}_fitted`];
   }, () => changed());
 
+  const live = live_panel(name, changed_words);
+
   show_list();
   update();
   return element("article", {}, element("h2", {}, name),
@@ -150,6 +154,6 @@ export async function scene_view(name, files, changed) {
       element("div", {}, element("div", { class: "picture" }, image, wiped), status, shown,
         element("div", { class: "row" }, undo, field("Beside", beside), field("Wipe", wipe)),
         element("div", { class: "row" }, field("Save as", to), save),
-        element("p", {}, "The free numbers of a fit are those of fit.free in the scene."), fit.panel),
+        element("p", {}, "The free numbers of a fit are those of fit.free in the scene."), fit.panel, live.panel),
       element("div", {}, field("Parameters", search), list)));
 }
