@@ -17,6 +17,7 @@
 #include "apps/studio/studio_folder.h"
 #include "apps/studio/studio_jobs.h"
 #include "apps/studio/studio_page.h"
+#include "apps/studio/studio_sky.h"
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
 
@@ -80,6 +81,9 @@ class StudioServer::Routes {
     server_.Get(root + "files", [this](const httplib::Request&, httplib::Response& response) {
       response.set_header("Cross-Origin-Resource-Policy", "same-origin");
       response.set_content(folder_.listing_json(), "application/json");
+    });
+    server_.Get(root + "sky", [this](const httplib::Request& request, httplib::Response& response) {
+      send_sky(request.get_param_value("camera"), response);
     });
     server_.Get(root + "file/(.+)", [this](const httplib::Request& request, httplib::Response& response) {
       send_file(request.matches[1], response);
@@ -204,6 +208,16 @@ class StudioServer::Routes {
           stream->read(block, static_cast<std::streamsize>(std::min(length, sizeof block)));
           return stream->gcount() > 0 && sink.write(block, static_cast<std::size_t>(stream->gcount()));
         });
+  }
+
+  void send_sky(const std::string& camera, httplib::Response& response) const {
+    try {
+      const std::string json = studio_sky_json(sim::read_scene(folder_.path_of(camera)));
+      response.set_header("Cross-Origin-Resource-Policy", "same-origin");
+      response.set_content(json, "application/json");
+    } catch (const sim::Error& error) {
+      refuse(response, kRefused, error.what());
+    }
   }
 
   void tell_job(const httplib::Request& request, httplib::Response& response) {

@@ -23,8 +23,8 @@ const kEnds = { 0: "Done.", 2: "Refused: see the message.", 3: "A file cannot be
   130: "Stopped.", 143: "Stopped." };
 
 /// A button that runs a command whose words `words()` gives, shows the command and what it says, and calls `ended` with
-/// the words and the exit code.
-export function command_panel(name, words, ended = () => {}) {
+/// the words and the exit code. `prepare` is waited for before.
+export function command_panel(name, words, ended = () => {}, prepare = async () => {}) {
   const shown = element("code", { class: "command", "aria-label": "The command that does this" });
   const said = element("pre", { hidden: true, "aria-live": "polite" });
   const end = element("p", { role: "status" });
@@ -35,13 +35,14 @@ export function command_panel(name, words, ended = () => {}) {
   const show = () => { shown.textContent = command_line(words()); };
 
   async function begin() {
-    const asked = words();
     start.disabled = true;
     stop.disabled = false;
     said.hidden = false;
     said.textContent = end.textContent = "";
     end.className = "";
     try {
+      await prepare();
+      const asked = words();
       const { exit_code } = await run(asked, { control, on_said: text => {
         said.append(text);
         said.scrollTop = said.scrollHeight;

@@ -1,42 +1,9 @@
 // A photograph: what its file says, its measurement with what that says meanwhile, the stars that were found, the report.
-import { address, ask, run } from "./api.js";
+import { address, run } from "./api.js";
 import { choice, command_panel, element, field, report_frame } from "./parts.js";
+import { star_editor } from "./stars.js";
 
-const kNamed = 2.5;  // the faintest magnitude with a name in the picture; others have theirs under the mouse
 const kShown = /\.(jpe?g|png|webp|avif)$/i;  // others a browser does not know
-
-/// The rows of a table in CSV, by their column names.
-function table(text) {
-  const [head, ...rows] = text.trim().split(/\r?\n/).filter(line => !line.startsWith("#")).map(line => line.split(","));
-  return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
-}
-
-/// Circles about the stars of a calibration, with their names.
-async function star_layer(run_name, width, height) {
-  if (!(await ask("files")).some(file => file.name === run_name && file.has_stars)) return null;
-  const answer = await fetch(address(run_name + "/stars.csv"));
-  const kSvg = "http://www.w3.org/2000/svg";
-  const layer = document.createElementNS(kSvg, "svg");
-  layer.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  layer.setAttribute("role", "img");
-  layer.setAttribute("aria-label", "Stars that were recognised");
-  for (const star of table(await answer.text())) {
-    const name = star.star ?? star.name, radius = width / 150;
-    const circle = document.createElementNS(kSvg, "circle");
-    for (const [key, value] of [["cx", star.x_px], ["cy", star.y_px], ["r", radius], ["class", "star"]]) circle.setAttribute(key, value);
-    const title = document.createElementNS(kSvg, "title");
-    title.textContent = `${name}, magnitude ${star.magnitude}`;
-    circle.append(title);
-    layer.append(circle);
-    if (Number(star.magnitude) > kNamed) continue;
-    const label = document.createElementNS(kSvg, "text");
-    for (const [key, value] of [["x", Number(star.x_px) + 1.4 * radius], ["y", Number(star.y_px) + 0.4 * radius], ["font-size", 2 * radius], ["class", "star-name"]])
-      label.setAttribute(key, value);
-    label.textContent = name;
-    layer.append(label);
-  }
-  return layer;
-}
 
 export function photo_view(name, files, changed) {
   const scenes = files.filter(file => file.kind === "scene").map(file => file.name);
@@ -82,14 +49,27 @@ export function photo_view(name, files, changed) {
 
   async function show_run(run_name) {
     report.replaceChildren(report_frame(address(run_name + "/report.html")));
-    picture.querySelector("svg")?.remove();
+    await edit_stars(run_name);
+  }
+  /// The camera that was found is taken for the next measurement.
+  async function calibrated(asked, exit_code) {
+    await changed();
+    if (exit_code !== 0 && exit_code !== 5) return;
+    const camera = asked[asked.indexOf("-o") + 1];
+    if (![...inputs.camera.options].some(option => option.value === camera)) inputs.camera.append(element("option", { value: camera }, camera));
+    inputs.camera.value = camera;
+    measure.show();
+  }
+  const stars = element("div");
+  async function edit_stars(run_name) {
     if (image === null) return;
     await image.decode().catch(() => {});
-    const layer = await star_layer(run_name, image.naturalWidth, image.naturalHeight);
-    if (layer !== null) picture.append(layer);
+    const said = option => ({ "--time": inputs.time, "--site": inputs.site })[option].value.trim();
+    stars.replaceChildren(await star_editor({ photo: name, picture, image, run_name, said, calibrated }));
   }
   const earlier = inputs.out.value;
   if (files.some(file => file.kind === "run" && file.name === earlier)) show_run(earlier);
+  else edit_stars("");
 
-  return element("article", {}, element("h2", {}, name), picture, facts, fields, measure.panel, report);
+  return element("article", {}, element("h2", {}, name), picture, facts, fields, measure.panel, stars, report);
 }

@@ -1,0 +1,108 @@
+// Stars over a photograph: those that were recognised, and those that are added or dropped by hand. A click on a circle
+// drops its star or takes it back; a click beside them adds a star, by its name among the nearest of the catalogue.
+import { address, ask, upload } from "./api.js";
+import { command_panel, element, field } from "./parts.js";
+
+const kNamed = 2.5;     // the faintest magnitude with a name in the picture; others have theirs under the mouse
+const kOffered = 8;     // stars near a click
+const kSvg = "http://www.w3.org/2000/svg";
+
+/// The rows of a table in CSV, by their column names.
+function table(text) {
+  const [head, ...rows] = text.trim().split(/\r?\n/).filter(line => !line.startsWith("#")).map(line => line.split(","));
+  return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
+}
+
+function svg(tag, attributes) {
+  const made = document.createElementNS(kSvg, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  return made;
+}
+
+/// The stars of a run's table; none if it has none.
+async function stars_of(run_name) {
+  if (!run_name || !(await ask("files")).some(file => file.name === run_name && file.has_stars)) return [];
+  const answer = await fetch(address(run_name + "/stars.csv"));
+  return table(await answer.text()).map(star => ({ name: star.star ?? star.name, magnitude: Number(star.magnitude), x: Number(star.x_px), y: Number(star.y_px),
+    is_used: star.used === undefined || star.used === "1", is_mine: false }));
+}
+
+/// An editor of the stars in a photograph. `picture` is the element around its image; `said(option)` are the words of the
+/// user for time and site, which are else those of the run's camera; `calibrated` is called as command_panel() does.
+export async function star_editor({ photo, picture, image, run_name, said, calibrated }) {
+  const { naturalWidth: width, naturalHeight: height } = image, radius = Math.max(4, width / 150);
+  const recognised = await stars_of(run_name), stars = [...recognised];
+  const sky = recognised.length > 0 ? await ask(`sky?camera=${encodeURIComponent(run_name + "/camera.toml")}`).catch(() => null) : null;
+  picture.querySelector("svg")?.remove();
+  const layer = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Stars that were recognised or added" });
+  picture.append(layer);
+  const chooser = element("div", { class: "row", role: "group", "aria-label": "Add a star" }), count = element("p", { role: "status" });
+
+  function draw() {
+    layer.replaceChildren();
+    for (const star of stars) {
+      const circle = svg("circle", { cx: star.x, cy: star.y, r: radius, tabindex: 0, role: "button", "aria-pressed": star.is_used,
+        class: `star${star.is_used ? "" : " dropped"}${star.is_mine ? " mine" : ""}` });
+      const title = svg("title", {});
+      title.textContent = `${star.name}${Number.isFinite(star.magnitude) ? `, magnitude ${star.magnitude}` : ""}: ${star.is_used ? "drop it" : "take it back"}`;
+      const toggle = event => { event.stopPropagation(); star.is_used = !star.is_used; draw(); };
+      circle.addEventListener("click", toggle);
+      circle.addEventListener("keydown", event => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); toggle(event); } });
+      circle.append(title);
+      layer.append(circle);
+      if (!star.is_mine && !(star.magnitude <= kNamed)) continue;
+      const label = svg("text", { x: star.x + 1.4 * radius, y: star.y + 0.4 * radius, "font-size": 2 * radius, class: "star-name" });
+      label.textContent = star.name;
+      layer.append(label);
+    }
+    count.textContent = `${stars.filter(star => star.is_used).length} stars, ${stars.filter(star => star.is_mine).length} of them by hand, ` +
+      `${stars.filter(star => !star.is_used).length} dropped. Click a star to drop it, beside it to add one.`;
+    calibrate.show();
+  }
+
+  /// Asks for the name of the star at a place, the nearest of the catalogue first.
+  function offer(x, y) {
+    const near = (sky?.stars ?? []).map(([name, magnitude, at_x, at_y]) => ({ name, magnitude, px: Math.hypot(at_x - x, at_y - y) }))
+      .sort((a, b) => a.px - b.px).slice(0, kOffered);
+    const add = (name, magnitude) => {
+      if (!name.trim()) return;
+      for (const star of stars) if (star.name === name) star.is_used = false;  // it is here, not there
+      stars.push({ name: name.trim(), magnitude, x, y, is_used: true, is_mine: true });
+      chooser.replaceChildren();
+      draw();
+    };
+    const named = element("input", { placeholder: "Vega, alf Lyr, HIP 91262", keydown: event => { if (event.key === "Enter") add(named.value, NaN); } });
+    const mark = layer.querySelector("circle.asked") ?? layer.appendChild(svg("circle", { class: "star asked", r: radius }));
+    mark.setAttribute("cx", x);
+    mark.setAttribute("cy", y);
+    chooser.replaceChildren(
+      element("span", {}, `The star at ${x.toFixed(0)}, ${y.toFixed(0)} px is`),
+      ...near.map(star => element("button", { click: () => add(star.name, star.magnitude) }, `${star.name} (${star.magnitude.toFixed(1)} mag, ${star.px.toFixed(0)} px)`)),
+      field("another", named), element("button", { click: () => add(named.value, NaN) }, "Add"),
+      element("button", { click: () => { chooser.replaceChildren(); draw(); } }, "None"));
+    (chooser.querySelector("button") ?? named).focus();
+  }
+  layer.addEventListener("click", event => {
+    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(layer.getScreenCTM().inverse());
+    offer(place.x, place.y);
+  });
+
+  const stem = photo.replace(/^.*\//, "").replace(/\.[^./]*$/, "");
+  let stars_file = `${stem}_stars.csv`;
+  const used = () => stars.filter(star => star.is_used);
+  const words = () => {
+    const time = said("--time") || sky?.time_utc, site = said("--site") || (sky && `${sky.latitude_deg},${sky.longitude_deg},${sky.altitude_m}`);
+    const place = [...(time ? ["--time", time] : []), ...(site ? ["--site", site] : [])];
+    // From a table where stars have been recognised; else the program recognises the others from those by hand.
+    const by = recognised.length > 0 ? [stars_file] : used().flatMap(star => ["--star", `${star.name}=${star.x.toFixed(1)},${star.y.toFixed(1)}`]);
+    return ["calibrate", ...by, "--image", photo, ...place, "-o", `${stem}_camera.toml`, "--overwrite"];
+  };
+  const calibrate = command_panel("Calibrate with these stars", words, calibrated, async () => {
+    if (recognised.length === 0) return;
+    const rows = used().map(star => `${star.x.toFixed(3)},${star.y.toFixed(3)},${star.name}`);
+    stars_file = (await upload(new File([["x_px,y_px,star", ...rows, ""].join("\n")], `${stem}_stars.csv`))).name;
+    calibrate.show();
+  });
+  draw();
+  return element("section", {}, element("h3", {}, "Stars"), count, chooser, calibrate.panel);
+}
