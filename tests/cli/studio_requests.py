@@ -138,6 +138,16 @@ def runs_commands(studio):
     state, said = studio.end_of(job)
     picture = studio.request("GET", f"picture/{job}")
     check(state["exit_code"] == 0 and picture[2].startswith(b"\x89PNG"), f"a picture is shown: {said}")
+    state, said = studio.end_of(view := studio.tell("run", {"words": ["export", "scene.toml"], "shown": True})[1]["job"])
+    page = studio.request("GET", f"picture/{view}")
+    check(state["exit_code"] == 0 and page[2].startswith(b"<!doctype html>"), f"a live view is shown: {said}")
+    check("sandbox allow-scripts" in page[1].get("Content-Security-Policy", ""), "without the studio's origin")
+    status, _, sky = studio.request("GET", "sky?camera=scene.toml")
+    stars = json.loads(sky).get("stars", [])
+    check(status == 200 and stars and all(0 <= x <= 160 and 0 <= y <= 120 for _, _, x, y in stars), "the catalogue's stars in a camera")
+    for outside in ("../secret.txt", "nothing.toml", "/etc/passwd", ""):
+        status, _, said = studio.request("GET", f"sky?camera={outside}")
+        check(status == 422 and b"secret" not in said.replace(b"secret.txt", b""), f"the sky of {outside}: {status} {said}")
     names = [entry["name"] for entry in json.loads(studio.request("GET", "files")[2])]
     check("scene.toml" in names and not any(name.startswith(".") or "png" in name for name in names), f"files: {names}")
     status, saved = studio.tell("save", {"scene": "scene.toml", "changes": ["camera.hfov_deg=33"], "to": "wide.toml"})

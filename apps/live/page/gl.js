@@ -23,8 +23,8 @@ export function program(gl, vertex, fragment) {
 const kFormats = { 1: ["RED", "R32F", "R16F"], 2: ["RG", "RG32F", "RG16F"], 4: ["RGBA", "RGBA32F", "RGBA16F"] };
 
 /// A texture of floats, [layer][row][column][channel]: of 32 bits where the device can interpolate these. `exact` ones
-/// are read without interpolation, and always of 32 bits.
-export function texture(gl, values, { columns, rows = 1, layers = 1, channels = 1, exact = false, half = false, wraps = false }) {
+/// are read without interpolation, and always of 32 bits; `coarser` ones have means over 2 x 2, 4 x 4 … texels too.
+export function texture(gl, values, { columns, rows = 1, layers = 1, channels = 1, exact = false, half = false, wraps = false, coarser = false }) {
   const made = gl.createTexture(), target = gl.TEXTURE_2D_ARRAY;
   const [format, whole, short] = kFormats[channels];
   const is_whole = exact || (!half && gl.getExtension("OES_texture_float_linear") !== null);
@@ -32,6 +32,10 @@ export function texture(gl, values, { columns, rows = 1, layers = 1, channels = 
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   gl.texImage3D(target, 0, gl[is_whole ? whole : short], columns, rows, layers, 0, gl[format], gl.FLOAT, values);
   for (const which of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(target, which, exact ? gl.NEAREST : gl.LINEAR);
+  if (coarser) {
+    gl.generateMipmap(target);
+    gl.texParameteri(target, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  }
   gl.texParameteri(target, gl.TEXTURE_WRAP_S, wraps ? gl.REPEAT : gl.CLAMP_TO_EDGE);
   gl.texParameteri(target, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   return made;

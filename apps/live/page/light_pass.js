@@ -10,13 +10,14 @@ function by_fours(values, places, lines) {
   return made;
 }
 
-/// One texture of a map: flux, ln energy, shift and ln stretch of each texel.
+/// One texture of a map: the flux of each texel, and the flux times ln energy, shift and ln stretch, so that means over
+/// texels are weighted by it.
 function map_texture(gl, map, layer) {
   const texels = layer.columns * layer.rows * layer.faces, made = new Float32Array(4 * texels);
   [map.flux, map.ln_energy, map.shift_km, map.ln_stretch].forEach((values, channel) => {
-    if (values) for (let i = 0; i < texels; ++i) made[4 * i + channel] = values[i];
+    if (values) for (let i = 0; i < texels; ++i) made[4 * i + channel] = channel === 0 ? values[i] : values[i] * map.flux[i];
   });
-  return texture(gl, made, { columns: layer.columns, rows: layer.rows, layers: layer.faces, channels: 4, half: true });
+  return texture(gl, made, { columns: layer.columns, rows: layer.rows, layers: layer.faces, channels: 4, half: true, coarser: true });
 }
 
 const turned = ([x, y, z], angle) => [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), z];
@@ -79,6 +80,7 @@ export class LightPass {
       for (const name of ["profile_bottom_km", "profile_step_km"]) number(name, view[name]);
       number("profile_rows", profile_rows);
       number("after_share", place - before);
+      number("pixel_rad", see.pixel_rad);
       number("body_km", view.radius_km);
       number("feet_km", view.foot_altitude_km);
       gl.drawArrays(gl.TRIANGLES, 0, 3);

@@ -11,8 +11,8 @@ ${kLensGlsl}
 uniform vec3 eye_km;            // from the ground below the scene's camera
 uniform float body_km, feet_km;  // the body's radius, and the feet's altitude
 uniform mat3 layer_from_enu;
-uniform sampler2DArray map_before, map_after;  // flux, ln energy, shift, ln stretch
-uniform float after_share;
+uniform sampler2DArray map_before, map_after;  // flux, and flux times ln energy, shift, ln stretch
+uniform float after_share, pixel_rad;
 uniform sampler2DArray dark, fall, profile, transmission;
 uniform bool is_shell, has_air;
 uniform float face_cells, cell_km, dark_texels;
@@ -21,6 +21,7 @@ uniform float bottom_km, top_km, peak_km, ln_first, ln_step, energies, profile_r
 
 const int kMostSteps = 6000;
 const float kFallNodes = 33.0;
+const float kShareOfPixel = 0.6;  // of its width, that a texel of the map has
 const float kCells = 0.75, kRise_km = 1.0, kLongest_km = 4.0;  // of a step: in texels, in altitude, at all
 
 vec4 first_sum = vec4(0.0), last_sum = vec4(0.0);
@@ -54,7 +55,7 @@ vec3 fall_at(vec3 foot) {
   return normalize(texture(fall, vec3(at, face)).xyz);
 }
 
-void march(vec3 from, float square, float forward, vec3 ray, float length_km) {
+void march(vec3 from, float square, float forward, vec3 ray, float first_km, float length_km) {
   float feet = body_km + feet_km;
   float above_feet = feet_km * (feet_km + 2.0 * body_km);
   vec3 foot = from * (feet / sqrt(square + body_km * body_km));
@@ -83,17 +84,22 @@ void march(vec3 from, float square, float forward, vec3 ray, float length_km) {
     vec3 up = foot / feet;
     vec3 along_feet = ray - falls * (dot(ray, up) / min(dot(falls, up), -0.05));
     float speed = max(length(along_feet) * texels_per_km, 1e-6);
+    // Coarser maps where a pixel is wider than a texel: its light is a mean, not that of its middle.
+    float pixel_km = (first_km + middle) * pixel_rad;
+    float coarse = max(kShareOfPixel * pixel_km * (is_shell ? texels_per_km : 1.0 / cell_km), 1.0), level = log2(coarse);
     // Darkness around, and beyond the map.
     vec2 cell = floor((texel - dark_first) / dark_texels);
     vec2 nearest = clamp(cell, vec2(0.0), dark_cells - 1.0);
     float away = texelFetch(dark, ivec3(nearest, face), 0).r;
     if (!is_shell) away = max(away, length(max(max(-texel, texel - texels + 1.0), 0.0)) - 1.0);
+    away -= 2.0 * (coarse - 1.0);
     vec2 inside = step(vec2(-1.0), texel) * step(texel, texels);
     if (is_there && inside.x * inside.y > 0.0) {
       vec3 at = vec3((texel + 0.5) / texels, face);
-      vec4 lit = texture(map_before, at);
-      if (after_share > 0.0) lit = mix(lit, texture(map_after, at), after_share);
+      vec4 lit = textureLod(map_before, at, level);
+      if (after_share > 0.0) lit = mix(lit, textureLod(map_after, at, level), after_share);
       if (lit.r > 0.0) {
+        lit.gba /= lit.r;
         float off = altitude - lit.b - peak_km;
         float read = peak_km + (off > 0.0 ? off * exp(-lit.a) : off);
         float row = (read - profile_bottom_km) / profile_step_km;
@@ -108,7 +114,7 @@ void march(vec3 from, float square, float forward, vec3 ray, float length_km) {
     }
     at_km += step_km;
     float climb = abs(forward + middle) / radius;
-    float fine = min(min(kCells / speed, kRise_km / max(climb, 0.01)), kLongest_km);
+    float fine = min(min(kCells * coarse / speed, max(kRise_km, 0.3 * pixel_km) / max(climb, 0.01)), max(kLongest_km, pixel_km));
     float skipped = is_there ? max(0.0, 0.98 * away / speed - 0.5 * step_km - 0.5 * fine) : fine;
     moved_km = step_km + skipped;
     at_km += skipped;
@@ -136,7 +142,7 @@ void main() {
     first = max(first, 0.0);
     last = min(last, end);
     if (last - first < 1e-3) continue;
-    march(from + ray * first, square + first * (2.0 * forward + first), forward + first, ray, last - first);
+    march(from + ray * first, square + first * (2.0 * forward + first), forward + first, ray, first, last - first);
   }
   if (has_air) {
     float elevation = degrees(asin(clamp(ray_enu.z, -1.0, 1.0)));

@@ -36,7 +36,7 @@ export class SkyView {
   draw(flight, time_s, gain) {
     const { gl, view: { camera } } = this, { width, height } = this.canvas, [light, other, stars] = this.frames;
     const px = camera.width / width, { right, down, forward } = flight.axes();
-    const see = { lens: this.lens_texture, apply: (shader, on) => {
+    const see = { lens: this.lens_texture, pixel_rad: px * this.lens.angle_step / (this.lens.radius[1] * flight.zoom), apply: (shader, on) => {
       for (const [name, value] of [["px", px], ["rows", on.height], ["last_radius", this.lens.last_radius_px], ["aspect", camera.aspect],
         ["side", camera.side], ["zoom", flight.zoom]]) gl.uniform1f(shader.at(name), value);
       gl.uniform2f(shader.at("principal"), camera.principal_x_px, camera.principal_y_px);
