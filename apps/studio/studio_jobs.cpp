@@ -77,6 +77,13 @@ void StudioJobs::Job::start() {
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const int nowhere = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  // What stops it right away must not meet the handlers of the studio, which the new process has until it is
+  // the command.
+  sigset_t stops, before;
+  ::sigemptyset(&stops);
+  ::sigaddset(&stops, SIGINT);
+  ::sigaddset(&stops, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &stops, &before);
   process = ::fork();
   if (process == 0) {
     // Of its own group, so that Ctrl-C at the terminal reaches it once, through stop().
@@ -86,9 +93,12 @@ void StudioJobs::Job::start() {
     ::dup2(out[1], STDOUT_FILENO);
     ::dup2(err[1], STDERR_FILENO);
     ::signal(SIGINT, SIG_DFL);
+    ::signal(SIGTERM, SIG_DFL);
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
     ::execv("/proc/self/exe", arguments.data());
     ::_exit(127);
   }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   if (nowhere >= 0) ::close(nowhere);
   ::close(out[1]);
   ::close(err[1]);
