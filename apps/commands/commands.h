@@ -19,7 +19,8 @@ AddCommand add_render_command, add_animate_command, add_preview_command, add_bri
 AddCommand add_studio_command;
 AddCommand add_invert_command, add_electrons_command, add_atmosphere_command, add_tables_command,
     add_ionosphere_command, add_lines_command, add_bodies_command;
-AddCommand add_export_command, add_track_command, add_to_netcdf_command, add_to_gemini_command, add_to_lompe_command;
+AddCommand add_export_command, add_track_command, add_to_netcdf_command, add_to_gemini_command,
+    add_to_lompe_command;
 AddCommand add_params_command, add_manual_command;
 
 struct CommandGroup {
@@ -44,7 +45,8 @@ inline std::vector<CommandGroup> command_groups() {
        {add_invert_command, add_electrons_command, add_atmosphere_command, add_ionosphere_command,
         add_tables_command, add_lines_command, add_bodies_command}},
       {"Files for other programs",
-       {add_export_command, add_track_command, add_to_netcdf_command, add_to_gemini_command, add_to_lompe_command}},
+       {add_export_command, add_track_command, add_to_netcdf_command, add_to_gemini_command,
+        add_to_lompe_command}},
       {"Reference", {add_params_command, add_manual_command}},
   };
 }
