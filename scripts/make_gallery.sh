@@ -18,7 +18,8 @@ fi
 # The drapery as photographs: one light, many electrons and few.
 make_photographs() {
   local camera=(--set 'sensor.exposure="camera"' --set sensor.f_number=1.8 --set sensor.vignetting_cos_power=2.5
-    --set 'sky.level=[0.02, 0.03, 0.05]' --set camera.width=640 --set camera.height=427 --photograph --quality 88 --overwrite)
+    --set 'sky.level=[0.02, 0.03, 0.05]' --set camera.width=640 --set camera.height=427 --photograph --quality 88 --overwrite
+    --set 'sensor.tone="srgb"')
   "$vegard" render data/gallery/drapery.toml "${camera[@]}" --set time.exposure_s=0.5 --set sensor.iso=51200 \
     -o "$pictures/photograph_short.jpg"
   "$vegard" render data/gallery/drapery.toml "${camera[@]}" --set time.exposure_s=16 --set sensor.iso=1600 \
@@ -36,7 +37,7 @@ make_eye() {
       --set "sheet.curtain.brightness_kilorayleigh=$(awk "BEGIN { print 7.15 * $kilorayleigh }")"
       --set camera.width=480 --set camera.height=216 --set camera.elevation_deg=53 --set stars.shown=false
       --set 'sky.level=[0,0,0]' --set 'sky.gradient=[0,0,0]' --set composite.foreground=)
-    "$vegard" render "${seen[@]}" -o "$folder/camera$kilorayleigh.png" \
+    "$vegard" render "${seen[@]}" -o "$folder/camera$kilorayleigh.png" --set 'sensor.tone="srgb"' \
       --set "sensor.gain_per_kilorayleigh=$(awk "BEGIN { print 0.9 / $kilorayleigh }")"
     "$vegard" render "${seen[@]}" -o "$folder/eye$kilorayleigh.png" --as-seen
   done

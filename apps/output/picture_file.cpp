@@ -43,6 +43,12 @@ sim::Image raw_of(const PictureOptions& options, const sim::Scene& scene, const 
   return sim::raw_numbers(scene, sim::light_on_sensor(scene, rendering), options.frame, options.threads);
 }
 
+/// True for a picture whose channels the tone has mixed, and no table of false colours.
+bool is_filmic(const sim::Scene& scene, const PictureOptions& options) {
+  return scene.sensor.tone == sim::ToneKind::filmic && !options.as_seen &&
+         scene.sensor.colour_table == "none";
+}
+
 std::string noise_words(const PictureOptions& options) {
   return "; noise of frame " + std::to_string(options.frame) + " of the seed";
 }
@@ -164,6 +170,9 @@ std::string encoded_picture(const std::string& path, const PictureOptions& optio
   }
   constexpr int kDefaultQuality = 92;
   attributes["units"] = encoding_words(scene, options);
+  // By it a photograph's reader finds the light again (fit/photo/codec/filmic_light.h).
+  if (is_filmic(scene, options))
+    attributes["encoding"] = "filmic, primaries " + sim::word_of(scene.sensor.primaries);
   const sim::Image shown = shown_picture(options, scene, rendering);
   return sim::encode_display(format, shown, bits_of(options, format),
                              options.quality.value_or(kDefaultQuality), attributes, path);

@@ -38,7 +38,7 @@ ScreenPicture PreviewPainter::paint(const sim::Scene& whole, const sim::Reductio
   if (rendering.aurora.empty()) return {};
   sim::Image light = sim::shown_light(scene, rendering);
   sim::darken(sim::Vignetting(scene), light);
-  if (scene.sensor.colour_table == "none")
+  if (scene.sensor.colour_table == "none" && scene.sensor.tone != sim::ToneKind::filmic)
     return {light.width, light.height, display_->bytes(light, threads_)};
   const sim::Image shown = sim::encoded(scene, light);
   ScreenPicture picture{shown.width, shown.height, {}};

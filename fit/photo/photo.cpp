@@ -110,7 +110,10 @@ class Primaries {
     for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
       float* const rgb = light + 3 * pixel;
       std::uint8_t* const flags = usable + 3 * pixel;
-      if (table_) std::copy_n(made.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, rgb);
+      if (table_) {
+        std::copy_n(made.begin() + static_cast<std::ptrdiff_t>(3 * pixel), 3, rgb);
+        if (std::max({rgb[0], rgb[1], rgb[2]}) > table_->brightest()) std::fill_n(flags, 3, std::uint8_t{0});
+      }
       if (matrix_) {
         const double r = rgb[0], g = rgb[1], b = rgb[2];
         // Grey stays what it is, to the last bit.
@@ -320,6 +323,14 @@ Photo read_photo_bytes(std::string_view bytes, const std::string& file, const De
         .hint("such files are linear light as a rule: --decoding linear");
   if (decoding == Decoding::sensor) {
     assert(scene != nullptr);
+    if (!codes.linear && scene->sensor.tone == sim::ToneKind::filmic)
+      throw sim::Error(sim::ErrorKind::scene,
+                       "the tone \"filmic\" mixes the channels, and no sensor's numbers "
+                       "come back from it")
+          .file(scene->file)
+          .key("sensor.tone")
+          .expected("a tone of each channel by itself")
+          .hint("a picture by vegard says that it is filmic: the decoding \"auto\" undoes it");
     sim::Scene decoded = *scene;
     // Its tone curve is that of display files.
     if (codes.linear) decoded.sensor.tone = sim::ToneKind::linear;

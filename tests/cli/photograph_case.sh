@@ -58,6 +58,20 @@ expect_exit 3 render scene.toml -o out.png
 expect_stderr "curve.csv"
 expect_one_message
 [[ ! -e out.png && ! -e out.exr ]] || fail "a refused run has left a file"
+# A filmic picture says so, and its light comes back: the same profile as of a picture without a roll-off.
+bright=(--set sensor.gain_per_kilorayleigh=0.16 --bits 16)
+expect_exit 0 render "$SCENES/small.toml" "${bright[@]}" -o plain16.png
+expect_exit 0 render "$SCENES/small.toml" "${bright[@]}" -o filmic.png --set 'sensor.tone="filmic"'
+expect_different plain16.png filmic.png
+for name in plain16 filmic; do expect_exit 0 profile "$name.png" -o "$name.csv"; done
+expect_stdout "filmic"
+light() { grep -v '^#' "$1" | cut -d, -f4-6; }
+paste -d, <(light plain16.csv) <(light filmic.csv) | awk -F, '
+  NR > 1 { for (c = 1; c <= 3; ++c) if ($c != "") { d = $c - $(c + 3); if (d < 0) d = -d; if (d > worst) worst = d; if ($c > most) most = $c } }
+  END { exit !(most > 0.6 && worst < 1e-3) }' || fail "the light of a filmic picture is not what it was"
+expect_exit 2 linearise filmic.png "$SCENES/small.toml" --set 'sensor.tone="filmic"' -o out.exr
+expect_stderr "sensor.tone"
+expect_one_message
 # Frames have a noise of their own, and --photograph makes another animation.
 expect_exit 0 animate "$SCENES/small.toml" "${camera[@]}" -o frames/#.png --frames 0:1 --fps 1000 --photograph
 expect_different frames/0.png frames/1.png

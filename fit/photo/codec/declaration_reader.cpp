@@ -8,6 +8,7 @@
 #include <cstring>
 #include <functional>
 
+#include "fit/photo/codec/filmic_light.h"
 #include "fit/photo/codec/icc_profile.h"
 #include "fit/photo/codec/light_curves.h"
 #include "sim/base/error.h"
@@ -83,10 +84,10 @@ void declare_exif(std::string_view tiff, DeclaredLight& light) {
 
 /// ICC.1:2022, B.4: pieces in APP2 segments, each with its number and how many there are.
 void declare_jpeg(std::string_view bytes, DeclaredLight& light) {
-  constexpr int kStartOfScan = 0xda, kApp1 = 0xe1, kApp2 = 0xe2;
+  constexpr int kStartOfScan = 0xda, kApp1 = 0xe1, kApp2 = 0xe2, kComment = 0xfe;
   constexpr std::string_view kProfile = "ICC_PROFILE\0"sv, kExif = "Exif\0\0"sv;
   std::vector<std::string_view> pieces;
-  std::string_view exif;
+  std::string_view exif, comment;
   bool is_grey = false, is_broken = false;
   for (std::size_t at = 2; at + 4 <= bytes.size();) {
     if (bytes[at] != '\xff') break;
@@ -105,6 +106,7 @@ void declare_jpeg(std::string_view bytes, DeclaredLight& light) {
     if (is_frame && segment.size() > 5) is_grey = segment[5] == 1;
     if (marker == kApp1 && exif.empty() && segment.substr(0, kExif.size()) == kExif)
       exif = segment.substr(kExif.size());
+    if (marker == kComment && comment.empty()) comment = segment;
     if (marker != kApp2 || segment.substr(0, kProfile.size()) != kProfile) continue;
     const std::string_view piece = segment.substr(kProfile.size());
     if (piece.size() < 2 || piece[0] == 0) {
@@ -121,6 +123,7 @@ void declare_jpeg(std::string_view bytes, DeclaredLight& light) {
     declare_profile(profile, is_grey, light);
   }
   declare_exif(exif, light);
+  declare_filmic(filmic_words(comment), light);
 }
 
 double png_number(std::string_view data, std::size_t which) {
@@ -129,7 +132,7 @@ double png_number(std::string_view data, std::size_t which) {
 }
 
 struct PngChunks {
-  std::string_view cicp, profile, gamma, chromaticities, exif, depth;
+  std::string_view cicp, profile, gamma, chromaticities, exif, depth, encoding;
   bool is_srgb = false, is_grey = false;
 };
 
@@ -149,6 +152,9 @@ PngChunks png_chunks(std::string_view bytes) {
     if (type == "gAMA" && length == 4) chunks.gamma = data;
     if (type == "cHRM" && length == 32) chunks.chromaticities = data;
     if (type == "eXIf") chunks.exif = data;
+    if (constexpr std::string_view kEncoding = "vegard:encoding\0"sv;
+        type == "tEXt" && data.substr(0, kEncoding.size()) == kEncoding)
+      chunks.encoding = data.substr(kEncoding.size());
     if (type == "sBIT" && length > 0) chunks.depth = data;
   }
   return chunks;
@@ -228,6 +234,7 @@ void declare_png(std::string_view bytes, DeclaredLight& light) {
     light.words.push_back(fmt::format("PNG sBIT {}", light.converter_bits));
   }
   declare_exif(chunks.exif, light);
+  declare_filmic(chunks.encoding, light);
 }
 
 /// TIFF 6.0, section 20: light of each code, 0 to 65535.
@@ -299,6 +306,9 @@ void declare_tiff(std::string_view bytes, DeclaredLight& light) {
   if (const auto most = directory.number(kMaxSample))
     light.words.push_back(fmt::format("TIFF MaxSampleValue {:g}", *most));
   declare_exif(bytes, light);
+  constexpr int kDescription = 270;
+  if (const auto description = directory.text(kDescription))
+    declare_filmic(filmic_words(description->substr(0, description->find('?'))), light);  // the first line
 }
 
 /// The properties colr of the main picture (ISO/IEC 14496-12, 12.1.5): an ICC profile before numbers of

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,8 @@ class LightTable {
  public:
   virtual ~LightTable() = default;
   virtual void to_light(const float* encoded, float* light, std::size_t pixels) const = 0;
+  /// Light above which the file's steps are too coarse to measure: such pixels count as white.
+  virtual float brightest() const { return std::numeric_limits<float>::infinity(); }
 };
 
 struct LightCurve {
@@ -49,7 +52,9 @@ struct DeclaredLight {
   std::optional<LightCurve> curve;  ///< none: the format's usual one
   std::string primaries;            ///< their name, where they are not sRGB's
   std::optional<ColourMatrix> to_srgb;
-  std::shared_ptr<const LightTable> table;  ///< in place of curve and matrix
+  /// In place of curve and matrix. A curve beside it is of grey alone, and says how wide the file's steps
+  /// are.
+  std::shared_ptr<const LightTable> table;
   int converter_bits = 0;  ///< of the camera's converter, by FITS BITDEPTH or PNG sBIT; 0: not declared
 
   bool counts() const { return curve || to_srgb || table || !problem.empty(); }

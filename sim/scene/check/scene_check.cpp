@@ -321,6 +321,10 @@ void check_sensor(const Scene& scene) {
   if (sensor.tone == ToneKind::file && !is_table_file(sensor.tone_file))
     throw scene_error({"the tone \"file\" has no file", "sensor.tone_file, the name of a .csv", ""},
                       origin_of(scene, "sensor.tone_file", "sensor.tone"));
+  if (sensor.tone == ToneKind::filmic && scene.fit.photo_noise == PhotoNoise::sensor)
+    throw scene_error({"the tone \"filmic\" mixes the channels, whose noise is not known then",
+                       "another sensor.tone, or fit.photo_noise = \"estimated\"", ""},
+                      origin_of(scene, "fit.photo_noise", "sensor.tone"));
   const auto& [r2, r4, r6] = sensor.vignetting;
   constexpr int kSteps = 100;
   constexpr double kMin = 0.01;

@@ -82,8 +82,8 @@ std::vector<Declaration> sensor_rows() {
           .means("vignetting as a power of the cosine off the axis (4: a simple lens); 0: none"),
       Row("sensor", "vignetting", &Scene::sensor, &Sensor::vignetting).of({"r2", "r4", "r6"}).within(-10, 10)
           .means("additional vignetting 1 + r2 r² + r4 r⁴ + r6 r⁶, r = 1 in the corners"),
-      Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of<ToneKind>({{"srgb", ToneKind::srgb}, {"linear", ToneKind::linear}, {"gamma", ToneKind::gamma}, {"file", ToneKind::file}})
-          .means("curve from linear light to the numbers of a display file"),
+      Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of<ToneKind>({{"srgb", ToneKind::srgb}, {"linear", ToneKind::linear}, {"gamma", ToneKind::gamma}, {"file", ToneKind::file}, {"filmic", ToneKind::filmic}})
+          .means("curve from linear light to the numbers of a display file; `filmic`: highlights roll off and keep their hue"),
       Row("sensor", "gamma", &Scene::sensor, &Sensor::gamma).within(0.2, 5)
           .means("for \"gamma\": values are light to the power of 1 / gamma"),
       Row("sensor", "tone_file", &Scene::sensor, &Sensor::tone_file).names_table()

@@ -33,7 +33,13 @@ enum class ExposureRule {
 /// Colour filters of the upper left two by two pixels, row by row; none: all colours in every pixel.
 enum class MosaicPattern { rggb, bggr, grbg, gbrg, none };
 
-enum class ToneKind { srgb, linear, gamma, file };
+enum class ToneKind {
+  srgb,
+  linear,
+  gamma,
+  file,
+  filmic  ///< sRGB after a roll-off of bright light that keeps its hue (sim/view/sensor/filmic_tone.h)
+};
 
 /// How light becomes the numbers of a file (sim/view/sensor/sensor.h). The mosaic, bits, black_level, read
 /// noise and dark current only affect renders with noise.

@@ -12,6 +12,7 @@
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
+#include "sim/view/sensor/filmic_tone.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::sim {
@@ -145,8 +146,18 @@ Image developed(const Scene& scene, const Image& raw) {
 }
 
 Image encoded(const Scene& scene, const Image& rgb) {
-  const ToneCurve tone(scene);
   Image shown = rgb;
+  if (scene.sensor.tone == ToneKind::filmic) {
+    const FilmicTone tone(scene.sensor.primaries);
+    for (std::size_t i = 0; i < shown.data.size(); i += 3) {
+      float* const p = &shown.data[i];
+      const Vector3 colour = tone.shown({p[0], p[1], p[2]});
+      for (int c = 0; c < 3; ++c) p[c] = static_cast<float>(srgb_encode(colour[c]));
+    }
+    ColourTable(scene).colour(shown);
+    return shown;
+  }
+  const ToneCurve tone(scene);
   for (float& value : shown.data)
     value = static_cast<float>(tone.encode(std::clamp<double>(value, 0.0, 1.0)));
   ColourTable(scene).colour(shown);

@@ -30,8 +30,9 @@ Image raw_numbers(const Scene& scene, const Image& light, std::uint32_t frame = 
 /// Returns linear RGB of raw numbers, without correction for vignetting; noise can make it negative.
 Image developed(const Scene& scene, const Image& raw);
 
-/// Returns the values of a display file for linear RGB: limited to 0 to 1, encoded by the tone curve, with
-/// the false colours of sensor.colour_table. recover_light() does not undo the false colours.
+/// Returns the values of a display file for linear RGB: limited to 0 to 1, encoded by the tone curve (by
+/// "filmic" rolled off instead of limited), with the false colours of sensor.colour_table. recover_light()
+/// does not undo the false colours.
 Image encoded(const Scene& scene, const Image& rgb);
 
 /// Recovers light from a file's decoded linear RGB: divides by the vignetting. Sets `usable`, per pixel and

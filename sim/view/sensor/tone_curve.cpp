@@ -10,6 +10,7 @@
 #include "sim/base/parallel.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/table_files.h"
+#include "sim/view/sensor/filmic_tone.h"
 
 namespace vegard::sim {
 namespace {
@@ -59,6 +60,9 @@ ToneCurve::ToneCurve(const Scene& scene) {
     case ToneKind::file:
       be_table(table_text(scene, "sensor.tone_file"), sensor.tone_file);
       break;
+    case ToneKind::filmic:
+      *this = filmic();
+      break;
   }
 }
 
@@ -71,6 +75,12 @@ ToneCurve ToneCurve::of_gamma(double gamma) {
 ToneCurve ToneCurve::of_table(const std::string& text, const std::string& file) {
   ToneCurve curve;
   curve.be_table(text, file);
+  return curve;
+}
+
+ToneCurve ToneCurve::filmic() {
+  ToneCurve curve;
+  curve.kind_ = Kind::filmic, curve.name_ = "filmic";
   return curve;
 }
 
@@ -121,6 +131,8 @@ double ToneCurve::encode(double linear) const {
       return straight_between(linear_, encoded_, linear);
     case Kind::bent:
       return bent_.encode(linear);
+    case Kind::filmic:
+      return srgb_encode(filmic_roll_off(linear));
     case Kind::linear:
       break;
   }
@@ -137,6 +149,8 @@ double ToneCurve::decode(double encoded) const {
       return straight_between(encoded_, linear_, encoded);
     case Kind::bent:
       return bent_.decode(encoded);
+    case Kind::filmic:
+      return filmic_light(srgb_decode(encoded));
     case Kind::linear:
       break;
   }

@@ -61,6 +61,9 @@ class ToneCurve {
   /// A measured curve from the text of a table; messages name `file`. Throws as the constructor.
   static ToneCurve of_table(const std::string& text, const std::string& file);
   static ToneCurve of_bent(const BentSrgb& bent);
+  /// Of grey by the tone "filmic", which mixes the channels of colours (sim/view/sensor/filmic_tone.h). Light
+  /// of 1 is not yet white.
+  static ToneCurve filmic();
 
   /// Returns the encoded value of linear light, both 0 to 1; "file" clamps its input. An increasing function.
   double encode(double linear) const;
@@ -68,7 +71,7 @@ class ToneCurve {
   /// The inverse of encode(). Values beyond the ends of a measured curve are clamped to the ends.
   double decode(double encoded) const;
 
-  /// "sRGB", "linear", "gamma 2.2", "my_camera.csv", "sRGB^1.3", "sRGB^1.3 to 0.8".
+  /// "sRGB", "linear", "gamma 2.2", "my_camera.csv", "sRGB^1.3", "sRGB^1.3 to 0.8", "filmic".
   const std::string& name() const { return name_; }
 
  private:
@@ -76,7 +79,7 @@ class ToneCurve {
   void be_gamma(double gamma);
   void be_table(const std::string& text, const std::string& file);
 
-  enum class Kind { srgb, linear, gamma, file, bent } kind_ = Kind::linear;
+  enum class Kind { srgb, linear, gamma, file, bent, filmic } kind_ = Kind::linear;
   double gamma_ = 1.0;
   BentSrgb bent_;
   std::vector<double> linear_, encoded_;
