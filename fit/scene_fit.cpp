@@ -2,6 +2,7 @@
 
 #include "fit/fit.h"
 #include "fit/stability.h"
+#include "sim/base/error.h"
 
 namespace vegard::fit {
 namespace {
@@ -18,6 +19,12 @@ FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const
 
 FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const StoredMap* map,
                     const SceneFitOptions& options) {
+  if (!scene.keys.empty())
+    throw sim::Error(sim::ErrorKind::scene, "a scene with keys moves, and a fit is of one that stands still")
+        .file(scene.file)
+        .line(scene.keys.front().line)
+        .key("key")
+        .expected("a scene without [[key]]");
   FitResult result = fit_by_kind(scene, photos, map, options);
   if (options.stability) assess_stability(photos, options, result);
   return result;

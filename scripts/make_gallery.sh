@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Renders the scenes of data/gallery into docs/pictures/gallery: the pictures of docs/gallery.md.
-# usage: scripts/make_gallery.sh [NAME ...]   (scenes without .toml, photographs, eye (needs ImageMagick's montage); default: all)
+# usage: scripts/make_gallery.sh [NAME ...]   (scenes without .toml, photographs; eye and flight, which need ImageMagick's montage; default: all)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 vegard=build/release/vegard
@@ -10,9 +10,9 @@ names=("$@")
 if [[ ${#names[@]} -eq 0 ]]; then
   for scene in data/gallery/*.toml; do
     name=$(basename "$scene" .toml)
-    [[ $name == dance ]] || names+=("$name")  # that one is for vegard animate
+    [[ $name == dance || $name == flight ]] || names+=("$name")  # those are for vegard animate
   done
-  names+=(photographs eye)
+  names+=(photographs eye flight)
 fi
 
 # The drapery as photographs: one light, many electrons and few.
@@ -45,10 +45,23 @@ make_eye() {
     -background black -quality 88 "$pictures/eye.jpg"
 }
 
+# Six instants of the flight.
+make_flight() {
+  local second
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  for second in 0 6 9 12 15 20; do
+    "$vegard" render data/gallery/flight.toml -o "$folder/$(printf %02d $second).png" --set "time.start_s=$second" \
+      --set camera.width=480 --set camera.height=270
+  done
+  montage "$folder"/*.png -tile 3x2 -geometry +4+4 -background black -quality 88 "$pictures/flight.jpg"
+}
+
 for name in "${names[@]}"; do
   case $name in
     photographs) make_photographs ;;
     eye) make_eye ;;
+    flight) make_flight ;;
     *) "$vegard" render "data/gallery/$name.toml" -o "$pictures/$name.jpg" --quality 88 --overwrite ;;
   esac
 done

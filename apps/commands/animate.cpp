@@ -37,6 +37,7 @@
 #include "sim/render/render.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/scene/emitters/emitter_kinds.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/scene/freedom/ties.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/colour_table.h"
@@ -100,6 +101,22 @@ void check_last_instant(const sim::Scene& scene, int frame, double frames_per_se
         "time.start_s of " + sim::limits_text(*path.row) + " s; fewer frames or a smaller time.lapse");
 }
 
+/// Throws sim::Error where keys take the scene of a frame to values that do not go together, or the camera's
+/// file, which is one for all frames, would be wrong. Of an exposure it looks at the first instant.
+void check_moving(const AnimateRequest& options, const sim::Scene& scene, const std::vector<int>& frames,
+                  double frames_per_second) {
+  if (scene.keys.empty()) return;
+  if (options.camera_json)
+    throw usage_error("--camera-json", "one camera for all frames, and this scene has keys", "leave it out");
+  for (const int frame : frames) {
+    try {
+      sim::validate(sim::still_scene(scene_of_frame(scene, frame, frames_per_second)));
+    } catch (const sim::Error& error) {
+      throw sim::Error(error).problem(fmt::format("frame {}: {}", frame, error.details().problem));
+    }
+  }
+}
+
 /// The one camera of all frames.
 void write_camera(const std::string& file, const sim::Scene& scene, bool overwrite) {
   const std::string text = camera_json(scene);
@@ -132,7 +149,8 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
     render_options.pictures = &pictures;
     sim::Rendering rendering = sim::render(now, render_options);
     if (stop.load()) return false;
-    const std::string warning = warned ? "" : warning_if_out_of_view(now, rendering.rayleigh);
+    const std::string warning =
+        warned ? "" : warning_if_out_of_view(sim::still_scene(now), rendering.rayleigh);
     if (!warning.empty()) {
       bar.finish();
       tell("vegard: frame %d: %s\n", frame, warning.c_str());
@@ -201,11 +219,12 @@ int encode_frames(const AnimateRequest& options, const sim::Scene& scene, const 
 
 int run_animate(const AnimateRequest& request) {
   AnimateRequest options = request;
-  const sim::Scene scene = scene_of(options.scene);
+  const sim::Scene scene = moving_scene_of(options.scene);
   note_inert_keys(scene);
   const double frames_per_second = options.frames_per_second.value_or(scene.time.frames_per_second);
   const std::vector<int> frames = frames_of(options, scene);
   check_last_instant(scene, frames.back(), frames_per_second);
+  check_moving(options, scene, frames, frames_per_second);
   if (options.list) return list_frames(scene, frames, frames_per_second);
   if (options.output.empty())
     throw usage_error("--output", "nothing to write", "-o frames/####.exr or -o movie.mp4");

@@ -50,6 +50,7 @@ std::string aligned(const std::vector<Line>& lines) {
 }
 
 std::string key_path_of(const sim::FileKey& key) {
+  if (key.table.empty()) return key.key;
   if (key.table == "sheet") return "sheet.<name>." + key.key;
   return key.table + "." + key.key;
 }

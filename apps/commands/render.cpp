@@ -27,6 +27,7 @@
 #include "sim/render/auto_exposure.h"
 #include "sim/render/grain.h"
 #include "sim/render/render.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/sensor/tone_curve.h"
 
@@ -113,7 +114,7 @@ void check_outputs(const RenderRequest& options, const sim::Scene& scene) {
     sim::WholeFile(options.lines, options.overwrite);
   }
   if (options.camera_json) {
-    camera_json(scene);
+    camera_json(sim::still_scene(scene));
     sim::WholeFile(camera_file(options), options.overwrite);
   }
 }
@@ -129,7 +130,7 @@ void write_outputs(const RenderRequest& options, const sim::Scene& scene, sim::R
     outputs.write(options.output, encoded_picture(options.output, options.picture, scene,
                                                   std::move(rendering), lines, !options.layers.empty()));
   if (!options.lines.empty()) outputs.write(options.lines, encoded_lines(options.lines, scene, lines));
-  if (!camera.empty()) outputs.write(camera, camera_json(scene));
+  if (!camera.empty()) outputs.write(camera, camera_json(sim::still_scene(scene)));
   outputs.commit();
 }
 
@@ -200,7 +201,7 @@ std::string exposure_text(const sim::Scene& scene) {
 int run_render(const RenderRequest& request) {
   end_at_once_when_interrupted();
   RenderRequest options = request;
-  const sim::Scene as_given = scene_of(options.scene);
+  const sim::Scene as_given = moving_scene_of(options.scene);
   note_inert_keys(as_given);
   check_outputs(options, as_given);
   const std::optional<sim::Scene> exposed =
@@ -228,7 +229,7 @@ int run_render(const RenderRequest& request) {
     render_options.progress = {};
     if (options.grain) grain = sim::grain_per_px(scene, rendering, render_options);
   }
-  const std::string warning = warning_if_out_of_view(scene, rendering.rayleigh);
+  const std::string warning = warning_if_out_of_view(sim::still_scene(scene), rendering.rayleigh);
   bar.finish();
   if (!warning.empty()) tell("vegard: %s\n", warning.c_str());
 

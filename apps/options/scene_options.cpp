@@ -8,6 +8,7 @@
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/inert_keys.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/scene/table/parameter_table.h"
 
 namespace vegard::apps {
@@ -39,7 +40,9 @@ void add_scene_options(const Command& command, SceneOptions& options, SceneWord 
       .type_name("NUMBER");
 }
 
-sim::Scene scene_of(const SceneOptions& options) {
+sim::Scene scene_of(const SceneOptions& options) { return sim::still_scene(moving_scene_of(options)); }
+
+sim::Scene moving_scene_of(const SceneOptions& options) {
   sim::Scene scene = sim::read_scene(options.file);
   if (!options.camera_file.empty()) sim::take_camera(scene, options.camera_file);
   for (const std::string& words : options.changes) change(scene, words);

@@ -22,9 +22,11 @@ struct SceneOptions {
 enum class SceneWord { required, may_be_missing };
 void add_scene_options(const Command& command, SceneOptions& options, SceneWord scene = SceneWord::required);
 
-/// Reads the file, replaces the camera, makes the changes and checks the result. Throws
-/// Error(unreadable_input, scene, usage).
+/// Reads the file, replaces the camera, makes the changes and checks the result. Of a scene with keys:
+/// scene_of() is as it is at time.start_s, moving_scene_of() keeps them. Throws Error(unreadable_input,
+/// scene, usage).
 sim::Scene scene_of(const SceneOptions& options);
+sim::Scene moving_scene_of(const SceneOptions& options);
 
 /// Prints notes on standard error: keys of the scene's file that have no effect, and light to which the
 /// physical blur is not applied.

@@ -14,6 +14,7 @@
 #include "sim/base/version.h"
 #include "sim/render/as_seen.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/sensor.h"
@@ -124,21 +125,23 @@ sim::Image line_layer(const sim::Rendering& rendering) {
   return layer;
 }
 
-std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+std::string encoded_raw(const std::string& path, const PictureOptions& options, const sim::Scene& moving,
                         const sim::Rendering& rendering) {
+  const sim::Scene scene = sim::still_scene(moving);
   sim::Image raw = raw_of(options, scene, rendering);
   constexpr float kLargest = 65535.0f;
   for (float& value : raw.data) value /= kLargest;
-  sim::ImageAttributes attributes = attributes_of(scene);
+  sim::ImageAttributes attributes = attributes_of(moving);
   attributes["units"] = "raw numbers of " + std::to_string(scene.sensor.bits) + " bits, mosaic " +
                         sim::word_of(scene.sensor.mosaic) + noise_words(options);
   constexpr int kBits = 16, kNoQuality = 100;
   return sim::encode_display(sim::image_format(path), raw, kBits, kNoQuality, attributes, path);
 }
 
-std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& scene,
+std::string encoded_picture(const std::string& path, const PictureOptions& options, const sim::Scene& moving,
                             sim::Rendering&& rendering, const sim::Image& lines, bool with_layers) {
-  sim::ImageAttributes attributes = attributes_of(scene);
+  const sim::Scene scene = sim::still_scene(moving);
+  sim::ImageAttributes attributes = attributes_of(moving);
   const sim::ImageFormat format = sim::image_format(path);
   if (format == sim::ImageFormat::exr) {
     // Light for other scenes, on a scale that its readers know.

@@ -258,7 +258,7 @@ class StudioServer::Routes {
     SceneOptions options;
     options.file = folder_.path_of(asked.at("scene").get<std::string>());
     options.changes = texts(asked.at("changes"));
-    const std::string text = sim::write_scene(scene_of(options), "Made with vegard studio.");
+    const std::string text = sim::write_scene(moving_scene_of(options), "Made with vegard studio.");
     const std::string name = folder_.put(asked.at("to").get<std::string>(),
                                          [&](const auto& take) { return take(text.data(), text.size()); });
     answer(response, {{"name", name}});

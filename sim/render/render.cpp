@@ -16,8 +16,10 @@
 #include "sim/render/picture.h"
 #include "sim/render/render_memory.h"
 #include "sim/render/volume_layer.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/sensor.h"
+#include "sim/scene/table/parameter_table.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/cube_map.h"
 #include "sim/view/colour/colour.h"
@@ -318,6 +320,61 @@ GroundIllumination ground_illumination(const Scene& as_given, const RenderOption
                                    : on_ground();
 }
 
+constexpr std::array kMovingLayers = {&Rendering::rayleigh,  &Rendering::aurora,     &Rendering::rgb,
+                                      &Rendering::night_sky, &Rendering::background, &Rendering::stars,
+                                      &Rendering::ground,    &Rendering::foreground, &Rendering::volume,
+                                      &Rendering::hidden,    &Rendering::literal};
+
+/// Adds a share of a layer; one that is empty has no light.
+void add_share(const Image& layer, float share, Image& sum) {
+  if (layer.empty()) return;
+  if (sum.empty()) {
+    sum = layer;
+    std::fill(sum.data.begin(), sum.data.end(), 0.0f);
+  }
+  for (std::size_t i = 0; i < sum.data.size(); ++i) sum.data[i] += share * layer.data[i];
+}
+
+void add_share(const Rendering& one, float share, Rendering& sum) {
+  for (const auto layer : kMovingLayers) add_share(one.*layer, share, sum.*layer);
+  sum.deflection_points += one.deflection_points;
+  sum.sheets.resize(one.sheets.size());
+  for (std::size_t s = 0; s < one.sheets.size(); ++s) {
+    sum.sheets[s].name = one.sheets[s].name;
+    add_share(one.sheets[s].rayleigh, share, sum.sheets[s].rayleigh);
+    add_share(one.sheets[s].aurora, share, sum.sheets[s].aurora);
+  }
+}
+
+/// Renders a scene with keys: the mean of its instants, layer by layer.
+Rendering render_moving(const Scene& scene, const RenderOptions& options) {
+  const std::vector<double> instants = instants_s(scene.time);
+  std::vector<Scene> stills;
+  bool moves = false;
+  for (const double instant : instants) {
+    stills.push_back(scene_at(scene, instant));
+    moves = moves || !same_values(stills.back(), stills.front());
+  }
+  if (!moves) return render(stills.front(), options);
+  Rendering mean;
+  for (std::size_t i = 0; i < stills.size(); ++i) {
+    Scene& still = stills[i];
+    still.time.start_s = instants[i];
+    still.time.instants = 1;
+    RenderOptions of_one = options;
+    of_one.memory = nullptr;
+    if (options.progress)
+      of_one.progress = [&, i](double share) {
+        options.progress((static_cast<double>(i) + share) / static_cast<double>(stills.size()));
+      };
+    const Rendering one = render(still, of_one);
+    if (one.rgb.empty()) return {};  // stopped
+    add_share(one, 1.0f / static_cast<float>(stills.size()), mean);
+    still = Scene();
+  }
+  return mean;
+}
+
 }  // namespace
 
 Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) {
@@ -329,6 +386,7 @@ Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads) 
 }
 
 Rendering render(const Scene& as_given, const RenderOptions& options) {
+  if (!as_given.keys.empty()) return render_moving(as_given, options);
   const Scene scene = is_panorama(as_given.camera.model) ? with_enough_beams_around(as_given)
                                                          : with_enough_beams(as_given, film_of(as_given));
   const auto stopped = [&] { return options.stop != nullptr && options.stop->load(); };
@@ -381,7 +439,8 @@ Image light_on_sensor(const Scene& scene, const Rendering& rendering) {
                                                                    : rendering.rgb;
 }
 
-Image display_picture(const Scene& scene, const Rendering& rendering) {
+Image display_picture(const Scene& moving, const Rendering& rendering) {
+  const Scene scene = still_scene(moving);
   Image light = shown_light(scene, rendering);
   darken(Vignetting(scene), light);
   return encoded(scene, light);

@@ -63,7 +63,11 @@ struct Rendering {
 /// rayleighs.
 Image rayleigh_image(const Scene& scene, const Exposure& exposure, int threads = 0);
 
-/// Renders a valid scene. The same scene gives the same bytes on every run and for every number of threads.
+/// Renders a valid scene; one with keys
+/// (sim/scene/freedom/keyframes.h) is the mean of its instants, each of the scene as it is then: layer by
+/// layer, so that where a layer hides another the product of two means stands for the mean of the product. If
+/// nothing with keys moves between the instants, it is the picture of the scene at its start. The same scene
+/// gives the same bytes on every run and for every number of threads.
 Rendering render(const Scene& scene, const RenderOptions& options = {});
 
 /// Returns the light of a scene's sky on the ground, by a rendering of sky_over_ground(); all 0 if it is
@@ -73,8 +77,8 @@ GroundIllumination light_on_ground(const Scene& scene, const RenderOptions& opti
 /// Returns linear RGB of the sky alone: level, gradient and curvature.
 Image sky_light(const Scene& scene);
 
-/// Returns the light that a display shows, before the lens's vignetting: out-of-gamut light of the aurora and
-/// of the night sky is clipped before anything is added, as in the fit.
+/// Returns the light that a display shows of a scene without keys, before the lens's vignetting: out-of-gamut
+/// light of the aurora and of the night sky is clipped before anything is added, as in the fit.
 Image shown_light(const Scene& scene, const Rendering& rendering);
 
 /// Returns the light that falls on a sensor, before the lens's vignetting, in linear RGB. For a camera it may

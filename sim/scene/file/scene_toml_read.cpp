@@ -10,6 +10,7 @@
 #include "sim/scene/file/closing_line.h"
 #include "sim/scene/file/curve_table.h"
 #include "sim/scene/file/fit_entries_toml.h"
+#include "sim/scene/file/keyframes_toml.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/spline_rates.h"
@@ -18,6 +19,7 @@
 #include "sim/scene/table/alternative_forms.h"
 #include "sim/scene/table/bounded_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/keyframe_keys.h"
 #include "sim/scene/table/parameter_declarations.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/table_files.h"
@@ -97,6 +99,7 @@ class SceneReader {
       }
     }
     fill_spline_rates(scene_);
+    if (const toml::node* keys = document_.get(key_table)) scene_.keys = read_keyframes(*keys, scene_.file);
     check_whole();
   }
 

@@ -2,6 +2,7 @@
 
 #include "sim/scene/file/closing_line.h"
 #include "sim/scene/file/fit_entries_toml.h"
+#include "sim/scene/file/keyframes_toml.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/free_entry_keys.h"
 #include "sim/scene/table/parameter_declarations.h"
@@ -84,6 +85,7 @@ std::string write_scene(const Scene& scene, const std::string& comment) {
     for (int element = 0; element < element_count(d, scene); ++element)
       text += "\n[[" + table + "]]\n" + table_lines(scene, table, element);
   }
+  text += keyframes_text(scene.keys);
   return with_closing_line(text);
 }
 

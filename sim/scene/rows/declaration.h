@@ -229,6 +229,8 @@ struct Declaration {
   bool names_table = false, names_file = false;
   /// Of what steers the search as a whole, and so is no matter of a single photograph: what to do instead.
   std::string of_all_photos;
+  /// Why no key may move it; empty: one may (sim/scene/freedom/keyframes.h).
+  std::string stands_still;
 
   /// True for a text that may name a folder of emission tables (sim/scene/table/emission_folder.h).
   bool names_folder = false;

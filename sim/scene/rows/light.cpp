@@ -111,7 +111,7 @@ bool is_physical(const Blur& blur) { return blur.model == BlurModel::physical; }
 std::vector<Declaration> light_rows() {
   // clang-format off
   return {
-      Row("emission", "lines", &Scene::emission, &Emission::lines).numbered().in("nm")
+      Row("emission", "lines", &Scene::emission, &Emission::lines).stands_still("lines are what all light is made of, and stay the same ones").numbered().in("nm")
           .list_rule(lines_complaint).set_by(change_lines)
           .means("emission lines, the program's (vegard lines) or those of [[line]]"),
       Row("emission", "tables", &Scene::emission, &Emission::tables).names_folder().rule(emission_tables_complaint)

@@ -22,6 +22,8 @@ Row<Field> of_field(FieldModel model, const char* word, Row<Field> row) {
 Row<Field> of_uniform(const Row<Field>& row) { return of_field(FieldModel::uniform, "uniform", row); }
 Row<Field> of_dipole(const Row<Field>& row) { return of_field(FieldModel::dipole, "dipole", row); }
 
+const char* const kClock = "it belongs to the clock that the keys go by";
+const char* const kBody = "it belongs to the body, which stays the same one";
 const char* const kAffectsLight = "a parameter that the light depends on";
 
 bool is_panorama(const Camera& camera) {
@@ -55,15 +57,15 @@ std::vector<Declaration> place_rows() {
 
       Row("body", "name", &Scene::body, &Body::name).one_of(body_names()).then(bring_along)
           .means("body of the scene, which sets what the scene leaves out of [body], [field], [[line]] and emission.lines (docs/bodies.md)"),
-      Row("body", "radius_km", &Scene::body, &Body::radius_km).in("km").within(6000, 100000)
+      Row("body", "radius_km", &Scene::body, &Body::radius_km).stands_still(kBody).in("km").within(6000, 100000)
           .means("of the sphere from which altitudes are counted"),
-      Row("body", "gravity_m_s2", &Scene::body, &Body::gravity_m_s2).in("m s⁻²").within(0.1, 100)
+      Row("body", "gravity_m_s2", &Scene::body, &Body::gravity_m_s2).stands_still(kBody).in("m s⁻²").within(0.1, 100)
           .means("gravity on that sphere, for the scale height of layers without their own"),
-      Row("body", "dipole_moment_t_m3", &Scene::body, &Body::dipole_moment_t_m3).in("T m³").within(-1e21, 1e21)
+      Row("body", "dipole_moment_t_m3", &Scene::body, &Body::dipole_moment_t_m3).stands_still(kBody).in("T m³").within(-1e21, 1e21)
           .means("moment of the dipole; negative: southward at the equator, which reverses folds and spirals"),
-      Row("body", "air_temperature_k", &Scene::body, &Body::air_temperature_k).in("K").within(10, 5000)
+      Row("body", "air_temperature_k", &Scene::body, &Body::air_temperature_k).stands_still(kBody).in("K").within(10, 5000)
           .means("of the air where the aurora shines"),
-      Row("body", "air_mass_dalton", &Scene::body, &Body::air_mass_dalton).in("Da").within(1, 100)
+      Row("body", "air_mass_dalton", &Scene::body, &Body::air_mass_dalton).stands_still(kBody).in("Da").within(1, 100)
           .means("mean mass of the air's particles there"),
 
       Row("site", "latitude_deg", &Scene::site, &Site::latitude_deg).in("deg").within(-90, 90)
@@ -129,16 +131,16 @@ std::vector<Declaration> place_rows() {
 std::vector<Declaration> time_rows() {
   // clang-format off
   return {
-      Row("time", "start_s", &Scene::time, &Time::start_s).in("s").within(-1e7, 1e7)
+      Row("time", "start_s", &Scene::time, &Time::start_s).stands_still(kClock).in("s").within(-1e7, 1e7)
           .means("time of the picture or first frame on the scene's clock"),
-      Row("time", "exposure_s", &Scene::time, &Time::exposure_s).in("s").within(0, 1e5)
+      Row("time", "exposure_s", &Scene::time, &Time::exposure_s).stands_still(kClock).in("s").within(0, 1e5)
           .means("how long the picture is exposed"),
       Row("time", "instants", &Scene::time, &Time::instants).within(1, 1024)
           .means("evenly spaced instants that are averaged, the first at the start"),
-      Row("time", "frames_per_second", &Scene::time, &Time::frames_per_second).in("s⁻¹").within(0.001, 1000)
+      Row("time", "frames_per_second", &Scene::time, &Time::frames_per_second).stands_still(kClock).in("s⁻¹").within(0.001, 1000)
           .means("of an animation"),
       Row("time", "frames", &Scene::time, &Time::frames).within(1, 1000000).means("of an animation"),
-      Row("time", "lapse", &Scene::time, &Time::lapse).within(1e-6, 1e7)
+      Row("time", "lapse", &Scene::time, &Time::lapse).stands_still(kClock).within(1e-6, 1e7)
           .means("seconds of the scene's clock to a second of an animation; 900: time lapse"),
 
       Row("substorm", "quiet", &Scene::substorm, &Substorm::quiet).within(0, 1)

@@ -168,6 +168,7 @@ class Row {
   Row& of_all_photos(std::string else_do = "set it in [fit]") {
     return d_.of_all_photos = std::move(else_do), *this;
   }
+  Row& stands_still(std::string why) { return d_.stands_still = std::move(why), *this; }
   Row& names_table() { return d_.names_table = true, *this; }
   Row& presets(const std::vector<KeyAndText>& (*values)(const std::string&)) {
     return d_.presets = values, *this;

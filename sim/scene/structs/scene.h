@@ -15,6 +15,7 @@
 #include "sim/scene/structs/camera.h"
 #include "sim/scene/structs/fit.h"
 #include "sim/scene/structs/footprint.h"
+#include "sim/scene/structs/keyframe.h"
 #include "sim/scene/structs/light.h"
 #include "sim/scene/structs/nebula.h"
 #include "sim/scene/structs/sensor.h"
@@ -69,6 +70,7 @@ struct Scene {
   Time time;
   Substorm substorm;
   Fit fit;
+  std::vector<Keyframe> keys;  ///< what moves (sim/scene/freedom/keyframes.h)
   /// Elements of the kinds of emitters that a program adds (sim/scene/emitters/emitter_kinds.h), by the name
   /// of their table: each a std::vector of the kind's struct.
   std::map<std::string, std::any> added;

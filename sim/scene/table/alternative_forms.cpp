@@ -5,6 +5,7 @@
 
 #include "sim/base/text.h"
 #include "sim/scene/table/free_entry_keys.h"
+#include "sim/scene/table/keyframe_keys.h"
 
 namespace vegard::sim {
 namespace {
@@ -134,6 +135,10 @@ std::vector<FileKey> all_file_keys() {
                   "and the point_ keys)",
                   "a text"});
   keys.push_back({"sheet", curve_number_key, "", "number of its curtain, from 1", "a whole number"});
+  keys.push_back(
+      {"", key_table, "", "what moves, for vegard animate and render", "tables [[key]] with the keys below"});
+  for (const KeyframeKey& key : keyframe_keys())
+    keys.push_back({key_table, key.key, key.unit, key.meaning, key.type});
   const std::string table = free_table, entry = free_table + ("." + std::string(free_key));
   keys.push_back(
       {table, free_key, "", "what is fitted", "an array of paths and of tables with the keys below"});
