@@ -73,9 +73,8 @@ void check_movie(const AnimateRequest& options, const sim::Scene& scene) {
   };
   even("camera.width", scene.camera.width);
   even("camera.height", scene.camera.height);
-  if (options.picture.bits || options.picture.quality)
-    throw usage_error(options.picture.bits ? "--bits" : "--quality", "a movie is made from 8-bit PNG",
-                      "-o frames/####.png as well");
+  if (options.picture.bits)
+    throw usage_error("--bits", "a movie is made from 8-bit PNG", "-o frames/####.png as well");
   // A folder that is missing is made with that of the frames.
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   std::error_code ignored;
@@ -206,7 +205,8 @@ int encode_frames(const AnimateRequest& options, const sim::Scene& scene, const 
     codec = write_movie(
         options.output, files, frames_per_second, options.overwrite,
         [&bar](double share) { bar.update(share); }, &watch_for_interrupt(),
-        scene.camera.model == sim::LensModel::equirectangular);
+        scene.camera.model == sim::LensModel::equirectangular,
+        options.picture.quality.value_or(kMovieQuality));
   }
   if (codec.empty()) return tell_of_interruption(frames.size(), frames.size());
   remove_animation(names, frames);
@@ -232,7 +232,10 @@ int run_animate(const AnimateRequest& request) {
   const bool movie = is_movie(options.output);
   const FrameNames names(movie ? options.output + ".frames/########.png" : options.output);
   names.check_room_for(frames.back());
-  check_picture_options(names.file(0), options.picture);
+  // A movie's quality is that of its encoding, and its frames are the same for any.
+  PictureOptions of_frames = options.picture;
+  if (movie) of_frames.quality.reset();
+  check_picture_options(names.file(0), of_frames);
   refuse_input_as_output(options, names, options.scene.file, "the scene");
   refuse_input_as_output(options, names, options.scene.camera_file, "the camera's file");
   for (const std::string& file : fit::picture_files(scene))
@@ -240,8 +243,8 @@ int run_animate(const AnimateRequest& request) {
   if (movie) check_movie(options, scene);
   const std::string camera = options.camera_json ? checked_camera_file(options, names, scene) : "";
   options.threads =
-      threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), options.picture, scene),
-                        false, options.memory_limit);
+      threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), of_frames, scene), false,
+                        options.memory_limit);
   const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
   // Every frame reads its own; here only so that what is wrong with them is reported before a folder is made.
   if (sim::has_emitters(scene)) sim::read_volume_files(scene);
@@ -250,9 +253,8 @@ int run_animate(const AnimateRequest& request) {
   sim::ColourTable check_of_the_colours(scene);
   std::error_code ignored;
   const bool makes_folder = !std::filesystem::exists(names.folder(), ignored);
-  std::set<int> finished =
-      begin_or_resume(names, manifest_text(scene, frames_per_second, names, options.picture), frames,
-                      options.overwrite, movie);
+  std::set<int> finished = begin_or_resume(names, manifest_text(scene, frames_per_second, names, of_frames),
+                                           frames, options.overwrite, movie);
   const std::size_t before = finished.size();
   const bool makes_camera = !camera.empty() && !std::filesystem::exists(camera, ignored);
   const auto leave_no_beginning = [&] {
@@ -311,7 +313,10 @@ void add_animate_command(Program& program) {
       .range(0.001, 1000.0);
   add_threads_option(command, options->threads);
   add_memory_option(command, options->memory_limit);
-  add_picture_options(command, options->picture);
+  add_picture_options(
+      command, options->picture,
+      "Quality of a JPEG (default: 92), or of a movie: H.264's rate factor is half of what is "
+      "missing to 100 (default: 84)");
   command.flag("--list", options->list, "Only print each frame's time.start_s");
   command.flag("--camera-json", options->camera_json, "Write the camera's matrices next to the frames");
   command.flag("--overwrite", options->overwrite, "Replace frames of another animation, or a movie");

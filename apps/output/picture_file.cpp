@@ -91,10 +91,10 @@ sim::Image channels_of(const sim::Image& image, int first, std::vector<std::stri
 
 }  // namespace
 
-void add_picture_options(const Command& command, PictureOptions& options) {
+void add_picture_options(const Command& command, PictureOptions& options, const std::string& quality) {
   command.option("--bits", options.bits, "Bits per channel (default: 8 for PNG, 16 for TIFF)")
       .one_of({8, 16});
-  command.option("--quality", options.quality, "Quality of a JPEG (default: 92)").range(1, 100);
+  command.option("--quality", options.quality, quality).range(1, 100);
   command.flag("--photograph", options.photograph,
                "Simulate the scene's sensor: photon and read noise, saturation, mosaic");
 }

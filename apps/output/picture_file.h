@@ -28,8 +28,9 @@ struct PictureOptions {
   int threads = 0;              ///< for the noise, which does not depend on it
 };
 
-/// Adds --bits, --quality and --photograph; `options` must outlive the parsing.
-void add_picture_options(const Command& command, PictureOptions& options);
+/// Adds --bits, --quality (with this help) and --photograph; `options` must outlive the parsing.
+void add_picture_options(const Command& command, PictureOptions& options,
+                         const std::string& quality = "Quality of a JPEG (default: 92)");
 
 /// Throws Error(usage) if the kind of file given by the name does not support the options.
 void check_picture_options(const std::string& path, const PictureOptions& options);

@@ -31,8 +31,14 @@ rm long.mp4
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --set camera.width=161
 expect_stderr "camera.width=162"
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --bits 16
-expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --quality 50
+expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --quality 101
 expect_only movie.mp4 movie.camera.json kept.png
+# A movie has a quality, which its frames do not depend on: those of a rough movie do for a fine one.
+expect_exit 0 animate "$small" "${options[@]}" -o rough.mp4.frames/########.png
+expect_exit 0 animate "$small" "${options[@]}" -o rough.mp4 --quality 20
+expect_stdout "6 frames"
+(($(stat -c %s rough.mp4) < $(stat -c %s movie.mp4))) || fail "a rough movie is no smaller"
+rm rough.mp4
 # A missing folder is made, unless it cannot be.
 expect_exit 0 animate "$small" "${options[@]}" -o no/such/folder/movie.mp4
 expect_same no/such/folder/movie.mp4 movie.mp4

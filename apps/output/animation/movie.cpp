@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "apps/output/animation/movie_writer.h"
@@ -37,9 +38,11 @@ class ZeroedMemory {
 
 }  // namespace
 
+double rate_factor_of(int quality) { return std::max(0.5, 0.5 * (100 - quality)); }
+
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite, const std::function<void(double)>& progress,
-                        const std::atomic<bool>* stop, bool all_around) {
+                        const std::atomic<bool>* stop, bool all_around, int quality) {
   const MovieModule& module = sim::module_functions<MovieModule>();
   sim::WholeFile file(path, overwrite);
   const ZeroedMemory zeroed;
@@ -51,11 +54,12 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
       throw trouble(sim::ErrorKind::unreadable_input, picture, "has another size than the first frame");
   };
   const std::unique_ptr<MovieWriter> writer = module.writer();
-  check(writer->open(file.temporary(), pictures.front(), frames_per_second), pictures.front());
+  check(writer->open(file.temporary(), pictures.front(), frames_per_second, rate_factor_of(quality)),
+        pictures.front());
   const std::string codec = writer->codec();
   if (codec.empty())
     throw trouble(sim::ErrorKind::unwritable_output, path,
-                  "cannot be encoded: no codec of OpenCV takes such a movie",
+                  "cannot be encoded: no codec of FFmpeg takes such a movie",
                   "write frames, and encode them with another program");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     if (stop != nullptr && stop->load()) return {};

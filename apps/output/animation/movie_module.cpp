@@ -7,32 +7,58 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/opt.h>
+#include <libswscale/swscale.h>
+}
+
 #include "apps/output/animation/movie_writer.h"
 #include "sim/base/module.h"
 
 namespace vegard::apps {
 namespace {
 
-struct Codec {
-  const char* name;
-  char tag[4];
+template <typename Thing, void (*free_it)(Thing**)>
+struct FreeBy {
+  void operator()(Thing* thing) const { free_it(&thing); }
 };
-constexpr Codec kCodecs[] = {{"H.264", {'a', 'v', 'c', '1'}}, {"MPEG-4 part 2", {'m', 'p', '4', 'v'}}};
+struct FreeFile {
+  void operator()(AVFormatContext* film) const {
+    avio_closep(&film->pb);
+    avformat_free_context(film);
+  }
+};
+struct FreeScaler {
+  void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+};
+using Packet = std::unique_ptr<AVPacket, FreeBy<AVPacket, av_packet_free>>;
+using Frame = std::unique_ptr<AVFrame, FreeBy<AVFrame, av_frame_free>>;
+using Encoder = std::unique_ptr<AVCodecContext, FreeBy<AVCodecContext, avcodec_free_context>>;
+using Film = std::unique_ptr<AVFormatContext, FreeFile>;
+using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 
-class OpenCvMovie : public MovieWriter {
+struct Codec {
+  const char *name, *encoder;
+};
+constexpr Codec kCodecs[] = {{"H.264", "libx264"}, {"MPEG-4 part 2", "mpeg4"}};
+
+class FfmpegMovie : public MovieWriter {
  public:
-  MoviePicture open(const std::string& path, const std::string& first, double frames_per_second) override {
+  MoviePicture open(const std::string& path, const std::string& first, double frames_per_second,
+                    double rate_factor) override {
     // Both print of their own accord, about codecs that they do not have and files that they cannot read.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // FFmpeg's AV_LOG_QUIET
+    av_log_set_level(AV_LOG_QUIET);
     path_ = path;
     frames_per_second_ = frames_per_second;
     size_ = cv::imread(first, cv::IMREAD_COLOR).size();
     if (size_.empty()) return MoviePicture::unreadable;
-    for (const Codec& c : kCodecs) {
-      const int tag = cv::VideoWriter::fourcc(c.tag[0], c.tag[1], c.tag[2], c.tag[3]);
-      if (!writer_.open(path_, cv::CAP_FFMPEG, tag, frames_per_second_, size_)) continue;
-      codec_ = c.name;
+    for (const Codec& codec : kCodecs) {
+      if (!begin(codec, rate_factor)) continue;
+      codec_ = codec.name;
       break;
     }
     return MoviePicture::good;
@@ -41,18 +67,35 @@ class OpenCvMovie : public MovieWriter {
   std::string codec() const override { return codec_; }
 
   MoviePicture write(const std::string& picture) override {
-    const cv::Mat frame = cv::imread(picture, cv::IMREAD_COLOR);
-    if (frame.empty()) return MoviePicture::unreadable;
-    if (frame.size() != size_) return MoviePicture::of_other_size;
-    writer_.write(frame);
+    const cv::Mat read = cv::imread(picture, cv::IMREAD_COLOR);
+    if (read.empty()) return MoviePicture::unreadable;
+    if (read.size() != size_) return MoviePicture::of_other_size;
+    const Frame frame(av_frame_alloc());
+    frame->format = encoder_->pix_fmt;
+    frame->width = size_.width;
+    frame->height = size_.height;
+    frame->colorspace = encoder_->colorspace;
+    frame->pts = number_++;
+    if (av_frame_get_buffer(frame.get(), 0) < 0) {
+      is_broken_ = true;
+      return MoviePicture::good;
+    }
+    const std::uint8_t* const from[] = {read.data};
+    const int stride[] = {static_cast<int>(read.step)};
+    sws_scale(scaler_.get(), from, stride, 0, size_.height, frame->data, frame->linesize);
+    encode(frame.get());
     return MoviePicture::good;
   }
 
-  void finish() override { writer_.release(); }
+  void finish() override {
+    encode(nullptr);
+    is_broken_ = av_write_trailer(film_.get()) < 0 || is_broken_;
+    film_.reset();
+  }
 
   bool is_whole(std::size_t frames) const override {
     cv::VideoCapture movie;
-    if (!movie.open(path_, cv::CAP_FFMPEG)) return false;
+    if (is_broken_ || !movie.open(path_, cv::CAP_FFMPEG)) return false;
     if (static_cast<int>(movie.get(cv::CAP_PROP_FRAME_WIDTH)) != size_.width) return false;
     if (static_cast<int>(movie.get(cv::CAP_PROP_FRAME_HEIGHT)) != size_.height) return false;
     // A single frame has no rate to be read.
@@ -65,13 +108,75 @@ class OpenCvMovie : public MovieWriter {
   }
 
  private:
+  bool begin(const Codec& codec, double rate_factor) {
+    constexpr int kLongestGroup_s = 2, kThreads = 4, kFinestRate = 100000;
+    const AVCodec* const found = avcodec_find_encoder_by_name(codec.encoder);
+    if (found == nullptr) return false;
+    AVFormatContext* film = nullptr;
+    if (avformat_alloc_output_context2(&film, nullptr, "mp4", path_.c_str()) < 0) return false;
+    film_.reset(film);
+    film_->flags |= AVFMT_FLAG_BITEXACT;
+    encoder_.reset(avcodec_alloc_context3(found));
+    encoder_->width = size_.width;
+    encoder_->height = size_.height;
+    encoder_->pix_fmt = AV_PIX_FMT_YUV420P;
+    encoder_->framerate = av_d2q(frames_per_second_, kFinestRate);
+    encoder_->time_base = av_inv_q(encoder_->framerate);
+    encoder_->gop_size = std::max(1, static_cast<int>(kLongestGroup_s * frames_per_second_));
+    encoder_->thread_count = kThreads;  // the bytes depend on it
+    // The numbers of sRGB, by the matrix that decoders assume where they read none.
+    encoder_->colorspace = AVCOL_SPC_SMPTE170M;
+    encoder_->color_primaries = AVCOL_PRI_BT709;
+    encoder_->color_trc = AVCOL_TRC_IEC61966_2_1;
+    encoder_->color_range = AVCOL_RANGE_MPEG;
+    encoder_->flags |= AV_CODEC_FLAG_BITEXACT;
+    if ((film_->oformat->flags & AVFMT_GLOBALHEADER) != 0) encoder_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    if (av_opt_set_double(encoder_->priv_data, "crf", rate_factor, 0) < 0) {
+      // Of MPEG-4: its quantiser, which runs from 1 to 31 where the rate factor runs to 51.
+      encoder_->flags |= AV_CODEC_FLAG_QSCALE;
+      encoder_->global_quality = FF_QP2LAMBDA * std::max(1, static_cast<int>(std::lround(0.2 * rate_factor)));
+    }
+    if (avcodec_open2(encoder_.get(), found, nullptr) < 0) return false;
+    stream_ = avformat_new_stream(film_.get(), nullptr);
+    stream_->time_base = encoder_->time_base;
+    stream_->avg_frame_rate = encoder_->framerate;
+    if (avcodec_parameters_from_context(stream_->codecpar, encoder_.get()) < 0) return false;
+    scaler_.reset(sws_getContext(size_.width, size_.height, AV_PIX_FMT_BGR24, size_.width, size_.height,
+                                 encoder_->pix_fmt, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
+                                 nullptr, nullptr, nullptr));
+    if (scaler_ == nullptr) return false;
+    // A disk that is full at the beginning is noticed as one that is full in the end.
+    is_broken_ = avio_open(&film_->pb, path_.c_str(), AVIO_FLAG_WRITE) < 0 ||
+                 avformat_write_header(film_.get(), nullptr) < 0;
+    return true;
+  }
+
+  /// Encodes a frame, or the end (null), and writes what comes of it.
+  void encode(AVFrame* frame) {
+    if (is_broken_) return;
+    if (frame != nullptr) frame->quality = encoder_->global_quality;
+    is_broken_ = avcodec_send_frame(encoder_.get(), frame) < 0;
+    const Packet packet(av_packet_alloc());
+    while (!is_broken_ && avcodec_receive_packet(encoder_.get(), packet.get()) >= 0) {
+      packet->stream_index = stream_->index;
+      packet->duration = 1;
+      av_packet_rescale_ts(packet.get(), encoder_->time_base, stream_->time_base);
+      is_broken_ = av_interleaved_write_frame(film_.get(), packet.get()) < 0;
+    }
+  }
+
   std::string path_, codec_;
   double frames_per_second_ = 0.0;
   cv::Size size_;
-  cv::VideoWriter writer_;
+  Film film_;
+  Encoder encoder_;
+  Scaler scaler_;
+  AVStream* stream_ = nullptr;  ///< of film_
+  std::int64_t number_ = 0;
+  bool is_broken_ = false;  ///< something could not be encoded or written
 };
 
-std::unique_ptr<MovieWriter> writer() { return std::make_unique<OpenCvMovie>(); }
+std::unique_ptr<MovieWriter> writer() { return std::make_unique<FfmpegMovie>(); }
 
 constexpr MovieModule functions{writer};
 

@@ -1,4 +1,4 @@
-// OpenCV's encoder and decoder of movies, which a module calls (sim/base/module.h): FFmpeg is behind them.
+// FFmpeg's encoder and OpenCV's decoder of movies, which a module calls (sim/base/module.h).
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@ class MovieWriter {
  public:
   virtual ~MovieWriter() = default;
 
-  /// Begins a movie of the size of the picture in the file `first`.
-  virtual MoviePicture open(const std::string& path, const std::string& first, double frames_per_second) = 0;
+  /// Begins a movie of the size of the picture in the file `first`, with this constant rate factor of H.264.
+  virtual MoviePicture open(const std::string& path, const std::string& first, double frames_per_second,
+                            double rate_factor) = 0;
   /// Returns the codec's name, empty if there is none for such a movie.
   virtual std::string codec() const = 0;
   /// Adds the picture of a file.
