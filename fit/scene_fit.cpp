@@ -17,14 +17,18 @@ FitResult fit_by_kind(const sim::Scene& scene, std::vector<Photo>& photos, const
 
 }  // namespace
 
+void require_still(const sim::Scene& scene) {
+  if (scene.keys.empty()) return;
+  throw sim::Error(sim::ErrorKind::scene, "a scene with keys moves, and a fit is of one that stands still")
+      .file(scene.file)
+      .line(scene.keys.front().line)
+      .key("key")
+      .expected("a scene without [[key]]");
+}
+
 FitResult fit_scene(const sim::Scene& scene, std::vector<Photo>& photos, const StoredMap* map,
                     const SceneFitOptions& options) {
-  if (!scene.keys.empty())
-    throw sim::Error(sim::ErrorKind::scene, "a scene with keys moves, and a fit is of one that stands still")
-        .file(scene.file)
-        .line(scene.keys.front().line)
-        .key("key")
-        .expected("a scene without [[key]]");
+  require_still(scene);
   FitResult result = fit_by_kind(scene, photos, map, options);
   if (options.stability) assess_stability(photos, options, result);
   return result;

@@ -15,6 +15,9 @@ struct SceneFitOptions : FitOptions {
   bool stability = false;  ///< whether the fit is repeated with other choices (fit/stability.h)
 };
 
+/// Throws sim::Error(scene) for a scene with [[key]].
+void require_still(const sim::Scene& scene);
+
 /// Calls fit_curtains() if there is a map, fit_photos() where the scene names its photographs, and else
 /// fit_photo() or, where the transfer curve is unknown, fit_photo_and_transfer_curve(). The latter leaves the
 /// photograph decoded by the curve that was found. Throws as these functions do.

@@ -309,7 +309,8 @@ ExitCode exit_code_of(fit::Verdict verdict) {
 }
 
 int run_fit(const FitRequest& options, const std::string& command) {
-  sim::Scene scene = scene_of(options.scene);
+  sim::Scene scene = moving_scene_of(options.scene);
+  fit::require_still(scene);
   // Now, not after the fit: someone may edit the file meanwhile.
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   const bool replaces = options.overwrite || (options.resume && is_interrupted_run(options.out));

@@ -28,6 +28,7 @@
 #include "sim/base/picture/image_io.h"
 #include "sim/base/utc_time.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/keyframes.h"
 
 namespace vegard::apps {
 namespace {
@@ -181,7 +182,7 @@ void run_keogram(const KeogramOptions& options) {
   // All places are claimed before the work, and filled after all of it.
   sim::WholeFiles files(options.outputs, options.overwrite);
   std::optional<sim::Scene> scene;
-  if (!options.scene.empty()) scene = sim::read_scene(options.scene);
+  if (!options.scene.empty()) scene = sim::still_scene(sim::read_scene(options.scene));
   const fit::Keogram keogram = measure(options, pictures, scene ? &*scene : nullptr);
   for (const std::string& output : options.outputs) fill(files.file(output), keogram, look, output);
   files.commit();

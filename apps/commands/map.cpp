@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -28,6 +29,7 @@
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/file/sha256.h"
+#include "sim/base/utc_time.h"
 
 namespace vegard::apps {
 namespace {
@@ -119,27 +121,39 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
   if (options.out.empty()) throw usage_error("--out", "is missing", "the directory to write");
   if (!options.photo.file.empty() || !options.photo.filters.empty())
     throw usage_error("--sequence", "cannot be together with --photo or --line", "the frames");
-  const std::vector<SequencePhoto> photos = sequence_photos(options.sequence, scene);
+  if (!options.photo.at.empty()) throw usage_error("--at", "chooses one frame", "all frames of a sequence");
+  GivenTimes given;
+  if (options.time_step_s > 0.0) given.step_s = options.time_step_s;
+  const TimedPictures pictures = timed_pictures(options.sequence, given);
+  if (pictures.times.kind == fit::PictureTimes::Kind::number)
+    throw usage_error("--sequence", "the frames do not say when they were taken", "--step SECONDS",
+                      "or a list with a line FILE TIME_S for each");
   std::vector<NamedInput> inputs = files_of_map(options, scene);
-  for (const SequencePhoto& photo : photos) inputs.push_back({photo.file, "a frame"});
+  for (const std::string& file : pictures.files) inputs.push_back({file, "a frame"});
   protect_inputs_inside("--out", options.out, inputs);
   fit::check_map_sequence_directory(options.out, options.overwrite);
-  if (!options.no_metadata) take_from_photograph(scene, photos.front().file, options.scene.changes);
+  if (!options.no_metadata) take_from_photograph(scene, pictures.files.front(), options.scene.changes);
   fit::MapFrames frames;
   fit::MapSequenceRunFacts facts;
   facts.command = command;
   std::vector<std::string> sums;
-  for (const SequencePhoto& photo : photos) {
-    const fit::Photo read = frame_of(options, scene, photo.file);  // all of them now, not after hours
+  for (std::size_t i = 0; i < pictures.files.size(); ++i) {
+    // All of them now, not after hours.
+    const fit::Photo read = frame_of(options, scene, pictures.files[i]);
+    if (read.linear.width != scene.camera.width || read.linear.height != scene.camera.height)
+      throw sim::unreadable(read.file_name,
+                            "has " + sim::size_text(read.linear.width, read.linear.height) + " pixels")
+          .expected("those of the camera, " + sim::size_text(scene.camera.width, scene.camera.height));
     for (const fit::InputFile& input : fit::inputs_of(options.scene.file, scene_sha256, read))
-      if (facts.inputs.empty() || input.role != facts.inputs.front().role) facts.inputs.push_back(input);
+      if (std::none_of(facts.inputs.begin(), facts.inputs.end(), [&](const fit::InputFile& known) {
+            return known.role == input.role && known.name == input.name;
+          }))
+        facts.inputs.push_back(input);
     sums.push_back(read.sha256);
-    frames.names.push_back(photo.name);
-    frames.time_s.push_back(options.time_step_s > 0.0
-                                ? options.time_step_s * static_cast<double>(frames.time_s.size())
-                                : photo.time_s);
+    frames.names.push_back(fit::stem_of_picture(pictures.files[i]));
+    frames.time_s.push_back(pictures.times.seconds[i] - pictures.times.seconds.front());
   }
-  frames.read = [&](std::size_t i) { return frame_of(options, scene, photos[i].file); };
+  frames.read = [&](std::size_t i) { return frame_of(options, scene, pictures.files[i]); };
   fit::MapOptions map_options = map_options_of(options);
   fit::JournalSubject subject = fit::subject_of_map(map_options, scene, {frames.read(0)});
   subject.push_back({"--replicates", std::to_string(map_options.replicates)});
@@ -150,7 +164,10 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
   fit::FileJournal journal(fit::journal_file(options.out), subject, journal_mode(options));
   if (journal.found() > 0) tell_progress("vegard: going on after %d finished steps\n", journal.found());
   map_options.journal = &journal;
-  fit::MapSequenceRun run(frames.names, frames.time_s, true);
+  const std::string utc = pictures.times.kind == fit::PictureTimes::Kind::utc
+                              ? sim::utc_text(pictures.times.seconds.front())
+                              : std::string();
+  fit::MapSequenceRun run(frames.names, frames.time_s, utc);
   try {
     facts.sequence = sim::placing_errors(scene, [&] {
       return fit::map_sequence(scene, frames, map_options,
@@ -218,13 +235,15 @@ void add_map_command(Program& program) {
   add_filter_option(command, options->photo.filters);
   add_at_option(command, options->photo.at);
   command
-      .option("--sequence", options->sequence,
-              "The frames of one camera that stood still: images in their order, a list (.txt), a folder, a "
-              "film or a file of frames; one solution for all of them")
+      .option(
+          "--sequence", options->sequence,
+          "The frames of one camera that stood still, with their times: images, a list (.txt), a folder, a "
+          "film or a file of frames; one solution for all of them")
       .type_name("IMAGE");
   command
       .option("--step", options->time_step_s,
-              "Time from one frame of the sequence to the next in seconds (0: by their times)")
+              "Time from one frame of the sequence to the next in seconds, in the order given (0: by their "
+              "times)")
       .range(0.0, 3600.0);
   command.option("--out", options->out, "The directory to write").type_name("RUN");
   command.option("--mask", options->photo.mask, "An image of the same size: white = use").type_name("IMAGE");
@@ -259,6 +278,7 @@ void add_map_command(Program& program) {
                "Continue a map that was interrupted, from the finished steps in RUN.part");
   command.runs([options, words = program.command_line()] {
     if (!options->sequence.empty()) return run_map_sequence(*options, words);
+    if (options->time_step_s > 0.0) throw usage_error("--step", "is of a sequence", "--sequence");
     options->photo = with_frames_chosen(options->photo);
     return run_map(*options, words);
   });

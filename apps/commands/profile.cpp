@@ -34,6 +34,7 @@
 #include "sim/base/image.h"
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/freedom/keyframes.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/scene/table/value_check.h"
@@ -214,7 +215,7 @@ void run_profile(const ProfileRequest& options) {
     throw usage_error("--lines", "no sensor is known", "--scene with the sensor, its gain and the lines");
   std::optional<sim::Scene> scene;
   if (!options.scene.empty()) {
-    scene = sim::read_scene(options.scene);
+    scene = sim::still_scene(sim::read_scene(options.scene));
     if (!options.camera.empty()) sim::take_camera(*scene, options.camera);
     const std::string image =
         options.filters.empty() ? options.image : filter_files(options.filters).front().file;

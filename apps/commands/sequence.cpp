@@ -24,6 +24,7 @@
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
 #include "fit/report/table/shared_physics_files.h"
+#include "fit/scene_fit.h"
 #include "fit/sequence.h"
 #include "fit/shared_physics.h"
 #include "sim/base/error.h"
@@ -305,7 +306,8 @@ void tell_sequence(const Folder& folder, const std::vector<fit::SequenceRow>& ro
 }
 
 int run_sequence(const SequenceRequest& options, const std::string& command) {
-  const sim::Scene scene = scene_of(options.scene);
+  const sim::Scene scene = moving_scene_of(options.scene);
+  fit::require_still(scene);
   check_sequence(scene);
   const std::string scene_sha256 = sim::sha256_of_file(options.scene.file);
   const std::vector<SequencePhoto> photos = sequence_photos(options.photos, scene);

@@ -49,6 +49,11 @@ sim::Scene moving_scene_of(const SceneOptions& options) {
   // The table's limits hold here too: a scene is to be written again, and TOML has no integers above 2^63
   // - 1.
   if (!options.seed.empty()) sim::set_from_text(scene, "seed", options.seed);
+  for (const sim::Keyframe& key : scene.keys)
+    for (const std::string& words : options.changes)
+      if (words.substr(0, words.find('=')) == key.path)
+        throw usage_error("--set", key.path + " has keys in the scene, which would replace the value",
+                          "a path without [[key]]");
   fit::make_ready(scene);
   return scene;
 }

@@ -200,7 +200,7 @@ MapSolution MapProblem::solve(std::vector<MapObservation>& pictures, std::vector
 }
 
 StepOutput MapProblem::step(const std::string& name, const std::function<StepOutput()>& work) const {
-  return options.journal != nullptr ? options.journal->step(name, work) : work();
+  return options.journal != nullptr ? options.journal->step(options.step_prefix + name, work) : work();
 }
 
 }  // namespace vegard::fit

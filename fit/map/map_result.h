@@ -32,6 +32,7 @@ struct MapOptions {
   double altitude_scale = 1.0;  ///< factor on the altitudes of light in the tables
   sim::ElectronSpectrum spectrum;
   Journal* journal = nullptr;
+  std::string step_prefix;  ///< before the names of its steps
   const std::atomic<bool>* stop = nullptr;
   /// Called with the present stage and the finished share of all work.
   std::function<void(const std::string& stage, double chi2_per_value, double share)> progress;

@@ -8,7 +8,7 @@
 namespace vegard::fit {
 
 sim::Error bad_sky_model(const std::string& file, const std::string& problem) {
-  return sim::unreadable(file, problem).expected("what scripts/learn_sky_kind.py writes");
+  return sim::unreadable(file, problem).expected("what scripts/learn_sky_kind.py or scripts/learn_kinds.py writes");
 }
 
 int feature_number(const std::string& name, const std::string& file) {

@@ -2,7 +2,7 @@
 // before.
 //
 // Aurora or none is right in nine of ten pictures of cameras that the model has not seen, the kind in three
-// of four (docs/sky_kind.md).
+// of five, each camera counted once (docs/sky_kind.md).
 #pragma once
 
 #include <array>

@@ -69,7 +69,9 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   if (!scene.composite.foreground.empty()) of_pixel += 2.0 * (of_colours + kFloatBytes);
   if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloatBytes;
   if (!scene.nebulae.empty()) of_pixel += of_colours + kFloatBytes;
-  return std::max(exposing, pixels * of_pixel);
+  // The mean of the instants of what moves by keys lasts while each of them is rendered.
+  const double mean = !scene.keys.empty() && scene.time.instants > 1 ? pixels * of_pixel : 0.0;
+  return mean + std::max(exposing, pixels * of_pixel);
 }
 
 int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, const MemoryLimit& limit) {

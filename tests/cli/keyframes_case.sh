@@ -56,6 +56,13 @@ expect_exit 0 render rest.toml --set time.start_s=9 -o rest.png
 expect_exit 0 render rest.toml "${blurred[@]}" --set time.start_s=9 -o rest4.png
 cmp <(tail -c 200 rest.png) <(tail -c 200 rest4.png) || fail "a camera at rest is blurred"
 # What is wrong with keys: one message each, and nothing is left.
+# A fit is of a scene that stands still; what keys move is not to be set.
+expect_exit 2 fit scene.toml --photo none.png --out none
+expect_one_message
+expect_stderr "[[key]]"
+expect_exit 2 render scene.toml -o none.png --set site.altitude_m=5
+expect_one_message
+expect_stderr "--set | site.altitude_m"
 refused() {  # SED WORDS
   sed "$1" scene.toml >bad.toml
   expect_exit 2 animate bad.toml -o bad/#.png

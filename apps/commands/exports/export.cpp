@@ -20,6 +20,7 @@
 #include "sim/light/height_profile.h"
 #include "sim/render/auto_exposure.h"
 #include "sim/scene/file/camera_file.h"
+#include "sim/scene/freedom/keyframes.h"
 
 namespace vegard::apps {
 namespace {
@@ -66,14 +67,19 @@ int run_export(const ExportRequest& options) {
   if (std::filesystem::path(options.web).extension() != ".html")
     throw usage_error("--web", "'" + options.web + "' is no name of a page", "a name that ends in .html");
   const bool is_measurement = std::filesystem::is_directory(options.scene.file);
-  const sim::Scene scene = is_measurement ? scene_of_measurement(options.scene) : scene_of(options.scene);
+  const sim::Scene moving =
+      is_measurement ? scene_of_measurement(options.scene) : moving_scene_of(options.scene);
+  const sim::Scene scene = sim::still_scene(moving);
   if (!is_measurement) {
     note_inert_keys(scene);
     protect_inputs("--web", options.web, inputs_of_scene(options.scene, scene));
   }
   sim::WholeFile file(options.web, options.overwrite);  // refused now, not after the work
-  const sim::LiveView view = sim::live_view(scene, options.live);
-  const std::string page = live_page(view, std::filesystem::path(options.scene.file).stem().string());
+  sim::LiveView view = sim::live_view(scene, options.live);
+  if (!moving.keys.empty()) view.left_out.emplace_back("what [[key]] moves");
+  std::filesystem::path name(options.scene.file);
+  if (name.filename().empty()) name = name.parent_path();  // a folder's, written with a slash
+  const std::string page = live_page(view, name.stem().string());
   file.write(page);
   file.commit();
   const double megabytes = static_cast<double>(page.size()) * 1e-6;

@@ -79,8 +79,8 @@ async function begin() {
     if (!state.holds && (state.is_dirty || (is_at_rest && !is_full))) {
       state.is_dirty = false;
       // The first picture of all tells how fast this device is.
-      const within = most_ms => Math.max(kCoarsest, Math.min(1, state.share * Math.sqrt(most_ms / state.frame_ms)));
-      const share = state.frame_ms === 0 ? kFirst : within(is_at_rest ? kStill_ms : kMoving_ms);
+      const within = most_ms => Math.max(kCoarsest, Math.min(1, state.share * Math.sqrt(most_ms / Math.max(0.5, state.frame_ms))));
+      const share = state.drawn === 0 ? kFirst : within(is_at_rest ? kStill_ms : kMoving_ms);
       draw(...size(share));
       // The first picture's time is that of compiling shaders too.
       is_full = is_at_rest && (share === 1 || state.frame_ms > kStill_ms / 3);

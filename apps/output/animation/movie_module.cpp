@@ -89,13 +89,13 @@ class FfmpegMovie : public MovieWriter {
 
   void finish() override {
     encode(nullptr);
-    is_broken_ = av_write_trailer(film_.get()) < 0 || is_broken_;
+    if (has_header_) is_broken_ = av_write_trailer(film_.get()) < 0 || is_broken_;
     film_.reset();
   }
 
   bool is_whole(std::size_t frames) const override {
     cv::VideoCapture movie;
-    if (is_broken_ || !movie.open(path_, cv::CAP_FFMPEG)) return false;
+    if (is_broken_ || !movie.open("file:" + path_, cv::CAP_FFMPEG)) return false;
     if (static_cast<int>(movie.get(cv::CAP_PROP_FRAME_WIDTH)) != size_.width) return false;
     if (static_cast<int>(movie.get(cv::CAP_PROP_FRAME_HEIGHT)) != size_.height) return false;
     // A single frame has no rate to be read.
@@ -146,8 +146,10 @@ class FfmpegMovie : public MovieWriter {
                                  nullptr, nullptr, nullptr));
     if (scaler_ == nullptr) return false;
     // A disk that is full at the beginning is noticed as one that is full in the end.
-    is_broken_ = avio_open(&film_->pb, path_.c_str(), AVIO_FLAG_WRITE) < 0 ||
-                 avformat_write_header(film_.get(), nullptr) < 0;
+    // A colon in a name is not that of a protocol.
+    has_header_ = avio_open(&film_->pb, ("file:" + path_).c_str(), AVIO_FLAG_WRITE) >= 0 &&
+                  avformat_write_header(film_.get(), nullptr) >= 0;
+    is_broken_ = !has_header_;
     return true;
   }
 
@@ -173,7 +175,8 @@ class FfmpegMovie : public MovieWriter {
   Scaler scaler_;
   AVStream* stream_ = nullptr;  ///< of film_
   std::int64_t number_ = 0;
-  bool is_broken_ = false;  ///< something could not be encoded or written
+  bool has_header_ = false;  ///< without one FFmpeg takes no end
+  bool is_broken_ = false;   ///< something could not be encoded or written
 };
 
 std::unique_ptr<MovieWriter> writer() { return std::make_unique<FfmpegMovie>(); }

@@ -64,10 +64,11 @@ export async function star_editor({ photo, picture, image, run_name, said, calib
   function offer(x, y) {
     const near = (sky?.stars ?? []).map(([name, magnitude, at_x, at_y]) => ({ name, magnitude, px: Math.hypot(at_x - x, at_y - y) }))
       .sort((a, b) => a.px - b.px).slice(0, kOffered);
-    const add = (name, magnitude) => {
-      if (!name.trim()) return;
+    const add = (written, magnitude) => {
+      const name = written.trim();
+      if (!name || name.includes(",")) return;  // a comma ends a cell of the table
       for (const star of stars) if (star.name === name) star.is_used = false;  // it is here, not there
-      stars.push({ name: name.trim(), magnitude, x, y, is_used: true, is_mine: true });
+      stars.push({ name, magnitude, x, y, is_used: true, is_mine: true });
       chooser.replaceChildren();
       draw();
     };
@@ -90,19 +91,27 @@ export async function star_editor({ photo, picture, image, run_name, said, calib
   const stem = photo.replace(/^.*\//, "").replace(/\.[^./]*$/, "");
   let stars_file = `${stem}_stars.csv`;
   const used = () => stars.filter(star => star.is_used);
+  // A camera that another has written stays; this page's own is replaced.
+  const camera = element("input", { value: `${stem}_camera.toml`, input: () => calibrate.show() }), written = new Set();
   const words = () => {
-    const time = said("--time") || sky?.time_utc, site = said("--site") || (sky && `${sky.latitude_deg},${sky.longitude_deg},${sky.altitude_m}`);
-    const place = [...(time ? ["--time", time] : []), ...(site ? ["--site", site] : [])];
+    // The time of a camera's file is the middle of the exposure already.
+    const time = said("--time") ? ["--time", said("--time")] : sky?.time_utc ? ["--time", sky.time_utc, "--exposure", "0"] : [];
+    const site = said("--site") || (sky && `${sky.latitude_deg},${sky.longitude_deg},${sky.altitude_m}`);
+    const place = [...time, ...(site ? ["--site", site] : [])];
     // From a table where stars have been recognised; else the program recognises the others from those by hand.
     const by = recognised.length > 0 ? [stars_file] : used().flatMap(star => ["--star", `${star.name}=${star.x.toFixed(1)},${star.y.toFixed(1)}`]);
-    return ["calibrate", ...by, "--image", photo, ...place, "-o", `${stem}_camera.toml`, "--overwrite"];
+    return ["calibrate", ...by, "--image", photo, ...place, "-o", camera.value, ...(written.has(camera.value) ? ["--overwrite"] : [])];
   };
-  const calibrate = command_panel("Calibrate with these stars", words, calibrated, async () => {
+  const ended = async (asked, exit_code) => {
+    if (exit_code === 0 || exit_code === 5) written.add(asked[asked.indexOf("-o") + 1]);
+    await calibrated(asked, exit_code);
+  };
+  const calibrate = command_panel("Calibrate with these stars", words, ended, async () => {
     if (recognised.length === 0) return;
     const rows = used().map(star => `${star.x.toFixed(3)},${star.y.toFixed(3)},${star.name}`);
     stars_file = (await upload(new File([["x_px,y_px,star", ...rows, ""].join("\n")], `${stem}_stars.csv`))).name;
     calibrate.show();
   });
   draw();
-  return element("section", {}, element("h3", {}, "Stars"), count, chooser, calibrate.panel);
+  return element("section", {}, element("h3", {}, "Stars"), count, chooser, field("the camera's file", camera), calibrate.panel);
 }

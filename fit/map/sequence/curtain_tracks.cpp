@@ -120,6 +120,8 @@ struct Pair {
 void CurtainTracker::add(const MapOfFrame& frame, const std::vector<Curtain>& curtains, double seconds) {
   std::vector<std::vector<sim::EastNorth>> courses;
   for (const Curtain& curtain : curtains) courses.push_back(course_of(curtain));
+  if (frames_ > 0 && !frame.drift.moves())  // over a gap nothing is the same
+    for (Live& live : all_) live.ended = true;
   std::vector<Pair> pairs;
   for (std::size_t t = 0; t < all_.size(); ++t) {
     if (all_[t].ended) continue;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -16,6 +18,7 @@
 #include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/number/quantile.h"
+#include "sim/scene/table/value_check.h"
 
 namespace vegard::fit {
 namespace {
@@ -89,15 +92,32 @@ struct SparseMap {
       map[static_cast<std::size_t>(place[i])] = static_cast<float>(value[i]);
     return map;
   }
+  /// A number of the journal holds a place and, in its lower half, a value.
   void store(StepOutput& out, const std::string& name) const {
-    out.numbers[name + " place"] = place;
-    out.numbers[name + " value"] = value;
+    std::vector<double>& packed = out.numbers[name];
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const auto lit = static_cast<float>(value[i]);
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &lit, sizeof bits);
+      const std::uint64_t both = (static_cast<std::uint64_t>(place[i]) << 32u) | bits;
+      double number = 0.0;
+      std::memcpy(&number, &both, sizeof number);
+      packed.push_back(number);
+    }
   }
   static SparseMap stored(const StepOutput& out, const std::string& name, std::size_t numbers) {
     SparseMap map;
-    map.place = out.numbers_at(name + " place");
-    map.value = out.numbers_at(name + " value", map.place.size());
-    for (const double p : map.place) out.count_of(p, name + " place", numbers - 1);
+    for (const double number : out.numbers_at(name)) {
+      std::uint64_t both = 0;
+      std::memcpy(&both, &number, sizeof both);
+      const auto bits = static_cast<std::uint32_t>(both);
+      float lit = 0.0f;
+      std::memcpy(&lit, &bits, sizeof lit);
+      const std::uint64_t at = both >> 32u;
+      if (at >= numbers || !(lit >= 0.0f) || !std::isfinite(lit)) throw out.error_at(name);
+      map.place.push_back(static_cast<double>(at));
+      map.value.push_back(lit);
+    }
     return map;
   }
 };
@@ -183,6 +203,8 @@ class Sequence {
 
  private:
   void check() const;
+  /// Reads a frame, which has the camera's size.
+  Photo read(std::size_t number) const;
   /// Maps the first frame that has light, by itself.
   MapResult first_map();
   void prepare(const MapResult& first);
@@ -246,6 +268,17 @@ void Sequence::check() const {
           .expected("frames in the order of time, each with a time of its own");
 }
 
+Photo Sequence::read(std::size_t number) const {
+  Photo photo = frames_.read(number);
+  const sim::Camera& camera = scene_.camera;
+  if (photo.linear.width != camera.width || photo.linear.height != camera.height)
+    throw sim::unreadable(photo.file_name, "has " + sim::size_text(photo.linear.width, photo.linear.height) +
+                                               " pixels, the camera " +
+                                               sim::size_text(camera.width, camera.height))
+        .expected("frames of one camera");
+  return photo;
+}
+
 MapResult Sequence::first_map() {
   MapOptions o = options_;
   constexpr double kOfAll = 0.25;
@@ -255,6 +288,7 @@ MapResult Sequence::first_map() {
     };
   for (begin_ = 0;; ++begin_) {
     first_photo_ = {frames_.read(begin_)};
+    o.step_prefix = "first frame " + std::to_string(begin_) + ": ";
     try {
       MapResult first = map_photos(scene_, first_photo_, o);
       if (first.interrupted) throw MapStopped();
@@ -342,8 +376,12 @@ CoarseState Sequence::coarse_step(const CoarseState& before, const Photo& photo,
     o.time_bond = bond;
     o.steps = kFrameSteps;
   } else {
-    start = before.begun ? before.map : coarsened(common_->map, fine_->grid, coarse_->grid);
+    start = coarsened(common_->map, fine_->grid, coarse_->grid);
     o.steps = kBeginSteps;
+  }
+  if (brightest(start) == 0.0f) {  // what is dark predicts no light
+    start = coarsened(common_->map, fine_->grid, coarse_->grid);
+    o.predicted.clear();
   }
   if (values != nullptr) *values = picture.front().values();
   const auto little = static_cast<float>(kALittle * brightest(start));
@@ -381,7 +419,7 @@ void Sequence::choose_bond(std::size_t from) {
   if (count < 3 || facts_.step_s > kLongestStep_s) return;
   const StepOutput out = problem_->step("time bond", [&] {
     std::vector<Photo> photos;
-    for (std::size_t i = 0; i < count; ++i) photos.push_back(frames_.read(from + i));
+    for (std::size_t i = 0; i < count; ++i) photos.push_back(read(from + i));
     CoarseState begin = coarse_step({}, photos[0], frames_.time_s[from], 0.0, nullptr, nullptr);
     StepOutput tried;
     double least = 0.0, chosen = 0.0;
@@ -394,7 +432,8 @@ void Sequence::choose_bond(std::size_t from) {
         double prediction = 0.0;
         std::size_t values = 0;
         state = coarse_step(state, photos[i], time_s, bond * facts_.step_s / seconds, &prediction, &values);
-        if (i < 2) continue;  // that of the second frame is of the first, which has no bond
+        // That of the second frame is of the first, which has no bond; over a gap nothing is predicted.
+        if (i < 2 || seconds > kLongestStep_s) continue;
         chi2 += prediction;
         all += static_cast<double>(values);
       }
@@ -413,7 +452,7 @@ void Sequence::choose_bond(std::size_t from) {
       double gain = 1.0;
       state =
           coarse_step(state, photos[i], time_s, chosen * facts_.step_s / seconds, nullptr, nullptr, &gain);
-      if (i >= 2) gains.push_back(gain);
+      if (i >= 2 && seconds <= kLongestStep_s) gains.push_back(gain);
     }
     tried.numbers["chosen"] = {chosen};
     tried.numbers["gain"] = {gains.empty() ? 1.0 : std::clamp(sim::quantile(gains, 0.5), 0.03, 1.0)};
@@ -469,6 +508,7 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
     o.sparsity = sparsity;
     o.cell_factor = std::move(factors);
     o.steps = steps;
+    o.gains_from = std::min(o.gains_from, steps / 2);
     if (!prediction.empty()) {
       o.predicted = prediction;
       o.time_bond = kFinerCells * bond;
@@ -607,11 +647,7 @@ MapSequenceFacts Sequence::run() {
   for (std::size_t i = begin_; i < count; ++i) {
     tell("frame " + std::to_string(i + 1) + " of " + std::to_string(count), 0.0,
          0.3 + 0.7 * static_cast<double>(i - begin_) / static_cast<double>(count - begin_));
-    const Photo photo = i == begin_ ? first_photo_.front() : frames_.read(i);
-    if (photo.linear.width != first_photo_.front().linear.width ||
-        photo.linear.height != first_photo_.front().linear.height)
-      throw sim::unreadable(photo.file_name, "has another size than the first frame")
-          .expected("frames of one camera");
+    const Photo photo = i == begin_ ? first_photo_.front() : read(i);
     if (fine_->observed(*problem_, photo).front().values() == 0) {
       facts_.without_map.push_back({i, "no pixel can be used"});
       continue;

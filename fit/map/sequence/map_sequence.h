@@ -5,8 +5,8 @@
 // fit/map/map_solver.h). How strongly it does is decided by the pictures: with the strength by which each
 // next picture is best predicted, as the gain of a Kalman filter is (innovations of least variance, Mehra
 // 1970, doi:10.1109/TAC.1970.1099422). Backward a share of what the frame after knows better is moved back,
-// over a fixed number of frames (Rauch, Tung and Striebel 1965, doi:10.2514/3.3166), so that a few frames are
-// in memory at once.
+// over a fixed number of frames (Rauch, Tung and Striebel 1965, doi:10.2514/3.3166). The maps of a few
+// frames are in memory at once.
 //
 // Error bars are the spread of whole perturbed sequences: each keeps its physics, its prior and its smooth
 // error of the model through all frames, and has noise of its own in each.
@@ -25,10 +25,11 @@
 
 namespace vegard::fit {
 
-/// The pictures, in the order of time. `read` is called once for each but the first few.
+/// The pictures, in the order of time, one entry for each. `read` is called once for each but the first few,
+/// and throws as read_photo().
 struct MapFrames {
   std::vector<std::string> names;
-  std::vector<double> time_s;
+  std::vector<double> time_s;  ///< on any clock
   std::function<Photo(std::size_t)> read;
 };
 
@@ -44,7 +45,7 @@ struct FrameWithoutMap {
   std::string reason;
 };
 
-/// How well maps predict the next picture with a bond.
+/// How well maps predict the next picture with a bond (MapSolverOptions::time_bond).
 struct TriedBond {
   double bond = 0.0, chi2_per_value = 0.0;
 };
@@ -55,7 +56,6 @@ struct MapSequenceFacts {
   double step_s = 0.0;
   double gain = 1.0;  ///< how much of a frame's map is its own picture's; the rest is of the frames before
   std::vector<FrameWithoutMap> without_map;
-  bool interrupted = false;
 };
 
 /// Maps the frames and gives them, in their order, to `done`. The scene's emitters are left out. Throws as

@@ -118,6 +118,7 @@ void MapSequenceRun::add(const MapOfFrame& frame) {
   const double seconds = frames_.empty() ? 0.0 : time_s_[frame.number] - frames_.back().time_s;
   tracker_.add(frame, curtains, seconds);
   MappedFrame row;
+  row.number = frame.number;
   row.name = names_[frame.number];
   row.time_s = time_s_[frame.number];
   row.chi2_per_value = frame.map.chi2_per_value();
@@ -138,7 +139,6 @@ void MapSequenceRun::add(const MapOfFrame& frame) {
     places_.height_km = sim::kFootAltitudeKm;
     places_.site = frame.map.scene.site;
     is_absolute_ = is_absolute(frame.map);
-    utc_ = frame.map.scene.site.time_utc;
     shown_flux_mw_m2_ = shown.white();
   }
   planes_.push_back(planes_of(frame, rasterised));
@@ -149,22 +149,21 @@ void MapSequenceRun::add(const MapOfFrame& frame) {
   plot.title = fmt::format("{}   {} s", frames_.back().name, sim::short_number(frames_.back().time_s, 6));
   plot.panels = {photograph_panel(photo, white), model_panel(photo, white),
                  shown.flux_panel("energy flux on the ground", shown_flux_mw_m2_)};
-  add_courses(curtains, "curtains", plot.panels.back());
+  add_courses(curtains, "", plot.panels.back());  // a legend would change the size from frame to frame
   plot.columns = 3;
   plot.panel_width_px = 300;
   plot.panel_height_px =
       std::clamp(300 * photo.scene.camera.height / std::max(1, photo.scene.camera.width), 180, 300);
   last_picture_svg_ = plot_svg(plot);
-  if (pictures_) png_.push_back(plot_png(plot));
+  png_.push_back(plot_png(plot));
 }
 
 std::string MapSequenceRun::frames_csv() const {
   std::string csv =
       "frame,name,time_s,chi2_per_value,curtains,power_mw,power_error_mw,energy_kev,energy_error_kev,good,"
       "doubts\n";
-  for (std::size_t i = 0; i < frames_.size(); ++i) {
-    const MappedFrame& f = frames_[i];
-    csv += fmt::format("{},{},{},{},{}", i + 1, sim::csv_cell(f.name), sim::csv_number(f.time_s),
+  for (const MappedFrame& f : frames_) {
+    csv += fmt::format("{},{},{},{},{}", f.number + 1, sim::csv_cell(f.name), sim::csv_number(f.time_s),
                        sim::csv_number(f.chi2_per_value), f.curtains);
     for (const double v : {f.power_mw.value, f.power_mw.error, f.energy_kev.value, f.energy_kev.error})
       csv += "," + sim::csv_number(v);
@@ -208,7 +207,8 @@ std::string MapSequenceRun::json(const MapSequenceRunFacts& facts) const {
   json["step_s"] = facts.sequence.step_s;
   json["frames"] = nlohmann::ordered_json::array();
   for (const MappedFrame& f : frames_)
-    json["frames"].push_back({{"name", f.name},
+    json["frames"].push_back({{"frame", f.number + 1},
+                              {"name", f.name},
                               {"time_s", f.time_s},
                               {"chi2_per_value", f.chi2_per_value},
                               {"curtains", f.curtains},

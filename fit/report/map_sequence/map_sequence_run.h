@@ -15,6 +15,7 @@ namespace vegard::fit {
 
 /// One frame's row.
 struct MappedFrame {
+  std::size_t number = 0;  ///< among MapFrames
   std::string name;
   double time_s = 0.0;
   double chi2_per_value = 0.0;
@@ -41,9 +42,9 @@ struct MapSequenceRunFacts {
 /// Collects the frames, and writes them.
 class MapSequenceRun {
  public:
-  /// Of the frames in MapFrames. `pictures`: whether pictures for a film are made.
-  MapSequenceRun(std::vector<std::string> names, std::vector<double> time_s, bool pictures)
-      : names_(std::move(names)), time_s_(std::move(time_s)), pictures_(pictures) {}
+  /// Of the frames in MapFrames. `utc`: when their clock was at 0, as in site.time_utc; empty: unknown.
+  MapSequenceRun(std::vector<std::string> names, std::vector<double> time_s, std::string utc)
+      : names_(std::move(names)), time_s_(std::move(time_s)), utc_(std::move(utc)) {}
 
   void add(const MapOfFrame& frame);
 
@@ -66,13 +67,12 @@ class MapSequenceRun {
  private:
   std::vector<std::string> names_;
   std::vector<double> time_s_;
-  bool pictures_;
+  std::string utc_;
   CurtainTracker tracker_;
   std::vector<MappedFrame> frames_;
   std::vector<FramePlanes> planes_;
   PrecipitationPlanes places_;  ///< without values
   std::vector<std::string> png_;
-  std::string utc_;  ///< of the scene's clock at 0; empty: unknown
   bool is_absolute_ = true;
   double shown_flux_mw_m2_ = 0.0;  ///< of the first frame, for the film's colours
   std::string last_picture_svg_;

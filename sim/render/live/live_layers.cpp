@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/error.h"
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
 #include "sim/emit/aurora/place_in_tube.h"
@@ -76,6 +77,10 @@ void take_planes(const std::vector<SheetMap>& planes, int threads, LiveLayer& la
   const PlaneFootprint<double>& first = planes.front().plane;
   const int columns = first.grid.columns, rows = first.grid.rows;
   std::vector<std::uint8_t> lit;
+  for (const SheetMap& one : planes)
+    if (one.plane.grid.columns != columns || one.plane.grid.rows != rows)
+      throw Error(ErrorKind::scene, layer.name + " changes the size of its map with time")
+          .expected("a scene without --seconds, or another cell_km");
   for (const SheetMap& one : planes) mark_lit(one.plane.grid, lit);
   const Texels part = lit_part(lit, columns, rows);
   layer.cell_km = first.cell_km;
@@ -216,8 +221,9 @@ LiveLayer layer_of_sheet(const Scene& scene, int index, const std::vector<double
       sheet_map_window(scene, index, looked_at, 2.0 + 4.0 * tube + 3.0 * sheet.width_km);
   const double length = window.last.east - window.first.east,
                breadth = window.last.north - window.first.north;
+  const double texels = kMostTexels / static_cast<double>(looked_at.size());  // all are in memory at once
   const double cell = std::max({0.5 * narrowest_km(sheet, tube), length / kMostColumns,
-                                breadth / kMostColumns, std::sqrt(length * breadth / kMostTexels)});
+                                breadth / kMostColumns, std::sqrt(length * breadth / texels)});
   std::vector<SheetMap> planes;
   for (const double instant : looked_at)
     planes.push_back(sheet_map(scene, index, window, instant, cell, tube, threads));

@@ -77,6 +77,7 @@ std::vector<std::string> left_out(const Scene& scene) {
   note(!scene.march.depth.empty(), "objects of march.depth");
   note(scene.march.smooth_px > 0.0 || scene.march.glow > 0.0, "the glow and smoothing of [march]");
   note(scene.sensor.vignetting_cos_power != 0.0 || any(scene.sensor.vignetting), "the lens's vignetting");
+  note(scene.sensor.tone == ToneKind::filmic, "the roll-off of sensor.tone = \"filmic\"");
   note(scene.camera.p1 != 0.0 || scene.camera.p2 != 0.0, "the lens's decentring");
   note(is_panorama(scene.camera.model), "the whole panorama: it looks through a lens of 90 degrees");
   note(scene.air.model != AirModel::none, "changes of the air's extinction in flight");
@@ -160,7 +161,10 @@ LiveView live_view(const Scene& scene, const LiveOptions& options) {
   for (int i = 0; i < view.instants; ++i) instants.push_back(view.start_s + i * view.step_s);
   view.layers = live_layers(scene, instants, options.threads);
   take_sky(scene, view);
-  const ToneCurve tone(scene);
+  // A table by channel is no filmic tone, which keeps the hue: it is left out, and said.
+  Scene by_channel = scene;
+  if (scene.sensor.tone == ToneKind::filmic) by_channel.sensor.tone = ToneKind::srgb;
+  const ToneCurve tone(by_channel);
   for (int i = 0; i < kToneValues; ++i) {
     const double root = static_cast<double>(i) / (kToneValues - 1);
     view.tone.push_back(static_cast<float>(tone.encode(root * root)));

@@ -15,6 +15,11 @@ void take_camera(Scene& scene, const std::string& camera_file) {
         .expected("[camera] and [site]")
         .hint("vegard calibrate and vegard horizon write such files");
   }
+  if (!given.keys.empty())
+    throw Error(ErrorKind::scene, "a camera's file has [[key]], and its camera would move")
+        .file(camera_file)
+        .line(given.keys.front().line)
+        .expected("[camera] and [site]");
   bool has_camera = false;
   for (const auto& [path, line] : given.lines) {
     has_camera = has_camera || starts_with(path, "camera.");

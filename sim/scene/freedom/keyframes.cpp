@@ -100,13 +100,19 @@ double KeyTrack::at(double seconds) const {
   if (seconds >= time_s.back()) return value.back();
   const auto key =
       static_cast<std::size_t>(std::upper_bound(time_s.begin(), time_s.end(), seconds) - time_s.begin() - 1);
-  return keyframes::way_on(*this, key).at((seconds - time_s[key]) / (time_s[key + 1] - time_s[key]));
+  const double on_way =
+      keyframes::way_on(*this, key).at((seconds - time_s[key]) / (time_s[key + 1] - time_s[key]));
+  // By rounding alone it would leave the two keys' range.
+  return ease[key] == KeyEase::catmull_rom
+             ? on_way
+             : std::clamp(on_way, std::min(value[key], value[key + 1]), std::max(value[key], value[key + 1]));
 }
 
 std::pair<double, double> KeyTrack::range(std::size_t key) const {
   if (key + 1 >= value.size()) return {value[key], value[key]};
+  double least = std::min(value[key], value[key + 1]), most = std::max(value[key], value[key + 1]);
+  if (ease[key] != KeyEase::catmull_rom) return {least, most};
   const keyframes::Cubic way = keyframes::way_on(*this, key);
-  double least = std::min(way.at(0.0), way.at(1.0)), most = std::max(way.at(0.0), way.at(1.0));
   // Where b + 2 c u + 3 d u^2 = 0.
   const double root = way.c * way.c - 3.0 * way.b * way.d;
   if (root >= 0.0)

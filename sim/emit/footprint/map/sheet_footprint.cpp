@@ -251,6 +251,7 @@ SheetMapWindow sheet_map_window(const Scene& scene, int sheet, const std::vector
           window.first = {std::min(window.first.east, at.east), std::min(window.first.north, at.north)};
           window.last = {std::max(window.last.east, at.east), std::max(window.last.north, at.north)};
         });
+  if (!(window.first.east <= window.last.east)) window.first = window.last = {0.0, 0.0};  // it is dark
   window.first = {window.first.east - margin_km, window.first.north - margin_km};
   window.last = {window.last.east + margin_km, window.last.north + margin_km};
   return window;

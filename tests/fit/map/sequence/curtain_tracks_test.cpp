@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "fit/map/sequence/drift_fit.h"
+
 #include "sim/base/number/constants.h"
 
 namespace vegard::fit::curtain_tracks_test {
@@ -27,8 +29,10 @@ Curtain arc(double west_km, double east_km, double north_km, double flux_mw_m2 =
   return curtain;
 }
 
+/// A frame whose light is known not to move.
 MapOfFrame frame(std::size_t number) {
-  return {number, MapResult(sim::Scene(), sim::GroundGrid(sim::SquareCells{0.0, 0.0, 2.0, 2, 2})), {}};
+  const sim::GroundGrid grid(sim::SquareCells{0.0, 0.0, 2.0, 2, 2});
+  return {number, MapResult(sim::Scene(), grid), drift_before(DriftNet::over(grid))};
 }
 
 std::vector<CurtainTrack> followed(const std::vector<std::vector<Curtain>>& frames) {
@@ -67,6 +71,19 @@ TEST(CurtainTracks, BridgesAFrameWithoutIt) {
       {{arc(-100, 100, 200)}, {arc(-100, 100, 200)}, {}, {arc(-100, 100, 203)}, {arc(-100, 100, 203)}});
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].frames.size(), 4u);
+}
+
+TEST(CurtainTracks, EndsOverAGap) {
+  CurtainTracker tracker;
+  for (std::size_t i = 0; i < 8; ++i) {
+    MapOfFrame one = frame(i);
+    if (i == 4) one.drift = {};  // nothing was carried over to it
+    tracker.add(one, {arc(-100, 100, 200)}, 10.0);
+  }
+  const std::vector<CurtainTrack> tracks = tracker.tracks();
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].frames.size(), 4u);
+  EXPECT_FALSE(tracks[0].seen_last);
 }
 
 TEST(CurtainTracks, DropsWhatPasses) {
