@@ -338,7 +338,7 @@ TimedPictures timed_pictures(const std::vector<std::string>& words, const GivenT
     if (!std::isnan(one.time_s)) told.push_back(one.time_s);
   }
   if (pictures.files.size() < 2)
-    throw usage_error("IMAGE", "a keogram of one picture is a profile", "two pictures at least");
+    throw usage_error("IMAGE", "one picture has no course in time", "two pictures at least");
   if (!given.table.empty() && (given.start_s || given.step_s))
     throw usage_error("--times", "--start and --step say the times already", "one of both");
   if (given.start_s || given.step_s) {

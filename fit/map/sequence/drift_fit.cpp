@@ -16,7 +16,7 @@ namespace {
 using sim::kGroundEnergies;
 
 // Of the prior: what all light has in common, and what places have of their own.
-constexpr double kCommon_km_s = 0.6, kOwn_km_s = 0.3, kShared_km = 300.0, kForgotten_s = 300.0;
+constexpr double kCommon_km_s = 0.6, kOwn_km_s = 0.3, kShared_km = 300.0, kForgotten_s = 1200.0;
 constexpr double kGrowth_per_s = 0.02;
 constexpr double kFastest_km_s = 1.5, kTriedStep_km = 6.0;
 constexpr double kMostBeyond_km = 40.0, kFromBeyond = 0.08;  // of a cell's light, from places out of view

@@ -4,7 +4,7 @@
 // the net's nodes are those with which it does so best (Gauss and Newton; the sky is solved for with them).
 // Before, each component of a velocity is a normal number, 0 ± 0.6 km/s for all light together and ± 0.3 of
 // each place's own, which neighbours within some 300 km share (exponential correlation). Both are forgotten
-// over some minutes (an Ornstein-Uhlenbeck process), so that frame after frame a Kalman filter results. A
+// over 20 minutes (an Ornstein-Uhlenbeck process), so that frame after frame a Kalman filter results. A
 // growth rate is drawn anew with each frame. As for the modes of a map, so many values as share a smooth
 // error count as one.
 //

@@ -163,6 +163,17 @@ std::vector<float> coarsened(const std::vector<float>& map, const sim::GroundGri
   return mean;
 }
 
+/// The weakest bond that brings nearly all of what the best does; `bonds` from none on, with the chi2 of
+/// their predictions. An error of the drift, which pulls a map away in each frame, grows as one over the
+/// gain.
+double weak_and_good(const std::vector<double>& bonds, const std::vector<double>& chi2) {
+  constexpr double kNearlyAll = 0.9;
+  const double best = *std::min_element(chi2.begin(), chi2.end());
+  std::size_t chosen = 0;
+  while (chi2.front() - chi2[chosen] < kNearlyAll * (chi2.front() - best)) ++chosen;
+  return bonds[chosen];
+}
+
 /// What the pass forward knows after a frame, on the coarse film.
 struct CoarseState {
   bool begun = false;
@@ -422,7 +433,6 @@ void Sequence::choose_bond(std::size_t from) {
     for (std::size_t i = 0; i < count; ++i) photos.push_back(read(from + i));
     CoarseState begin = coarse_step({}, photos[0], frames_.time_s[from], 0.0, nullptr, nullptr);
     StepOutput tried;
-    double least = 0.0, chosen = 0.0;
     for (const double bond : kBonds) {
       tell("choosing the bond in time", 0.0, 0.27);
       CoarseState state = begin;
@@ -439,12 +449,9 @@ void Sequence::choose_bond(std::size_t from) {
       }
       tried.numbers["bond"].push_back(bond);
       tried.numbers["chi2 per value"].push_back(chi2 / std::max(1.0, all));
-      if (bond == 0.0 || chi2 < least) {
-        least = chi2;
-        chosen = bond;
-      }
       if (problem_->stopped()) break;
     }
+    const double chosen = weak_and_good(tried.numbers["bond"], tried.numbers["chi2 per value"]);
     std::vector<double> gains;
     CoarseState state = begin;
     for (std::size_t i = 1; i < count && chosen > 0.0 && !problem_->stopped(); ++i) {

@@ -2,8 +2,8 @@
 //
 // Forward in time each frame's map is solved for from its picture and from the map before it, which has been
 // moved by the drift (fit/map/sequence/drift_fit.h) and holds the new one near itself (the bond of
-// fit/map/map_solver.h). How strongly it does is decided by the pictures: with the strength by which each
-// next picture is best predicted, as the gain of a Kalman filter is (innovations of least variance, Mehra
+// fit/map/map_solver.h). How strongly it does is decided by the pictures: the weakest bond that predicts
+// each next one nearly as well as the best does, as the gain of a Kalman filter makes innovations least (Mehra
 // 1970, doi:10.1109/TAC.1970.1099422). Backward a share of what the frame after knows better is moved back,
 // over a fixed number of frames (Rauch, Tung and Striebel 1965, doi:10.2514/3.3166). The maps of a few
 // frames are in memory at once.
