@@ -97,16 +97,55 @@ std::vector<bool> cells_near_light(const sim::GroundGrid& coarse, const std::vec
 std::vector<float> refined_map(const std::vector<float>& rough, const sim::GroundGrid& coarse,
                                const sim::GroundGrid& fine) {
   std::vector<float> map(static_cast<std::size_t>(fine.cells()) * sim::kGroundEnergies, 0.0f);
-  float brightest = 0.0f;
-  for (const float x : rough) brightest = std::max(brightest, x);
+  const float most = brightest(rough);
   for (int c = 0; c < fine.cells(); ++c) {
     const sim::EastNorth middle = fine.middle_km(c);
     const int under = coarse.cell_at(middle.east, middle.north);
     for (int k = 0; k < sim::kGroundEnergies; ++k)
       map[static_cast<std::size_t>(c) * sim::kGroundEnergies + k] =
-          rough[static_cast<std::size_t>(under) * sim::kGroundEnergies + k] + 1e-3f * brightest;
+          rough[static_cast<std::size_t>(under) * sim::kGroundEnergies + k] + 1e-3f * most;
   }
   return map;
+}
+
+float brightest(const std::vector<float>& map) {
+  float most = 0.0f;
+  for (const float x : map) most = std::max(most, x);
+  return most;
+}
+
+std::vector<float> regridded(const std::vector<float>& map, const sim::GroundGrid& from,
+                             const sim::GroundGrid& to) {
+  std::vector<float> there(static_cast<std::size_t>(to.cells()) * sim::kGroundEnergies, 0.0f);
+  for (int c = 0; c < to.cells(); ++c) {
+    const sim::EastNorth middle = to.middle_km(c);
+    const int under = from.cell_at(middle.east, middle.north);
+    if (under < 0) continue;
+    for (int k = 0; k < sim::kGroundEnergies; ++k)
+      there[static_cast<std::size_t>(c) * sim::kGroundEnergies + k] =
+          map[static_cast<std::size_t>(under) * sim::kGroundEnergies + k];
+  }
+  return there;
+}
+
+std::vector<float> coarsened(const std::vector<float>& map, const sim::GroundGrid& from,
+                             const sim::GroundGrid& to) {
+  std::vector<double> sum(static_cast<std::size_t>(to.cells()) * sim::kGroundEnergies, 0.0);
+  std::vector<double> area(static_cast<std::size_t>(to.cells()), 0.0);
+  for (int c = 0; c < from.cells(); ++c) {
+    const sim::EastNorth middle = from.middle_km(c);
+    const int over = to.cell_at(middle.east, middle.north);
+    if (over < 0) continue;
+    area[static_cast<std::size_t>(over)] += from.area_km2(c);
+    for (int k = 0; k < sim::kGroundEnergies; ++k)
+      sum[static_cast<std::size_t>(over) * sim::kGroundEnergies + k] +=
+          from.area_km2(c) * map[static_cast<std::size_t>(c) * sim::kGroundEnergies + k];
+  }
+  std::vector<float> mean(sum.size(), 0.0f);
+  for (std::size_t i = 0; i < sum.size(); ++i)
+    if (area[i / sim::kGroundEnergies] > 0.0)
+      mean[i] = static_cast<float>(sum[i] / area[i / sim::kGroundEnergies]);
+  return mean;
 }
 
 }  // namespace vegard::fit

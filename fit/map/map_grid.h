@@ -27,4 +27,15 @@ std::vector<bool> cells_near_light(const sim::GroundGrid& coarse, const std::vec
 std::vector<float> refined_map(const std::vector<float>& rough, const sim::GroundGrid& coarse,
                                const sim::GroundGrid& fine);
 
+/// The largest number of a map.
+float brightest(const std::vector<float>& map);
+
+/// A map on another grid: what is under the middles of its cells, 0 where there is nothing.
+std::vector<float> regridded(const std::vector<float>& map, const sim::GroundGrid& from,
+                             const sim::GroundGrid& to);
+
+/// The mean of a finer map in each coarse cell.
+std::vector<float> coarsened(const std::vector<float>& map, const sim::GroundGrid& from,
+                             const sim::GroundGrid& to);
+
 }  // namespace vegard::fit

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -13,11 +11,11 @@
 #include "fit/map/map_grid.h"
 #include "fit/map/map_problem.h"
 #include "fit/map/map_reading.h"
+#include "fit/map/sequence/coarse_pass.h"
 #include "fit/map/sequence/drift_fit.h"
+#include "fit/map/sequence/sparse_map.h"
 #include "fit/map/solution_draw.h"
 #include "sim/base/error.h"
-#include "sim/base/number/constants.h"
-#include "sim/base/number/quantile.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::fit {
@@ -25,163 +23,11 @@ namespace {
 
 using sim::kGroundEnergies;
 
-constexpr double kBonds[] = {0.0, 1.0, 4.0, 16.0, 64.0, 256.0};  // on the coarse film
-constexpr double kFinerCells = 0.25;      // of a fine cell's area to a coarse one's: a bond is of each cell
-constexpr std::size_t kFramesTried = 6;   // in which the bond is chosen
-constexpr std::size_t kLag = 8;           // frames after one that are heard
-constexpr double kLongestStep_s = 120.0;  // nothing is carried over longer gaps
-constexpr int kBeginSteps = 160, kFrameSteps = 60, kPerturbedSteps = 40;
-constexpr double kALittle = 1e-4;   // of the brightest: where there may be new light
+constexpr double kFinerCells = 0.25;  // of a fine cell's area to a coarse one's: a bond is of each cell
+constexpr std::size_t kLag = 8;       // frames after one that are heard
+constexpr int kPerturbedSteps = 40;
 constexpr double kOfPicture = 0.5;  // of the start that is the coarse map's, the rest being the prediction's
 constexpr double kLargestKept = 0.97;
-
-/// The grid and the film on which frames are solved for, and the operator that they share.
-struct Level {
-  Level(MapProblem& problem, int coarseness, double farthest_km)
-      : base(problem.pictures(coarseness)),
-        grid(map_grid(base, problem.scene.site, farthest_km, coarseness)) {
-    base.front().want_all();
-    problem.look(base, grid);
-    std::vector<bool> seen(static_cast<std::size_t>(grid.cells()), false);
-    for (const sim::SightStretch& stretch : base.front().light().sight().stretch) seen[stretch.cell] = true;
-    grid.keep(seen);
-    problem.look(base, grid);
-    near = MapNeighbours(grid);
-    points = std::make_unique<CellPoints>(grid);
-  }
-  Level(const Level&) = delete;
-  Level& operator=(const Level&) = delete;
-
-  /// A frame's picture, with the operator of all.
-  std::vector<MapObservation> observed(const MapProblem& problem, const Photo& photo) const {
-    const sim::FilmGeometry& film = base.front().film();
-    MapObservationOptions o;
-    o.pixels_per_cell = static_cast<int>(film.cell_width_px);
-    o.margin_cells = static_cast<int>(std::lround(-film.x0_px / film.cell_width_px));
-    o.model_error = problem.scenes.front().fit.model_error;
-    o.threads = problem.options.threads;
-    o.stop = problem.options.stop;
-    std::vector<MapObservation> one;
-    one.emplace_back(problem.scenes.front(), photo, o);
-    one.front().share_light_of(base.front());
-    return one;
-  }
-  std::size_t numbers() const { return static_cast<std::size_t>(grid.cells()) * kGroundEnergies; }
-
-  std::vector<MapObservation> base;  ///< one, whose light all frames share
-  sim::GroundGrid grid;
-  MapNeighbours near;
-  std::unique_ptr<CellPoints> points;
-};
-
-/// A map with few lit cells.
-struct SparseMap {
-  std::vector<double> place, value;
-
-  SparseMap() = default;
-  explicit SparseMap(const std::vector<float>& map) {
-    for (std::size_t i = 0; i < map.size(); ++i)
-      if (map[i] != 0.0f) {
-        place.push_back(static_cast<double>(i));
-        value.push_back(map[i]);
-      }
-  }
-  std::vector<float> whole(std::size_t numbers) const {
-    std::vector<float> map(numbers, 0.0f);
-    for (std::size_t i = 0; i < place.size(); ++i)
-      map[static_cast<std::size_t>(place[i])] = static_cast<float>(value[i]);
-    return map;
-  }
-  /// A number of the journal holds a place and, in its lower half, a value.
-  void store(StepOutput& out, const std::string& name) const {
-    std::vector<double>& packed = out.numbers[name];
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const auto lit = static_cast<float>(value[i]);
-      std::uint32_t bits = 0;
-      std::memcpy(&bits, &lit, sizeof bits);
-      const std::uint64_t both = (static_cast<std::uint64_t>(place[i]) << 32u) | bits;
-      double number = 0.0;
-      std::memcpy(&number, &both, sizeof number);
-      packed.push_back(number);
-    }
-  }
-  static SparseMap stored(const StepOutput& out, const std::string& name, std::size_t numbers) {
-    SparseMap map;
-    for (const double number : out.numbers_at(name)) {
-      std::uint64_t both = 0;
-      std::memcpy(&both, &number, sizeof both);
-      const auto bits = static_cast<std::uint32_t>(both);
-      float lit = 0.0f;
-      std::memcpy(&lit, &bits, sizeof lit);
-      const std::uint64_t at = both >> 32u;
-      if (at >= numbers || !(lit >= 0.0f) || !std::isfinite(lit)) throw out.error_at(name);
-      map.place.push_back(static_cast<double>(at));
-      map.value.push_back(lit);
-    }
-    return map;
-  }
-};
-
-float brightest(const std::vector<float>& map) {
-  float most = 0.0f;
-  for (const float x : map) most = std::max(most, x);
-  return most;
-}
-
-/// A map on another grid: what is under the middles of its cells, 0 where there is nothing.
-std::vector<float> regridded(const std::vector<float>& map, const sim::GroundGrid& from,
-                             const sim::GroundGrid& to) {
-  std::vector<float> there(static_cast<std::size_t>(to.cells()) * kGroundEnergies, 0.0f);
-  for (int c = 0; c < to.cells(); ++c) {
-    const sim::EastNorth middle = to.middle_km(c);
-    const int under = from.cell_at(middle.east, middle.north);
-    if (under < 0) continue;
-    for (int k = 0; k < kGroundEnergies; ++k)
-      there[static_cast<std::size_t>(c) * kGroundEnergies + k] =
-          map[static_cast<std::size_t>(under) * kGroundEnergies + k];
-  }
-  return there;
-}
-
-/// The mean of a finer map in each coarse cell.
-std::vector<float> coarsened(const std::vector<float>& map, const sim::GroundGrid& from,
-                             const sim::GroundGrid& to) {
-  std::vector<double> sum(static_cast<std::size_t>(to.cells()) * kGroundEnergies, 0.0);
-  std::vector<double> area(static_cast<std::size_t>(to.cells()), 0.0);
-  for (int c = 0; c < from.cells(); ++c) {
-    const sim::EastNorth middle = from.middle_km(c);
-    const int over = to.cell_at(middle.east, middle.north);
-    if (over < 0) continue;
-    area[static_cast<std::size_t>(over)] += from.area_km2(c);
-    for (int k = 0; k < kGroundEnergies; ++k)
-      sum[static_cast<std::size_t>(over) * kGroundEnergies + k] +=
-          from.area_km2(c) * map[static_cast<std::size_t>(c) * kGroundEnergies + k];
-  }
-  std::vector<float> mean(sum.size(), 0.0f);
-  for (std::size_t i = 0; i < sum.size(); ++i)
-    if (area[i / kGroundEnergies] > 0.0) mean[i] = static_cast<float>(sum[i] / area[i / kGroundEnergies]);
-  return mean;
-}
-
-/// The weakest bond that brings nearly all of what the best does; `bonds` from none on, with the chi2 of
-/// their predictions. An error of the drift, which pulls a map away in each frame, grows as one over the
-/// gain.
-double weak_and_good(const std::vector<double>& bonds, const std::vector<double>& chi2) {
-  constexpr double kNearlyAll = 0.9;
-  const double best = *std::min_element(chi2.begin(), chi2.end());
-  std::size_t chosen = 0;
-  while (chi2.front() - chi2[chosen] < kNearlyAll * (chi2.front() - best)) ++chosen;
-  return bonds[chosen];
-}
-
-/// What the pass forward knows after a frame, on the coarse film.
-struct CoarseState {
-  bool begun = false;
-  double time_s = 0.0;
-  std::vector<float> map;
-  std::vector<std::uint8_t> in_view;  ///< cells_in_view()
-  DriftField drift;                   ///< since the frame before
-};
 
 /// A perturbed sequence.
 struct PerturbedSequence {
@@ -221,17 +67,12 @@ class Sequence {
   void prepare(const MapResult& first);
   void perturb(const MapResult& first);
   /// The bond of the coarse film over a step of time.
-  double bond_over(double seconds) const { return facts_.time_bond * facts_.step_s / seconds; }
+  double bond_over(double seconds) const { return facts_.bond.bond * facts_.bond.step_s / seconds; }
   /// The share that is moved back over a step.
   double kept_over(double seconds) const {
-    const double kept = 1.0 - facts_.gain;
-    return std::min(kLargestKept, kept / (kept + facts_.gain * seconds / facts_.step_s));
+    const double kept = 1.0 - facts_.bond.gain;
+    return std::min(kLargestKept, kept / (kept + facts_.bond.gain * seconds / facts_.bond.step_s));
   }
-
-  /// The next coarse state; `prediction_chi2` becomes that of the picture as predicted.
-  CoarseState coarse_step(const CoarseState& before, const Photo& photo, double time_s, double bond,
-                          double* prediction_chi2, std::size_t* values, double* gain = nullptr) const;
-  void choose_bond(std::size_t from);
 
   /// Solves for a frame's maps, all but the coarse ones from those of the frame before.
   StepOutput solved_frame(std::size_t number, const Photo& photo, const CoarseState& before,
@@ -239,8 +80,8 @@ class Sequence {
   void go_on(std::size_t number, const Photo& photo);
   /// Gives away the first frame in memory, with what those after it know.
   void give_first();
-  MapSolution solve(const Level& level, std::vector<MapObservation>& picture, std::vector<float> start,
-                    MapSolverOptions o) const;
+  MapSolution solve(const SequenceLevel& level, std::vector<MapObservation>& picture,
+                    std::vector<float> start, MapSolverOptions o) const;
   void tell(const std::string& stage, double chi2_per_value, double share) const {
     if (options_.progress) options_.progress(stage, chi2_per_value, share);
   }
@@ -251,7 +92,8 @@ class Sequence {
   const std::function<void(MapOfFrame)>& done_;
   std::vector<Photo> first_photo_;  ///< one
   std::optional<MapProblem> problem_;
-  std::optional<Level> coarse_, fine_;
+  std::optional<SequenceLevel> coarse_, fine_;
+  std::optional<CoarsePass> coarse_pass_;
   std::optional<MapReading> reading_;
   std::vector<PerturbedSequence> perturbed_;
   MapSequenceFacts facts_;
@@ -351,126 +193,14 @@ void Sequence::prepare(const MapResult& first) {
     common_->replicate_values.push_back(p.values);
   }
   common_->map = regridded(first.map, first.grid, fine_->grid);
+  coarse_pass_.emplace(*problem_, *coarse_, coarsened(common_->map, fine_->grid, coarse_->grid),
+                       first.sparsity);
 }
 
-MapSolution Sequence::solve(const Level& level, std::vector<MapObservation>& picture,
+MapSolution Sequence::solve(const SequenceLevel& level, std::vector<MapObservation>& picture,
                             std::vector<float> start, MapSolverOptions o) const {
   o.stop = options_.stop;
   return solve_map(picture, level.near, static_cast<int>(problem_->energies_kev.size()), std::move(start), o);
-}
-
-CoarseState Sequence::coarse_step(const CoarseState& before, const Photo& photo, double time_s, double bond,
-                                  double* prediction_chi2, std::size_t* values, double* gain) const {
-  std::vector<MapObservation> picture = coarse_->observed(*problem_, photo);
-  picture.front().gain = gain_;
-  CoarseState after;
-  after.begun = true;
-  after.time_s = time_s;
-  after.in_view = cells_in_view(picture.front(), scene_.site, coarse_->grid);
-  const double seconds = time_s - before.time_s;
-  MapSolverOptions o;
-  o.sparsity = common_->sparsity;
-  std::vector<float> start;
-  if (before.begun && seconds <= kLongestStep_s) {
-    const bool is_first = !before.drift.moves();
-    const DriftField expected =
-        is_first ? drift_before(DriftNet::over(coarse_->grid)) : drift_later(before.drift, seconds);
-    after.drift = fitted_drift(picture.front(), *coarse_->points, coarse_->grid, coarse_->near,
-                               before.in_view, before.map, expected, seconds, is_first, options_.threads);
-    const CellPoints::Sources sources = coarse_->points->after(after.drift, seconds, options_.threads);
-    start = sources.moved(before.map, options_.threads);
-    o.unpredicted = sources.from_unknown(before.in_view);
-    MapLight light, residual;
-    picture.front().forward(start, light);
-    if (prediction_chi2 != nullptr) *prediction_chi2 = picture.front().residual(light, residual);
-    o.predicted = start;
-    o.time_bond = bond;
-    o.steps = kFrameSteps;
-  } else {
-    start = coarsened(common_->map, fine_->grid, coarse_->grid);
-    o.steps = kBeginSteps;
-  }
-  if (brightest(start) == 0.0f) {  // what is dark predicts no light
-    start = coarsened(common_->map, fine_->grid, coarse_->grid);
-    o.predicted.clear();
-  }
-  if (values != nullptr) *values = picture.front().values();
-  const auto little = static_cast<float>(kALittle * brightest(start));
-  for (float& x : start) x += little;
-  after.map = solve(*coarse_, picture, start, o).map;
-  if (gain == nullptr || o.predicted.empty()) return after;
-  // How far the picture takes the map with the bond from what was predicted, of how far it does alone.
-  MapSolverOptions alone = o;
-  alone.time_bond = 0.0;
-  alone.predicted.clear();
-  alone.unpredicted.clear();
-  const CellReader reader(coarse_->grid, problem_->energies_kev);
-  const std::vector<CellFlux> of_picture = reader.cells(solve(*coarse_, picture, start, alone).map),
-                              with_bond = reader.cells(after.map), predicted = reader.cells(o.predicted);
-  double both = 0.0, square = 0.0;
-  for (std::size_t c = 0; c < predicted.size(); ++c) {
-    double x = 0.0, z = 0.0;
-    for (const MapNeighbours::Near& m : coarse_->near.of_cell[c]) {
-      x += m.weight * (with_bond[m.cell].flux_mw_m2 - predicted[m.cell].flux_mw_m2);
-      z += m.weight * (of_picture[m.cell].flux_mw_m2 - predicted[m.cell].flux_mw_m2);
-    }
-    both += x * z;
-    square += z * z;
-  }
-  *gain = square > 0.0 ? both / square : 1.0;
-  return after;
-}
-
-void Sequence::choose_bond(std::size_t from) {
-  const std::size_t count = std::min(kFramesTried, frames_.names.size() - from);
-  std::vector<double> steps;
-  for (std::size_t i = from + 1; i < frames_.time_s.size(); ++i)
-    steps.push_back(frames_.time_s[i] - frames_.time_s[i - 1]);
-  facts_.step_s = steps.empty() ? 1.0 : sim::quantile(steps, 0.5);
-  if (count < 3 || facts_.step_s > kLongestStep_s) return;
-  const StepOutput out = problem_->step("time bond", [&] {
-    std::vector<Photo> photos;
-    for (std::size_t i = 0; i < count; ++i) photos.push_back(read(from + i));
-    CoarseState begin = coarse_step({}, photos[0], frames_.time_s[from], 0.0, nullptr, nullptr);
-    StepOutput tried;
-    for (const double bond : kBonds) {
-      tell("choosing the bond in time", 0.0, 0.27);
-      CoarseState state = begin;
-      double chi2 = 0.0, all = 0.0;
-      for (std::size_t i = 1; i < count; ++i) {
-        const double time_s = frames_.time_s[from + i], seconds = time_s - state.time_s;
-        double prediction = 0.0;
-        std::size_t values = 0;
-        state = coarse_step(state, photos[i], time_s, bond * facts_.step_s / seconds, &prediction, &values);
-        // That of the second frame is of the first, which has no bond; over a gap nothing is predicted.
-        if (i < 2 || seconds > kLongestStep_s) continue;
-        chi2 += prediction;
-        all += static_cast<double>(values);
-      }
-      tried.numbers["bond"].push_back(bond);
-      tried.numbers["chi2 per value"].push_back(chi2 / std::max(1.0, all));
-      if (problem_->stopped()) break;
-    }
-    const double chosen = weak_and_good(tried.numbers["bond"], tried.numbers["chi2 per value"]);
-    std::vector<double> gains;
-    CoarseState state = begin;
-    for (std::size_t i = 1; i < count && chosen > 0.0 && !problem_->stopped(); ++i) {
-      const double time_s = frames_.time_s[from + i], seconds = time_s - state.time_s;
-      double gain = 1.0;
-      state =
-          coarse_step(state, photos[i], time_s, chosen * facts_.step_s / seconds, nullptr, nullptr, &gain);
-      if (i >= 2 && seconds <= kLongestStep_s) gains.push_back(gain);
-    }
-    tried.numbers["chosen"] = {chosen};
-    tried.numbers["gain"] = {gains.empty() ? 1.0 : std::clamp(sim::quantile(gains, 0.5), 0.03, 1.0)};
-    tried.whole = !problem_->stopped();
-    return tried;
-  });
-  const std::vector<double>& bonds = out.numbers_at("bond");
-  const std::vector<double>& chi2 = out.numbers_at("chi2 per value", bonds.size());
-  for (std::size_t i = 0; i < bonds.size(); ++i) facts_.tried.push_back({bonds[i], chi2[i]});
-  facts_.time_bond = out.number_at("chosen");
-  facts_.gain = out.number_at("gain");
 }
 
 StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const CoarseState& before,
@@ -478,7 +208,7 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
   const double time_s = frames_.time_s[number], seconds = time_s - before.time_s;
   const bool carried = before.begun && seconds <= kLongestStep_s && !maps_before.empty();
   const double bond = carried ? bond_over(seconds) : 0.0;
-  const CoarseState coarse = coarse_step(before, photo, time_s, bond, nullptr, nullptr);
+  const CoarseState coarse = coarse_pass_->step(before, photo, time_s, bond, gain_, nullptr);
   StepOutput out;
   std::vector<MapObservation> picture = fine_->observed(*problem_, photo);
   MapObservation& one = picture.front();
@@ -648,7 +378,9 @@ MapSequenceFacts Sequence::run() {
   check();
   const MapResult first = first_map();
   prepare(first);
-  choose_bond(begin_);
+  facts_.bond = choose_time_bond(
+      *problem_, *coarse_pass_, frames_.time_s, begin_, [&](std::size_t i) { return read(i); }, gain_,
+      [&] { tell("choosing the bond in time", 0.0, 0.27); });
   problem_->require_going();
   const std::size_t count = frames_.names.size();
   for (std::size_t i = begin_; i < count; ++i) {

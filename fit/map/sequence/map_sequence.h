@@ -3,9 +3,9 @@
 // Forward in time each frame's map is solved for from its picture and from the map before it, which has been
 // moved by the drift (fit/map/sequence/drift_fit.h) and holds the new one near itself (the bond of
 // fit/map/map_solver.h). How strongly it does is decided by the pictures: the weakest bond that predicts
-// each next one nearly as well as the best does, as the gain of a Kalman filter makes innovations least (Mehra
-// 1970, doi:10.1109/TAC.1970.1099422). Backward a share of what the frame after knows better is moved back,
-// over a fixed number of frames (Rauch, Tung and Striebel 1965, doi:10.2514/3.3166). The maps of a few
+// each next one nearly as well as the best does, as the gain of a Kalman filter makes innovations least
+// (Mehra 1970, doi:10.1109/TAC.1970.1099422). Backward a share of what the frame after knows better is moved
+// back, over a fixed number of frames (Rauch, Tung and Striebel 1965, doi:10.2514/3.3166). The maps of a few
 // frames are in memory at once.
 //
 // Error bars are the spread of whole perturbed sequences: each keeps its physics, its prior and its smooth
@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "fit/map/map_result.h"
+#include "fit/map/sequence/coarse_pass.h"
 #include "fit/map/sequence/drift_field.h"
 
 namespace vegard::fit {
@@ -45,16 +46,8 @@ struct FrameWithoutMap {
   std::string reason;
 };
 
-/// How well maps predict the next picture with a bond (MapSolverOptions::time_bond).
-struct TriedBond {
-  double bond = 0.0, chi2_per_value = 0.0;
-};
-
 struct MapSequenceFacts {
-  std::vector<TriedBond> tried;
-  double time_bond = 0.0;  ///< kappa of the coarse film, at frames `step_s` apart
-  double step_s = 0.0;
-  double gain = 1.0;  ///< how much of a frame's map is its own picture's; the rest is of the frames before
+  TimeBond bond;  ///< of the coarse film
   std::vector<FrameWithoutMap> without_map;
 };
 

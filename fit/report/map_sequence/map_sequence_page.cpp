@@ -156,12 +156,12 @@ std::string MapSequenceRun::page(const MapSequenceRunFacts& facts, bool has_film
   html +=
       "<section><h2>Everything in view</h2>\n<div class=\"plots\">" + plot_svg(plot) + "</div></section>\n";
   html += "<section><h2>How it was made</h2>\n<p>";
-  if (facts.sequence.time_bond > 0.0)
+  if (facts.sequence.bond.bond > 0.0)
     html += fmt::format(
         "A map's own picture has a weight of {} in it; the rest is of the frames before, and what those "
         "after "
         "know better was carried back. χ² is that of the pass forward.",
-        sim::short_number(facts.sequence.gain, 2));
+        sim::short_number(facts.sequence.bond.gain, 2));
   else
     html +=
         "Each frame is mapped by itself: holding maps near those before them did not predict the pictures "

@@ -199,12 +199,12 @@ std::string MapSequenceRun::json(const MapSequenceRunFacts& facts) const {
   json["version"] = sim::version();
   json["command"] = facts.command;
   json["flux_is_absolute"] = is_absolute_;
-  json["time_bond"] = facts.sequence.time_bond;
+  json["time_bond"] = facts.sequence.bond.bond;
   json["bonds_tried"] = nlohmann::ordered_json::array();
-  for (const TriedBond& t : facts.sequence.tried)
+  for (const TriedBond& t : facts.sequence.bond.tried)
     json["bonds_tried"].push_back({{"bond", t.bond}, {"prediction_chi2_per_value", t.chi2_per_value}});
-  json["gain"] = facts.sequence.gain;
-  json["step_s"] = facts.sequence.step_s;
+  json["gain"] = facts.sequence.bond.gain;
+  json["step_s"] = facts.sequence.bond.step_s;
   json["frames"] = nlohmann::ordered_json::array();
   for (const MappedFrame& f : frames_)
     json["frames"].push_back({{"frame", f.number + 1},
