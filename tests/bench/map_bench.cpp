@@ -47,20 +47,21 @@ struct SparseMatrix {
 SparseMatrix matrix_of(const GroundLight& light, int energies) {
   SparseMatrix matrix;
   const SightLines& sight = light.sight();
-  const GroundRates rates = light.rates();
+  const LightBelow below = light.light_below();
   for (std::size_t ray = 0; ray < sight.rays(); ++ray) {
     std::map<std::uint32_t, std::vector<double>> cells;
     for (std::size_t i = sight.first[ray]; i < sight.first[ray + 1]; ++i) {
       const SightStretch s = sight.stretch[i];
       std::vector<double>& sums = cells[s.cell];
-      sums.resize(static_cast<std::size_t>(rates.lines) * energies, 0.0);
-      for (int line = 0; line < rates.lines; ++line)
+      sums.resize(static_cast<std::size_t>(below.lines) * energies, 0.0);
+      const GroundNumbers *from = below.below + static_cast<std::size_t>(s.from) * below.lines,
+                          *to = below.below + static_cast<std::size_t>(s.to) * below.lines;
+      for (int line = 0; line < below.lines; ++line)
         for (int e = 0; e < energies; ++e)
           sums[static_cast<std::size_t>(line) * energies + e] +=
-              s.length * kSightUnitKm *
-              rates.rate[(static_cast<std::size_t>(s.bin) * rates.lines + line) * kGroundEnergies + e];
+              static_cast<double>(s.km_per_km) * (to[line].of_energy[e] - from[line].of_energy[e]);
     }
-    for (int line = 0; line < rates.lines; ++line) {
+    for (int line = 0; line < below.lines; ++line) {
       for (const auto& [cell, sums] : cells)
         for (int e = 0; e < energies; ++e) {
           matrix.column.push_back(cell * kGroundEnergies + static_cast<std::uint32_t>(e));

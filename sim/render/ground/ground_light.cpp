@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include "sim/base/parallel.h"
@@ -53,6 +54,7 @@ GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid&
       rate_(ground_rates(scene, energies_kev, rates_at_flux_mw_m2, altitude_scale, spectrum)),
       transmission_(transmissions(scene, film)) {
   assert(energies_kev.size() <= kGroundEnergies);
+  below_ = below_of(rate_);
   share_work();
 }
 
@@ -106,20 +108,50 @@ void GroundLight::keep_all() {
 void GroundLight::set_rates(std::vector<float> rates) {
   assert(rates.size() == rate_.size());
   rate_ = std::move(rates);
+  below_ = below_of(rate_);
+}
+
+std::vector<GroundNumbers> GroundLight::below_of(const std::vector<float>& rate) const {
+  const AltitudeBins bins;
+  const auto lines = static_cast<std::size_t>(lines_of_light_);
+  std::vector<GroundNumbers> below(static_cast<std::size_t>(bins.levels()) * lines, GroundNumbers{});
+  for (std::size_t line = 0; line < lines; ++line)
+    for (int energy = 0; energy < kGroundEnergies; ++energy) {
+      double sum = 0.0;
+      for (int bin = 0; bin < bins.bins(); ++bin) {
+        const double all =
+            bins.height_km(bin) * rate[(static_cast<std::size_t>(bin) * lines + line) * kGroundEnergies +
+                                       static_cast<std::size_t>(energy)];
+        for (int part = 1; part <= AltitudeBins::kLevelsInBin; ++part)
+          below[(static_cast<std::size_t>(bin) * AltitudeBins::kLevelsInBin + part) * lines + line]
+              .of_energy[energy] = static_cast<float>(sum + all * part / AltitudeBins::kLevelsInBin);
+        sum += all;
+      }
+    }
+  return below;
 }
 
 void GroundLight::forward(const std::vector<float>& map, std::vector<float>& rayleighs) const {
-  forward(map, rate_, rayleighs);
+  forward(map, light_below(), rayleighs);
 }
 
 void GroundLight::forward(const std::vector<float>& map, const std::vector<float>& rate,
                           std::vector<float>& rayleighs) const {
-  assert(map.size() == numbers_ && rate.size() == rate_.size());
+  assert(rate.size() == rate_.size());
+  const std::vector<GroundNumbers> below = below_of(rate);
+  forward(map, {lines_of_light_, below.data()}, rayleighs);
+}
+
+void GroundLight::forward(const std::vector<float>& map, const LightBelow& light_below,
+                          std::vector<float>& rayleighs) const {
+  assert(map.size() == numbers_);
   rayleighs.resize(sight_.rays() * lines_of_light_);
+  flux_.resize(numbers_ / kGroundEnergies);
+  std::memcpy(flux_.data(), map.data(), numbers_ * sizeof(float));
   constexpr std::size_t kRun = 512;
   parallel_for((sight_.rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
     const std::size_t first = run * kRun, last = std::min(first + kRun, sight_.rays());
-    sum_light(in_use(), {lines_of_light_, rate.data()}, map.data(), first, last, rayleighs.data());
+    sum_light(in_use(), light_below, flux_.data(), first, last, rayleighs.data());
     for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
       rayleighs[i] *= transmission_[i];
   });
@@ -131,17 +163,19 @@ void GroundLight::add_adjoint(const std::vector<float>& rayleighs, std::vector<f
   for (std::size_t i = 0; i < weighted_.size(); ++i) weighted_[i] = rayleighs[i] * transmission_[i];
   sums_.resize(kShares);
   parallel_for(kShares, threads_, [&](std::size_t share, int) {
-    sums_[share].assign(numbers_, 0.0f);
-    spread_light(in_use(), rates(), weighted_.data(), first_of_share_[share], first_of_share_[share + 1],
-                 sums_[share].data());
+    sums_[share].assign(numbers_ / kGroundEnergies, GroundNumbers{});
+    spread_light(in_use(), light_below(), weighted_.data(), first_of_share_[share],
+                 first_of_share_[share + 1], sums_[share].data());
   });
-  constexpr std::size_t kRun = 4096;
-  parallel_for((numbers_ + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
-    for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, numbers_); ++i) {
-      float sum = 0.0f;
-      for (const std::vector<float>& part : sums_) sum += part[i];
-      map[i] += sum;
-    }
+  const std::size_t cells = numbers_ / kGroundEnergies;
+  constexpr std::size_t kRun = 256;
+  parallel_for((cells + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+    for (std::size_t cell = run * kRun; cell < std::min((run + 1) * kRun, cells); ++cell)
+      for (int energy = 0; energy < kGroundEnergies; ++energy) {
+        float sum = 0.0f;
+        for (const std::vector<GroundNumbers>& part : sums_) sum += part[cell].of_energy[energy];
+        map[cell * kGroundEnergies + static_cast<std::size_t>(energy)] += sum;
+      }
   });
 }
 

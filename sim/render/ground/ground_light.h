@@ -4,12 +4,12 @@
 // electrons of one spectrum (sim/light/spectrum_profile.h). Its light in rayleighs of a line towards a ray is
 // linear in it:
 //
-//     rayleighs = 0.1 T sum over stretches  length_km  sum over energies  rate(altitude, energy) x(cell,
-//     energy)
+//     rayleighs = T sum over stretches  km_per_km  sum over energies  (below(to, energy) - below(from,
+//     energy)) x(cell, energy)
 //
-// with the rates of the emission tables (photons cm^-3 s^-1 per mW m^-2; means over the bins of altitude) and
-// T the transmission of the air. Neither the map A nor its adjoint A' is stored as a matrix. <Ax, y> = <x,
-// A'y> to rounding.
+// with the light below an altitude, in rayleighs of a vertical column of 1 mW m^-2 (of the emission tables'
+// rates; means over the bins of altitude), and T the transmission of the air. Neither the map A nor its
+// adjoint A' is stored as a matrix. <Ax, y> = <x, A'y> to rounding.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +23,25 @@ namespace vegard::sim {
 
 struct Scene;
 
-/// light[ray * lines + line] of rays first to last: the sum over stretches and energies of
-/// length x rate x flux[cell * kGroundEnergies + energy].
-void sum_light(const SightLines& lines, const GroundRates& rates, const float* flux, std::size_t first,
-               std::size_t last, float* light);
+/// A number for each energy, side by side: of a cell, or of the light of a line below an altitude.
+struct alignas(64) GroundNumbers {
+  float of_energy[kGroundEnergies];
+};
 
-/// The adjoint: adds length x rate x light to flux[cell * kGroundEnergies + energy].
-void spread_light(const SightLines& lines, const GroundRates& rates, const float* light, std::size_t first,
-                  std::size_t last, float* flux);
+/// The light of `lines` lines below each level: [level * lines + line].
+struct LightBelow {
+  int lines = 0;
+  const GroundNumbers* below = nullptr;
+};
+
+/// light[ray * lines + line] of rays first to last: the sum over stretches and energies of
+/// km_per_km x (below(to) - below(from)) x flux[cell].
+void sum_light(const SightLines& lines, const LightBelow& light_below, const GroundNumbers* flux,
+               std::size_t first, std::size_t last, float* light);
+
+/// The adjoint: adds km_per_km x (below(to) - below(from)) x light to flux[cell].
+void spread_light(const SightLines& lines, const LightBelow& light_below, const float* light,
+                  std::size_t first, std::size_t last, GroundNumbers* flux);
 
 class GroundLight {
  public:
@@ -59,9 +70,10 @@ class GroundLight {
   std::size_t numbers() const { return numbers_; }    ///< size of a map: cells x kGroundEnergies
   const SightLines& sight() const { return sight_; }  ///< of all cells
   const std::vector<float>& rate() const { return rate_; }
-  const GroundRates rates() const { return {lines_of_light_, rate_.data()}; }
+  LightBelow light_below() const { return {lines_of_light_, below_.data()}; }
 
-  /// Computes rayleighs[ray * lines + line] from a map [cell * kGroundEnergies + energy].
+  /// Computes rayleighs[ray * lines + line] from a map [cell * kGroundEnergies + energy]. Two threads must
+  /// not call it at once.
   void forward(const std::vector<float>& map, std::vector<float>& rayleighs) const;
   /// The same with other rates.
   void forward(const std::vector<float>& map, const std::vector<float>& rate,
@@ -74,18 +86,23 @@ class GroundLight {
  private:
   const SightLines& in_use() const { return all_ ? sight_ : kept_; }
   void share_work();
+  std::vector<GroundNumbers> below_of(const std::vector<float>& rate) const;
+  void forward(const std::vector<float>& map, const LightBelow& light_below,
+               std::vector<float>& rayleighs) const;
 
   SightLines sight_, kept_;
   bool all_ = true;
   int lines_of_light_ = 0, threads_ = 0;
   std::size_t numbers_ = 0;
   std::vector<float> rate_;
-  std::vector<float> transmission_;  ///< [ray * lines + line]
+  std::vector<GroundNumbers> below_;  ///< of rate_
+  std::vector<float> transmission_;   ///< [ray * lines + line]
   std::vector<std::size_t>
       first_of_share_;  ///< first ray of each share of the work; shares have similar numbers of stretches
-  // Memory of add_adjoint(), kept from call to call.
+  // Memory of forward() and add_adjoint(), kept from call to call.
+  mutable std::vector<GroundNumbers> flux_;
   mutable std::vector<float> weighted_;
-  mutable std::vector<std::vector<float>> sums_;
+  mutable std::vector<std::vector<GroundNumbers>> sums_;
 };
 
 }  // namespace vegard::sim

@@ -13,14 +13,9 @@ struct Scene;
 /// Number of electron energies of a cell, side by side in a vector; if fewer are in use, the rest are 0.
 inline constexpr int kGroundEnergies = 16;
 
-/// Rates by altitude bin, line and energy: [(bin * lines + line) * kGroundEnergies + energy].
-struct GroundRates {
-  int lines = 0;
-  const float* rate = nullptr;
-};
-
-/// Returns the mean rate in rayleighs per km of 1 mW m^-2, in the layout of GroundRates. The
-/// arguments are those of GroundLight (sim/render/ground/ground_light.h).
+/// Returns the mean rates in rayleighs per km of 1 mW m^-2 by altitude bin, line and energy: [(bin * lines +
+/// line) * kGroundEnergies + energy]. The arguments are those of GroundLight
+/// (sim/render/ground/ground_light.h).
 std::vector<float> ground_rates(const Scene& scene, const std::vector<double>& energies_kev,
                                 double flux_mw_m2, double altitude_scale, const ElectronSpectrum& spectrum);
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kShareOfCell = 0.34;    // of a cell's shorter side that a foot moves by in one step at most
 constexpr int kMaxAltitudeSteps = 4096;  // from one altitude to the next, of a ray that hardly rises
+constexpr double kBend = 0.03;           // change of a ray's path to one of altitude within a stretch
 
 /// The field over a frame's places.
 class FieldOver {
@@ -98,45 +99,45 @@ HomeRay ray_at_home(const Scene& scene, const SiteTurn& to_home, const Site& hom
   return ray;
 }
 
-/// Puts a ray's stretches one after another, like ones together.
+/// Puts a ray's stretches one after another, those over the same cell together.
 class StretchList {
  public:
-  explicit StretchList(std::vector<SightStretch>& list) : list_(list) {}
+  StretchList(const AltitudeBins& bins, std::vector<SightStretch>& list) : bins_(bins), list_(list) {}
 
-  void add(int cell, int bin, double length_km) {
-    if (cell == cell_ && bin == bin_) {
-      length_km_ += length_km;
-      return;
+  /// A piece of the ray in a bin of altitude, from one share of its height to another.
+  void add(int cell, int bin, double from_share, double to_share, double length_km) {
+    const double from = (bin + from_share) * AltitudeBins::kLevelsInBin;
+    const double slope = length_km / ((to_share - from_share) * bins_.height_km(bin));
+    if (cell != cell_ || from != to_ || std::abs(slope - slope_) > kBend * slope_) {
+      close();
+      cell_ = cell;
+      slope_ = slope;
+      from_ = static_cast<int>(std::lround(from));
     }
-    close();
-    cell_ = cell;
-    bin_ = bin;
-    length_km_ = length_km;
+    to_ = (bin + to_share) * AltitudeBins::kLevelsInBin;
+    length_km_ += length_km;
   }
 
   void close() {
-    if (cell_ < 0) return;
-    constexpr double kLongest = 65535.0;
-    double units = length_km_ / kSightUnitKm + remainder_;
-    while (units >= 0.5) {
-      const double part = std::min(std::floor(units + 0.5), kLongest);
-      list_.push_back({static_cast<std::uint32_t>(cell_), static_cast<std::uint16_t>(bin_),
-                       static_cast<std::uint16_t>(part)});
-      units -= part;
+    const int to = static_cast<int>(std::lround(to_));
+    if (cell_ >= 0 && to > from_) {
+      const double height = bins_.level_km(to) - bins_.level_km(from_);
+      list_.push_back({static_cast<std::uint32_t>(cell_), static_cast<std::uint16_t>(from_),
+                       static_cast<std::uint16_t>(to), static_cast<float>(length_km_ / height)});
     }
-    remainder_ = units;
-    cell_ = -1;
+    if (cell_ < 0 || to > from_) length_km_ = 0.0;
   }
 
  private:
+  const AltitudeBins& bins_;
   std::vector<SightStretch>& list_;
-  int cell_ = -1, bin_ = -1;
-  double length_km_ = 0.0, remainder_ = 0.0;
+  int cell_ = -1, from_ = 0;
+  double to_ = -1.0, slope_ = 0.0, length_km_ = 0.0;
 };
 
 void march(const HomeRay& ray, double end_km, const FieldOver& field, const GroundGrid& grid,
            const AltitudeBins& bins, std::vector<SightStretch>& list) {
-  StretchList stretches(list);
+  StretchList stretches(bins, list);
   double from = std::max(0.0, ray.to_altitude(bins.edge_km(0)));
   PlaneFoot<double> foot = field.foot(ray.at(from));
   for (int bin = 0; bin < bins.bins(); ++bin) {
@@ -152,7 +153,7 @@ void march(const HomeRay& ray, double end_km, const FieldOver& field, const Grou
       for (int i = 0; i < steps; ++i) {
         const double t = (i + 0.5) / steps;
         stretches.add(grid.cell_at(foot.east_km + t * east, foot.north_km + t * north), bin,
-                      (to - from) / steps);
+                      static_cast<double>(i) / steps, (i + 1.0) / steps, (to - from) / steps);
       }
     }
     from = to;

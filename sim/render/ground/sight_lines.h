@@ -1,9 +1,9 @@
 // The lines of sight of a film, cut into stretches: over which cell of the ground, along the field line, each
-// stretch of a ray lies, and at what altitude.
+// stretch of a ray lies, and between which altitudes.
 //
 // The foot of a point is where the field line through it meets the sphere of the feet
-// (sim/emit/footprint/foot.h), as in the geometry of footprints. A ray is cut at the bounds of the altitude
-// bins and where its foot passes to another cell. A stretch takes eight bytes.
+// (sim/emit/footprint/foot.h), as in the geometry of footprints. A ray is cut where its foot passes to
+// another cell: what lies between is told by the light below the altitudes of its ends.
 #pragma once
 
 #include <atomic>
@@ -25,19 +25,27 @@ class AltitudeBins {
   AltitudeBins();
   int bins() const { return static_cast<int>(edge_km_.size()) - 1; }
   double edge_km(int bin) const { return edge_km_[static_cast<std::size_t>(bin)]; }
+  double height_km(int bin) const { return edge_km(bin + 1) - edge_km(bin); }
+
+  /// Altitudes at which stretches begin and end: each bin is cut into equal parts.
+  static constexpr int kLevelsInBin = 4;
+  int levels() const { return bins() * kLevelsInBin + 1; }
+  double level_km(int level) const {
+    const int bin = level / kLevelsInBin, part = level % kLevelsInBin;
+    return part == 0 ? edge_km(bin) : edge_km(bin) + height_km(bin) * part / kLevelsInBin;
+  }
 
  private:
   std::vector<double> edge_km_;
 };
 
+/// A part of a ray over one cell. Its ends are rounded to levels; what is left without height by that goes to
+/// the next stretch, so that no length is lost.
 struct SightStretch {
   std::uint32_t cell;
-  std::uint16_t bin;
-  std::uint16_t length;  ///< in kSightUnitKm
+  std::uint16_t from, to;  ///< levels (AltitudeBins), from < to
+  float km_per_km;         ///< of path, to one of altitude
 };
-/// Unit to which the lengths of a ray's stretches are rounded; the remainder is carried to the next stretch,
-/// so that no length is lost.
-inline constexpr double kSightUnitKm = 1.0 / 256.0;
 
 /// The stretches of all rays; there is one ray per cell of the film, row by row.
 struct SightLines {
