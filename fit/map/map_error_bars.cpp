@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "fit/map/solution_draw.h"
 #include "fit/map/spectra_left_open.h"
+#include "sim/base/parallel.h"
 
 namespace vegard::fit {
 namespace {
@@ -22,103 +25,126 @@ std::vector<double> drawn_numbers(std::uint64_t seed, const std::vector<MapNumbe
   return values;
 }
 
-/// The replicates of a map, one after the other.
-class Replicates {
- public:
-  Replicates(MapProblem& problem, std::vector<MapObservation>& fine, MapResult& result)
-      : problem_(problem), fine_(fine), result_(result) {}
-
-  void add_all();
-
- private:
-  /// The shift of the modes that a replicate has, of what is drawn for it.
-  Eigen::VectorXd drawn_shift(const std::vector<double>& values) const;
-  /// Adds one to the result, unless it was stopped.
-  void add(std::uint32_t number);
-  /// The pictures for values of the numbers beside the map. If all of these are modes of the light, the fine
-  /// pictures take this light and nothing is returned: the lines of sight, the larger part, stay, and they
-  /// have it from then on.
-  std::vector<MapObservation> pictures_drawn(const std::vector<double>& values,
-                                             const sim::ElectronSpectrum& spectrum);
-  /// `shift`: of the modes from those of the best map.
-  MapSolution solve_drawn(std::vector<MapObservation>& pictures, std::uint32_t number,
-                          const Eigen::VectorXd& shift, double from, double to) const;
-
-  MapProblem& problem_;
-  std::vector<MapObservation>& fine_;
-  MapResult& result_;
-  MapModes learnt_;              ///< of the modes, from the pictures
-  std::vector<MapLight> truth_;  ///< of each picture, with its sky
+/// What a replicate differs in from the map, beside its data and its prior.
+struct Drawn {
+  sim::ElectronSpectrum spectrum;
+  std::vector<double> values;  ///< of the numbers beside the map
+  Eigen::VectorXd shift;       ///< of the modes from those of the best map
 };
 
-std::vector<MapObservation> Replicates::pictures_drawn(const std::vector<double>& values,
-                                                       const sim::ElectronSpectrum& spectrum) {
-  const std::vector<sim::Scene> drawn = problem_.scenes_with(values);
-  if (problem_.modes_before.size() == problem_.numbers.size()) {
-    problem_.look_by_light(fine_, drawn, spectrum);
-    return {};
-  }
-  std::vector<MapObservation> all = problem_.pictures(1, drawn, &fine_);
-  problem_.look(all, result_.grid, spectrum);
-  return all;
+/// The replicates of a map: as many at once as there are threads, each on one.
+class Replicates {
+ public:
+  Replicates(const MapProblem& problem, const std::vector<MapObservation>& fine, MapResult& result)
+      : problem_(problem), fine_(fine), result_(result) {}
+
+  void add_all(MapModes learnt);
+
+ private:
+  Drawn drawn(std::uint32_t number) const;
+  /// Adds one to the result, unless it was stopped.
+  void add(std::uint32_t number);
+  /// Solves this one and those that come next, and keeps them.
+  void solve_from(std::uint32_t number);
+  StepOutput solution(std::uint32_t number, const std::string& stage, double from, double to) const;
+  /// The pictures for values of the numbers beside the map, with lines of sight of their own only if some of
+  /// these are no modes of the light.
+  std::vector<MapObservation> pictures(const Drawn& drawn) const;
+
+  const MapProblem& problem_;
+  const std::vector<MapObservation>& fine_;
+  MapResult& result_;
+  MapModes learnt_;                            ///< of the modes, from the pictures
+  std::vector<MapLight> truth_;                ///< of each picture, with its sky
+  std::map<std::uint32_t, StepOutput> ahead_;  ///< that have been solved before they were asked for
+};
+
+Drawn Replicates::drawn(std::uint32_t number) const {
+  Drawn drawn;
+  drawn.spectrum = is_of_one_station(result_) ? replicate_spectrum(result_, static_cast<int>(number))
+                                              : problem_.options.spectrum;
+  drawn.values = drawn_numbers(problem_.scene.seed, problem_.numbers, number);
+  drawn.shift = Eigen::VectorXd(static_cast<Eigen::Index>(problem_.modes.size()));
+  Eigen::Index k = 0;
+  for (std::size_t i = 0; i < problem_.numbers.size(); ++i)
+    if (problem_.numbers[i].mode >= 0)
+      drawn.shift(k++) = (drawn.values[i] - problem_.numbers[i].value) / problem_.numbers[i].error;
+  drawn.shift = learnt_.spread * drawn.shift;
+  k = 0;
+  for (std::size_t i = 0; i < problem_.numbers.size(); ++i)
+    if (problem_.numbers[i].mode >= 0) {
+      drawn.values[i] = problem_.modes[static_cast<std::size_t>(k)] + drawn.shift(k);
+      ++k;
+    }
+  return drawn;
 }
 
-MapSolution Replicates::solve_drawn(std::vector<MapObservation>& pictures, std::uint32_t number,
-                                    const Eigen::VectorXd& shift, double from, double to) const {
+std::vector<MapObservation> Replicates::pictures(const Drawn& drawn) const {
+  const std::vector<sim::Scene> scenes = problem_.scenes_with(drawn.values);
+  std::vector<MapObservation> pictures;
+  if (problem_.modes_before.size() == problem_.numbers.size()) {
+    pictures = fine_;
+    for (MapObservation& picture : pictures) picture.work_alone();
+    problem_.look_by_light(pictures, scenes, drawn.spectrum);
+    return pictures;
+  }
+  pictures = problem_.pictures(1, scenes, &fine_);
+  problem_.look(pictures, result_.grid, drawn.spectrum);
+  for (MapObservation& picture : pictures) picture.work_alone();
+  return pictures;
+}
+
+StepOutput Replicates::solution(std::uint32_t number, const std::string& stage, double from,
+                                double to) const {
   const SolutionDraw draw{problem_.scene.seed, number};
+  const Drawn of_this = drawn(number);
+  std::vector<MapObservation> pictures = this->pictures(of_this);
+  for (std::size_t p = 0; p < pictures.size(); ++p) {
+    pictures[p].gain = result_.photos[p].gain;
+    pictures[p].set_data(draw.data(pictures[p], truth_[p], static_cast<std::uint32_t>(p), 0, 1));
+  }
   MapSolverOptions o;
   o.cell_factor = draw.prior_factors(result_.grid.cells());
   o.steps = kReplicateSteps;
   o.sparsity = draw.sparsity(result_.sparsity);
-  return problem_.solve(pictures,
-                        draw.start(moved_map(result_.map, learnt_.response.answer(shift)), result_.cells,
-                                   problem_.energies_kev),
-                        "error bars", from, to, std::move(o));
+  const MapSolution solved =
+      problem_.solve(pictures,
+                     draw.start(moved_map(result_.map, learnt_.response.answer(of_this.shift)), result_.cells,
+                                problem_.energies_kev),
+                     stage, from, to, std::move(o));
+  StepOutput out;
+  for (const CellFlux& cell : CellReader(result_.grid, problem_.energies_kev).cells(solved.map)) {
+    out.numbers["flux"].push_back(cell.flux_mw_m2);
+    out.numbers["ln_energy"].push_back(cell.ln_energy);
+  }
+  out.whole = !problem_.stopped();
+  return out;
 }
 
-Eigen::VectorXd Replicates::drawn_shift(const std::vector<double>& values) const {
-  Eigen::VectorXd drawn(static_cast<Eigen::Index>(problem_.modes.size()));
-  Eigen::Index k = 0;
-  for (std::size_t i = 0; i < problem_.numbers.size(); ++i)
-    if (problem_.numbers[i].mode >= 0)
-      drawn(k++) = (values[i] - problem_.numbers[i].value) / problem_.numbers[i].error;
-  return learnt_.spread * drawn;
+void Replicates::solve_from(std::uint32_t number) {
+  const auto left = static_cast<std::size_t>(problem_.options.replicates) - number;
+  std::vector<StepOutput> solved(
+      std::min(left, static_cast<std::size_t>(sim::thread_count(problem_.options.threads))));
+  const double each = (1.0 - problem_.share.map) / problem_.options.replicates,
+               from = problem_.share.map + each * number;
+  sim::parallel_for(solved.size(), problem_.options.threads, [&](std::size_t i, int) {
+    // One of them tells how far they are.
+    solved[i] = solution(number + static_cast<std::uint32_t>(i), i == 0 ? "error bars" : "", from,
+                         from + each * static_cast<double>(solved.size()));
+  });
+  for (std::size_t i = 0; i < solved.size(); ++i)
+    ahead_[number + static_cast<std::uint32_t>(i)] = std::move(solved[i]);
 }
 
 void Replicates::add(std::uint32_t number) {
-  const sim::ElectronSpectrum spectrum = is_of_one_station(result_)
-                                             ? replicate_spectrum(result_, static_cast<int>(number))
-                                             : problem_.options.spectrum;
-  const double each = (1.0 - problem_.share.map) / problem_.options.replicates,
-               from = problem_.share.map + each * number;
-  std::vector<double> values = drawn_numbers(problem_.scene.seed, problem_.numbers, number);
-  const Eigen::VectorXd shift = drawn_shift(values);
-  for (std::size_t i = 0, k = 0; i < problem_.numbers.size(); ++i)
-    if (problem_.numbers[i].mode >= 0) {
-      values[i] = problem_.modes[k] + shift(static_cast<Eigen::Index>(k));
-      ++k;
-    }
+  Drawn of_this = drawn(number);
   const auto work = [&] {
-    std::vector<MapObservation> drawn = pictures_drawn(values, spectrum);
-    std::vector<MapObservation>& pictures = drawn.empty() ? fine_ : drawn;
-    // Each starts from the map's gains, not from those of the replicate before, which may have been resumed.
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-      pictures[p].gain = result_.photos[p].gain;
-      pictures[p].set_data(SolutionDraw{problem_.scene.seed, number}.data(
-          pictures[p], truth_[p], static_cast<std::uint32_t>(p), 0, problem_.options.threads));
-    }
-    const MapSolution s = solve_drawn(pictures, number, shift, from, from + each);
-    StepOutput out;
-    for (const CellFlux& cell : CellReader(result_.grid, problem_.energies_kev).cells(s.map)) {
-      out.numbers["flux"].push_back(cell.flux_mw_m2);
-      out.numbers["ln_energy"].push_back(cell.ln_energy);
-    }
-    out.whole = !problem_.stopped();
-    return out;
+    if (ahead_.count(number) == 0) solve_from(number);
+    return std::move(ahead_.extract(number).mapped());
   };
   std::string name = "replicate " + std::to_string(number);
-  if (spectrum.kind != problem_.options.spectrum.kind)
-    name += std::string(" ") + sim::spectrum_word(spectrum.kind);
+  if (of_this.spectrum.kind != problem_.options.spectrum.kind)
+    name += std::string(" ") + sim::spectrum_word(of_this.spectrum.kind);
   const StepOutput out = problem_.step(name, work);
   if (problem_.stopped()) return;
   std::vector<CellFlux> cells(static_cast<std::size_t>(result_.grid.cells()));
@@ -127,23 +153,15 @@ void Replicates::add(std::uint32_t number) {
   for (std::size_t c = 0; c < cells.size(); ++c)
     cells[c] = {static_cast<float>(flux[c]), static_cast<float>(ln_energy[c])};
   result_.replicates.push_back(std::move(cells));
-  result_.replicate_spectra.push_back(spectrum);
-  result_.replicate_values.push_back(std::move(values));
+  result_.replicate_spectra.push_back(of_this.spectrum);
+  result_.replicate_values.push_back(std::move(of_this.values));
 }
 
-void Replicates::add_all() {
+void Replicates::add_all(MapModes learnt) {
+  learnt_ = std::move(learnt);
   for (const MappedPhoto& photo : result_.photos) {
     truth_.push_back(photo.model);
     for (std::size_t i = 0; i < truth_.back().size(); ++i) truth_.back()[i] += photo.sky[i];
-  }
-  if (!problem_.modes.empty() && problem_.options.replicates > 0 && !problem_.stopped()) {
-    MapSolverOptions o;
-    o.sparsity = result_.sparsity;
-    o.modes = o.modes_centre = problem_.modes;
-    o.stop = problem_.options.stop;
-    learnt_ =
-        solved_modes(fine_, problem_.near, static_cast<int>(problem_.energies_kev.size()), result_.map, o);
-    if (!problem_.stopped()) result_.modes_covariance = learnt_.spread * learnt_.spread.transpose();
   }
   for (int r = 0; r < problem_.options.replicates && !problem_.stopped(); ++r) {
     try {
@@ -157,7 +175,16 @@ void Replicates::add_all() {
 }  // namespace
 
 void add_replicates(MapProblem& problem, std::vector<MapObservation>& fine, MapResult& result) {
-  Replicates(problem, fine, result).add_all();
+  MapModes learnt;
+  if (!problem.modes.empty() && problem.options.replicates > 0 && !problem.stopped()) {
+    MapSolverOptions o;
+    o.sparsity = result.sparsity;
+    o.modes = o.modes_centre = problem.modes;
+    o.stop = problem.options.stop;
+    learnt = solved_modes(fine, problem.near, static_cast<int>(problem.energies_kev.size()), result.map, o);
+    if (!problem.stopped()) result.modes_covariance = learnt.spread * learnt.spread.transpose();
+  }
+  Replicates(problem, fine, result).add_all(std::move(learnt));
 }
 
 }  // namespace vegard::fit

@@ -12,7 +12,7 @@
 namespace vegard::fit {
 
 /// Adds MapOptions::replicates perturbed solutions to the result, and what the pictures teach of the modes;
-/// fewer if it is stopped. `fine`: the pictures of the result, whose data and light they change.
+/// fewer if it is stopped. `fine`: the pictures of the result.
 void add_replicates(MapProblem& problem, std::vector<MapObservation>& fine, MapResult& result);
 
 }  // namespace vegard::fit

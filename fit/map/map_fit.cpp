@@ -65,7 +65,7 @@ void Mapping::keep_seen(std::vector<MapObservation>& pictures, sim::GroundGrid& 
         .expected("stations whose pictures show a common volume between 80 and 640 km altitude")
         .hint("check the sites and the cameras' directions, or map each photograph by itself");
   grid.keep(kept);
-  problem_.look(pictures, grid);
+  for (MapObservation& picture : pictures) picture.keep_in_grid(kept);
 }
 
 std::vector<float> Mapping::flat_start(std::vector<MapObservation>& pictures,

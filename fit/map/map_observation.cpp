@@ -7,23 +7,18 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
-
 #include "fit/photo/grey_light.h"
 #include "sim/base/number/constants.h"
-#include "sim/base/number/dense_solvers.h"
 #include "sim/base/number/quantile.h"
 #include "sim/base/parallel.h"
 #include "sim/render/film.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/line_colours.h"
-#include "sim/view/sky/night_sky.h"
 
 namespace vegard::fit {
 namespace {
 
 constexpr double kBoxVariance = 1.0 / 12.0;  // of a cell about its middle
-constexpr double kTownHeight_deg = 8.0;
 constexpr double kClipped =
     0.9;  // of the file's white: what is not usable above was clipped, or masked there
 constexpr double kSpread_px = 2.0;  // of what was clipped
@@ -168,7 +163,7 @@ MapObservation::MapObservation(const sim::Scene& scene, const Photo& photo,
         reference_ = c;
         break;
       }
-  make_sky_basis();
+  smooth_ = SmoothSky(scene_, film_);
   leave_out({});
 }
 
@@ -269,68 +264,15 @@ void MapObservation::estimate_noise(const Photo& photo, const MapObservationOpti
   }
 }
 
-void MapObservation::make_sky_basis() {
-  // Level; airglow by airmass, and what its layer and the air make of that; a town's or the twilight's glow
-  // by its height, and round the horizon as a mean and two waves; both ways along the horizon.
-  sky_basis_.assign(cells() * kSkyTerms, 0.0f);
-  const sim::CameraView<double> view = sim::camera_view(scene_.camera);
-  const double observer = scene_.site.altitude_m * 1e-3;
-  for (int row = 0; row < film_.rows; ++row)
-    for (int column = 0; column < film_.columns; ++column) {
-      double enu[3];
-      if (!sim::enu_of_cell(view, film_, row, column, enu)) continue;
-      const std::size_t cell = static_cast<std::size_t>(row) * film_.columns + column;
-      const double elevation = std::asin(std::clamp(enu[2], -1.0, 1.0)) / sim::kRadiansPerDegree;
-      float* f = &sky_basis_[cell * kSkyTerms];
-      f[0] = 1.0f;
-      f[1] = static_cast<float>(sim::van_rhijn(std::max(0.0, enu[2]), 97.0, observer) - 1.0);
-      f[2] = static_cast<float>(std::exp(-std::max(0.0, elevation) / kTownHeight_deg));
-      f[3] = static_cast<float>(enu[0]);
-      f[4] = static_cast<float>(enu[1]);
-      f[5] = static_cast<float>(f[2] * enu[0]);
-      f[6] = static_cast<float>(f[2] * enu[1]);
-      f[7] = static_cast<float>(f[2] * (enu[0] * enu[0] - enu[1] * enu[1]));
-      f[8] = static_cast<float>(f[2] * enu[0] * enu[1]);
-      f[9] = f[1] * f[1];
-    }
-}
-
 void MapObservation::leave_out(const std::vector<std::uint8_t>& left_out) {
   weight_.assign(cells() * 3, 0.0f);
-  for (std::vector<std::size_t>& channel : used_) channel.clear();
+  values_ = 0;
   for (std::size_t i = 0; i < weight_.size(); ++i)
     if (sigma_[i] > 0.0f && (left_out.empty() || left_out[i / 3] == 0)) {
       weight_[i] = 1.0f / (sigma_[i] * sigma_[i]);
-      used_[i % 3].push_back(i);
+      ++values_;
     }
-  values_ = used_[0].size() + used_[1].size() + used_[2].size();
-  factor_sky();
-}
-
-void MapObservation::factor_sky() {
-  // A sky that is as bright as the picture's darkest part, give or take all of it: a prior of next to no
-  // weight that keeps terms which the region cannot tell apart from growing against each other.
-  for (int c = 0; c < 3; ++c) {
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(kSkyTerms, kSkyTerms);
-    std::vector<double> light;
-    for (std::size_t cell = 0; cell < cells(); ++cell) {
-      const double w = weight_[cell * 3 + c];
-      if (w == 0.0) continue;
-      light.push_back(data_[cell * 3 + c]);
-      const float* f = &sky_basis_[cell * kSkyTerms];
-      for (std::size_t i = 0; i < kSkyTerms; ++i)
-        for (std::size_t j = 0; j <= i; ++j) normal(i, j) += w * f[i] * f[j];
-    }
-    if (light.empty()) {
-      sky_inverse_[c].assign(static_cast<std::size_t>(kSkyTerms) * kSkyTerms, 0.0);
-      continue;
-    }
-    const double dark = std::max(sim::quantile(light, 0.1), 1e-9);
-    for (std::size_t i = 0; i < kSkyTerms; ++i) normal(i, i) += i == 0 ? 0.0 : 1.0 / (dark * dark);
-    const Eigen::MatrixXd full = normal.selfadjointView<Eigen::Lower>();
-    const Eigen::MatrixXd inverse = sim::inverse_of(full);
-    sky_inverse_[c].assign(inverse.data(), inverse.data() + inverse.size());
-  }
+  smooth_.weigh(weight_, data_);
 }
 
 void MapObservation::look_at(const sim::Site& home, const sim::GroundGrid& grid,
@@ -348,93 +290,68 @@ void MapObservation::set_light(std::shared_ptr<const sim::ModeRates> rates,
 
 void MapObservation::forward(const std::vector<float>& map, const std::vector<float>& rate,
                              MapLight& out) const {
-  std::vector<float> rayleighs;
-  light_->forward(map, rate, rayleighs);
-  const std::size_t lines = colour_.size();
-  std::vector<float> planes(rayleighs.size()), blurred(rayleighs.size());
-  for (std::size_t i = 0; i < cells(); ++i)
-    for (std::size_t l = 0; l < lines; ++l) planes[l * cells() + i] = rayleighs[i * lines + l];
-  sim::blur_window(planes.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
-                   blurred.data(), threads_);
-  out.assign(cells() * 3, 0.0f);
-  for (std::size_t i = 0; i < cells(); ++i)
-    for (int c = 0; c < 3; ++c) {
-      double sum = 0.0;
-      for (std::size_t l = 0; l < lines; ++l) sum += colour_[l][c] * blurred[i * lines + l];
-      out[i * 3 + c] = static_cast<float>(gain[c] * sum);
-    }
+  if (&rate == &light_->rate())
+    light_->forward(map, rayleighs_);
+  else
+    light_->forward(map, rate, rayleighs_);
+  const std::size_t lines = colour_.size(), count = cells();
+  planes_.resize(rayleighs_.size());
+  blurred_.resize(rayleighs_.size());
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t l = 0; l < lines; ++l) planes_[l * count + i] = rayleighs_[i * lines + l];
+  sim::blur_window(planes_.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
+                   blurred_.data(), threads_);
+  out.resize(count * 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum[3] = {};
+    for (std::size_t l = 0; l < lines; ++l)
+      for (int c = 0; c < 3; ++c) sum[c] += colour_[l][c] * blurred_[i * lines + l];
+    for (int c = 0; c < 3; ++c) out[i * 3 + c] = static_cast<float>(gain[c] * sum[c]);
+  }
 }
 
 void MapObservation::add_adjoint(const MapLight& light, std::vector<float>& map) const {
   const std::size_t lines = colour_.size();
-  std::vector<float> planes(cells() * lines), blurred(cells() * lines);
-  for (std::size_t i = 0; i < cells(); ++i)
-    for (std::size_t l = 0; l < lines; ++l) {
-      double sum = 0.0;
-      for (int c = 0; c < 3; ++c) sum += gain[c] * colour_[l][c] * light[i * 3 + c];
-      planes[l * cells() + i] = static_cast<float>(sum);
+  const std::size_t count = cells();
+  planes_.resize(count * lines);
+  blurred_.resize(count * lines);
+  for (std::size_t l = 0; l < lines; ++l) {
+    const double factor[3] = {gain[0] * colour_[l][0], gain[1] * colour_[l][1], gain[2] * colour_[l][2]};
+    for (std::size_t i = 0; i < count; ++i) {
+      const float* of_cell = &light[i * 3];
+      planes_[l * count + i] =
+          static_cast<float>(factor[0] * of_cell[0] + factor[1] * of_cell[1] + factor[2] * of_cell[2]);
     }
-  // Kernels are symmetric and there is nothing outside of the film: the blur is its own adjoint.
-  sim::blur_window(planes.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
-                   blurred.data(), threads_);
-  light_->add_adjoint(blurred, map);
-}
-
-template <class Value>
-MapObservation::Sky MapObservation::solve_sky(int channel, const Value& weighted) const {
-  Sky right{}, sky{};
-  for (const std::size_t i : used_[channel]) {
-    const double value = weighted(i);
-    const float* f = &sky_basis_[i / 3 * kSkyTerms];
-    for (std::size_t j = 0; j < kSkyTerms; ++j) right[j] += value * f[j];
   }
-  for (std::size_t i = 0; i < kSkyTerms; ++i)
-    for (std::size_t j = 0; j < kSkyTerms; ++j) sky[i] += sky_inverse_[channel][i * kSkyTerms + j] * right[j];
-  return sky;
-}
-
-double MapObservation::sky_at(std::size_t cell, const Sky& sky) const {
-  const float* f = &sky_basis_[cell * kSkyTerms];
-  double sum = 0.0;
-  for (std::size_t j = 0; j < kSkyTerms; ++j) sum += sky[j] * f[j];
-  return sum;
+  // Kernels are symmetric and there is nothing outside of the film: the blur is its own adjoint.
+  sim::blur_window(planes_.data(), film_.rows, film_.columns, blur_, {0, 0, film_.rows, film_.columns},
+                   blurred_.data(), threads_);
+  light_->add_adjoint(blurred_, map);
 }
 
 double MapObservation::residual(const MapLight& light, MapLight& residual) {
   residual.assign(cells() * 3, 0.0f);
-  std::array<double, 3> chi2{};
-  sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
-    const Sky sky = solve_sky(static_cast<int>(channel), [&](std::size_t i) {
-      return weight_[i] * (static_cast<double>(data_[i]) - light[i]);
-    });
-    sky_[channel] = sky;
-    double sum = 0.0;
-    for (const std::size_t i : used_[channel]) {
-      const double model = light[i] + sky_at(i / 3, sky);
-      double r = model - data_[i];
-      // Stored as none, it is none or less.
-      if (clips_ && model < 0.0 && data_[i] <= noise_[i]) r = -data_[i];
-      sum += weight_[i] * r * r;
-      residual[i] = static_cast<float>(weight_[i] * r);
-    }
-    chi2[channel] = sum;
+  sky_ = smooth_.solve(threads_, [&](std::size_t i) { return weight_[i] * (data_[i] - light[i]); });
+  std::array<double, SmoothSky::kShares> chi2{};
+  smooth_.each_weighted(threads_, sky_, [&](std::size_t share, std::size_t i, float sky) {
+    const float model = light[i] + sky;
+    float r = model - data_[i];
+    // Stored as none, it is none or less.
+    if (clips_ && model < 0.0f && data_[i] <= noise_[i]) r = -data_[i];
+    residual[i] = weight_[i] * r;
+    chi2[share] += static_cast<double>(residual[i]) * r;
   });
-  return chi2[0] + chi2[1] + chi2[2];
-}
-
-MapLight MapObservation::sky() const {
-  MapLight light(cells() * 3);
-  for (std::size_t i = 0; i < light.size(); ++i) light[i] = static_cast<float>(sky_at(i / 3, sky_[i % 3]));
-  return light;
+  double sum = 0.0;
+  for (const double part : chi2) sum += part;
+  return sum;
 }
 
 void MapObservation::take_sky_away(const MapLight& light, MapLight& weighted) const {
   weighted.assign(cells() * 3, 0.0f);
-  sim::parallel_for(3, threads_, [&](std::size_t channel, int) {
-    const Sky sky = solve_sky(static_cast<int>(channel),
-                              [&](std::size_t i) { return static_cast<double>(weight_[i]) * light[i]; });
-    for (const std::size_t i : used_[channel])
-      weighted[i] = static_cast<float>(weight_[i] * (light[i] - sky_at(i / 3, sky)));
+  const SmoothSky::Coefficients of_light =
+      smooth_.solve(threads_, [&](std::size_t i) { return weight_[i] * light[i]; });
+  smooth_.each_weighted(threads_, of_light, [&](std::size_t, std::size_t i, float sky) {
+    weighted[i] = weight_[i] * (light[i] - sky);
   });
 }
 

@@ -6,10 +6,9 @@
 //     gain_c  sum over lines  colour[c][line]  blur(rayleighs of the line)
 //             +  sum over j  sky_j f_j(direction),
 //
-// linear in the map and in the sky. The sky is solved for any given map by weighted least squares with a weak
-// prior, so that no derivative by it is needed (variable projection, Golub and Pereyra 1973,
-// doi:10.1137/0710036). Where a channel was clipped at no light, the data only require that the model is not
-// above it.
+// linear in the map and in the sky. The sky (fit/map/smooth_sky.h) is solved for any given map, so that no
+// derivative by it is needed (variable projection, Golub and Pereyra 1973, doi:10.1137/0710036). Where a
+// channel was clipped at no light, the data only require that the model is not above it.
 #pragma once
 
 #include <array>
@@ -17,6 +16,7 @@
 #include <memory>
 #include <vector>
 
+#include "fit/map/smooth_sky.h"
 #include "fit/photo/photo.h"
 #include "sim/base/number/constants.h"
 #include "sim/render/ground/ground_grid.h"
@@ -83,6 +83,14 @@ class MapObservation {
     light_ = other.light_;
     rates_ = other.rates_;
   }
+  /// Takes a forward operator of its own, on the same lines of sight, and works on one thread from then on:
+  /// copies of a picture can be worked on side by side.
+  void work_alone() {
+    threads_ = 1;
+    light_ = std::make_shared<sim::GroundLight>(light_->on_one_thread());
+  }
+  /// Only these cells are left in the grid of its light (GroundGrid::keep()).
+  void keep_in_grid(const std::vector<bool>& kept) { light_->keep_in_grid(kept); }
   /// Takes other rates for the forward operator (sim/render/ground/ground_rates.h).
   void set_rates(std::vector<float> rates) { light_->set_rates(std::move(rates)); }
   /// Takes the light of other electrons, or of other emission tables, for the forward operator that
@@ -100,7 +108,7 @@ class MapObservation {
   void keep(const std::vector<std::uint8_t>& cells) { light_->keep(cells); }
   void keep_all() { light_->keep_all(); }
 
-  /// The light of a map, without the sky.
+  /// The light of a map, without the sky. Two threads must not call it or add_adjoint() at once.
   void forward(const std::vector<float>& map, MapLight& out) const { forward(map, light_->rate(), out); }
   /// Its derivative by the coefficient of a mode.
   void forward_by_mode(int mode, const std::vector<float>& map, MapLight& out) const {
@@ -114,7 +122,7 @@ class MapObservation {
   /// Subtracts from the weighted product W (light) what the sky can explain of it: for curvatures.
   void take_sky_away(const MapLight& light, MapLight& weighted) const;
   /// The sky that the last residual() found.
-  MapLight sky() const;
+  MapLight sky() const { return smooth_.light(sky_); }
 
   /// The channel whose gain is that of the scene where the white balance is unknown: the first of G, R, B
   /// with data.
@@ -131,15 +139,6 @@ class MapObservation {
   /// Fills the standard deviations of the cells' means.
   void estimate_noise(const Photo& photo, const MapObservationOptions& options,
                       const std::vector<std::uint8_t>& used);
-  void make_sky_basis();
-  void factor_sky();
-  static constexpr std::size_t kSkyTerms = 10;
-  using Sky = std::array<double, kSkyTerms>;  ///< coefficients
-  /// The sky in a channel, by least squares: `weighted(i)` is the weight of value i times the light that the
-  /// sky must explain.
-  template <class Value>
-  Sky solve_sky(int channel, const Value& weighted) const;
-  double sky_at(std::size_t cell, const Sky& sky) const;
 
   sim::Scene scene_;
   sim::FilmGeometry film_;
@@ -148,15 +147,15 @@ class MapObservation {
   bool clips_ = false;  ///< whether negative light was stored as 0
   std::size_t values_ = 0;
   MapLight data_, sigma_, noise_, weight_;
-  std::array<std::vector<std::size_t>, 3> used_;  ///< values with a weight, by channel
-  std::array<Sky, 3> sky_{};                      ///< that residual() has found
+  SmoothSky smooth_;
+  SmoothSky::Coefficients sky_{};  ///< that residual() has found
   std::vector<std::uint8_t> wanted_;
   std::vector<std::array<double, 3>> colour_;  ///< per rayleigh of each line
   std::vector<sim::PlaneBlur> blur_;
   std::shared_ptr<sim::GroundLight> light_;
   std::shared_ptr<const sim::ModeRates> rates_;
-  std::vector<float> sky_basis_;                    ///< [cell * terms + term]
-  std::array<std::vector<double>, 3> sky_inverse_;  ///< (B' W B + prior)^-1 of a channel
+  // Memory of forward() and add_adjoint(), kept from call to call.
+  mutable std::vector<float> rayleighs_, planes_, blurred_;
 };
 
 }  // namespace vegard::fit

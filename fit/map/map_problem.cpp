@@ -192,7 +192,7 @@ MapSolution MapProblem::solve(std::vector<MapObservation>& pictures, std::vector
   o.stop = options.stop;
   const auto values = static_cast<double>(all_values(pictures));
   const int steps = o.steps;
-  if (options.progress)
+  if (options.progress && !stage.empty())
     o.progress = [&](int step, double chi2) {
       if (step % 10 == 0) options.progress(stage, chi2 / values, from + (to - from) * step / steps);
     };

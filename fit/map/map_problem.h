@@ -61,7 +61,8 @@ class MapProblem {
   /// The same for the modes and other numbers that these scenes have.
   void look_by_light(std::vector<MapObservation>& pictures, const std::vector<sim::Scene>& of_scenes,
                      const sim::ElectronSpectrum& spectrum) const;
-  /// Solves with the modes of the tables, or with what `options` says.
+  /// Solves with the modes of the tables, or with what `options` says. Progress is told unless `stage` is
+  /// empty.
   MapSolution solve(std::vector<MapObservation>& pictures, std::vector<float> start, double sparsity,
                     int steps, const std::string& stage, double from, double to) const;
   MapSolution solve(std::vector<MapObservation>& pictures, std::vector<float> start, const std::string& stage,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "sim/base/number/constants.h"
@@ -199,6 +200,12 @@ class MapSolver {
     }
   }
 
+  static std::vector<std::uint32_t> all_of(std::size_t cells) {
+    std::vector<std::uint32_t> all(cells);
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+
   void see_light() {
     for (std::size_t p = 0; p < pictures_.size(); ++p) pictures_[p].forward(x_, light_[p]);
   }
@@ -211,14 +218,20 @@ class MapSolver {
     const auto dark = static_cast<float>(kDark * most);
     std::vector<std::uint8_t> kept(cells_);
     std::size_t count = 0;
-    for (std::size_t c = 0; c < cells_; ++c) {
+    for (const std::uint32_t c : lit_) {
       kept[c] = smooth_[c] > dark || flux_[c] > dark ? 1 : 0;
       count += kept[c];
     }
-    if (static_cast<double>(count) > kFewer * static_cast<double>(kept_)) return;
-    kept_ = count;
-    for (std::size_t i = 0; i < n_; ++i)
-      if (kept[i / kGroundEnergies] == 0) x_[i] = 0.0f;
+    if (static_cast<double>(count) > kFewer * static_cast<double>(lit_.size())) return;
+    std::size_t lit = 0;
+    for (const std::uint32_t c : lit_)
+      if (kept[c] != 0)
+        lit_[lit++] = c;
+      else
+        for (std::size_t i = c * std::size_t{kGroundEnergies}; i < (c + 1) * std::size_t{kGroundEnergies};
+             ++i)
+          x_[i] = step_[i] = 0.0f;
+    lit_.resize(lit);
     for (MapObservation& picture : pictures_) picture.keep(kept);
     see_light();
   }
@@ -335,9 +348,16 @@ class MapSolver {
     return false;
   }
 
+  /// Calls body(i, c) for each number i of the cells c that have not been put out.
+  template <class Body>
+  void each_lit(const Body& body) const {
+    for (const std::uint32_t c : lit_)
+      for (std::size_t k = 0; k < kGroundEnergies; ++k) body(c * std::size_t{kGroundEnergies} + k, c);
+  }
+
   void add_penalties() {
-    for (std::size_t i = 0; i < n_; ++i)
-      gradient_[i] += linear_[i / kGroundEnergies] + bond_[i] * (x_[i] - target_[i]);
+    each_lit(
+        [&](std::size_t i, std::size_t c) { gradient_[i] += linear_[c] + bond_[i] * (x_[i] - target_[i]); });
   }
 
   /// Barzilai's and Borwein's lengths in the scaled metric; 1 after a revision.
@@ -347,26 +367,25 @@ class MapSolver {
       return;
     }
     double sds = 0.0, sy = 0.0, yy = 0.0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      const double sx = static_cast<double>(x_[i]) - x_before_[i],
-                   y = static_cast<double>(gradient_[i]) - gradient_before_[i];
-      const double d = std::max(1e-30, static_cast<double>(x_[i]) * scale_[i]);
-      sds += sx * sx / d;
-      sy += sx * y;
-      yy += y * y * d;
-    }
+    each_lit([&](std::size_t i, std::size_t) {
+      const float sx = x_[i] - x_before_[i], y = gradient_[i] - gradient_before_[i];
+      const float d = std::max(1e-30f, x_[i] * scale_[i]);
+      sds += static_cast<double>(sx) * sx / d;
+      sy += static_cast<double>(sx) * y;
+      yy += static_cast<double>(y) * y * d;
+    });
     if (sy > 0.0) length_ = std::clamp(wanted == StepLength::longer ? sds / sy : sy / yy, 1e-2, 1e3);
   }
 
   /// The step along the scaled gradient to where x >= 0. Returns the slope along it.
   double project_step() {
     double slope = 0.0;
-    for (std::size_t i = 0; i < n_; ++i) {
-      const double d = static_cast<double>(x_[i]) * scale_[i];
-      const double to = std::max(0.0, x_[i] - length_ * d * gradient_[i]);
-      step_[i] = static_cast<float>(to - x_[i]);
+    const auto length = static_cast<float>(length_);
+    each_lit([&](std::size_t i, std::size_t) {
+      const float to = std::max(0.0f, x_[i] - length * x_[i] * scale_[i] * gradient_[i]);
+      step_[i] = to - x_[i];
       slope += static_cast<double>(step_[i]) * gradient_[i];
-    }
+    });
     return slope;
   }
 
@@ -379,7 +398,9 @@ class MapSolver {
       pictures_[p].take_sky_away(along_[p], weighted);
       curvature += dot(along_[p], weighted);
     }
-    for (std::size_t i = 0; i < n_; ++i) curvature += static_cast<double>(bond_[i]) * step_[i] * step_[i];
+    each_lit([&](std::size_t i, std::size_t) {
+      curvature += static_cast<double>(bond_[i] * step_[i]) * step_[i];
+    });
     return curvature > 0.0 ? std::min(1.0, -slope / curvature) : 1.0;
   }
 
@@ -387,7 +408,7 @@ class MapSolver {
     gradient_before_ = gradient_;
     x_before_ = x_;
     const auto t = static_cast<float>(share);
-    for (std::size_t i = 0; i < n_; ++i) x_[i] = std::max(0.0f, x_[i] + t * step_[i]);
+    each_lit([&](std::size_t i, std::size_t) { x_[i] = std::max(0.0f, x_[i] + t * step_[i]); });
     for (std::size_t p = 0; p < pictures_.size(); ++p)
       for (std::size_t i = 0; i < light_[p].size(); ++i) light_[p][i] += t * along_[p][i];
   }
@@ -409,7 +430,7 @@ class MapSolver {
   std::vector<MapLight> light_, residual_, along_;  // by picture; along_: the light of step_
   double chi2_ = 0.0, length_ = 1.0, objective_before_ = std::numeric_limits<double>::infinity();
   int steps_ = 0;
-  std::size_t kept_ = cells_;  ///< cells that have not been left out
+  std::vector<std::uint32_t> lit_ = all_of(cells_);  ///< cells that have not been put out
 };
 
 }  // namespace

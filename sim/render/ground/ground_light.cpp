@@ -47,7 +47,7 @@ GroundLight::GroundLight(const Scene& scene, const Site& home, const GroundGrid&
                          const std::vector<double>& energies_kev, double rates_at_flux_mw_m2, int threads,
                          double altitude_scale, const ElectronSpectrum& spectrum,
                          const std::atomic<bool>* stop)
-    : sight_(sight_lines(scene, home, grid, film, wanted, threads, stop)),
+    : sight_(std::make_shared<const SightLines>(sight_lines(scene, home, grid, film, wanted, threads, stop))),
       lines_of_light_(static_cast<int>(scene.emission.lines.size())),
       threads_(threads),
       numbers_(static_cast<std::size_t>(grid.cells()) * kGroundEnergies),
@@ -82,7 +82,7 @@ void GroundLight::keep(const std::vector<std::uint8_t>& kept) {
     share_work();
     return;
   }
-  const SightLines& from = sight_;
+  const SightLines& from = *sight_;
   SightLines left;
   left.first.reserve(from.first.size());
   left.first.push_back(0);
@@ -102,6 +102,36 @@ void GroundLight::keep(const std::vector<std::uint8_t>& kept) {
 void GroundLight::keep_all() {
   kept_ = {};
   all_ = true;
+  share_work();
+}
+
+GroundLight GroundLight::on_one_thread() const {
+  GroundLight other = *this;
+  other.threads_ = 1;
+  return other;
+}
+
+void GroundLight::keep_in_grid(const std::vector<bool>& kept) {
+  assert(all_ && kept.size() * kGroundEnergies == numbers_);
+  std::vector<std::uint32_t> number(kept.size());
+  std::uint32_t count = 0;
+  for (std::size_t cell = 0; cell < kept.size(); ++cell) {
+    number[cell] = count;
+    count += kept[cell] ? 1 : 0;
+  }
+  SightLines left;
+  left.first = {0};
+  for (std::size_t ray = 0; ray < rays(); ++ray) {
+    for (std::size_t i = sight_->first[ray]; i < sight_->first[ray + 1]; ++i) {
+      SightStretch stretch = sight_->stretch[i];
+      if (!kept[stretch.cell]) continue;
+      stretch.cell = number[stretch.cell];
+      left.stretch.push_back(stretch);
+    }
+    left.first.push_back(left.stretch.size());
+  }
+  sight_ = std::make_shared<const SightLines>(std::move(left));
+  numbers_ = std::size_t{count} * kGroundEnergies;
   share_work();
 }
 
@@ -145,12 +175,12 @@ void GroundLight::forward(const std::vector<float>& map, const std::vector<float
 void GroundLight::forward(const std::vector<float>& map, const LightBelow& light_below,
                           std::vector<float>& rayleighs) const {
   assert(map.size() == numbers_);
-  rayleighs.resize(sight_.rays() * lines_of_light_);
+  rayleighs.resize(rays() * lines_of_light_);
   flux_.resize(numbers_ / kGroundEnergies);
   std::memcpy(flux_.data(), map.data(), numbers_ * sizeof(float));
   constexpr std::size_t kRun = 512;
-  parallel_for((sight_.rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
-    const std::size_t first = run * kRun, last = std::min(first + kRun, sight_.rays());
+  parallel_for((rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+    const std::size_t first = run * kRun, last = std::min(first + kRun, rays());
     sum_light(in_use(), light_below, flux_.data(), first, last, rayleighs.data());
     for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
       rayleighs[i] *= transmission_[i];

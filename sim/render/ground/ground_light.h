@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "sim/light/spectrum_profile.h"
@@ -65,10 +66,16 @@ class GroundLight {
   void keep(const std::vector<std::uint8_t>& kept);
   void keep_all();
 
+  /// The same light for one thread, on the same lines of sight: copies can be used side by side.
+  GroundLight on_one_thread() const;
+  /// Only these cells are left in the grid (GroundGrid::keep()): what it has over others is forgotten. No
+  /// cell may be left out by keep().
+  void keep_in_grid(const std::vector<bool>& kept);
+
   int lines() const { return lines_of_light_; }
-  std::size_t rays() const { return sight_.rays(); }
-  std::size_t numbers() const { return numbers_; }    ///< size of a map: cells x kGroundEnergies
-  const SightLines& sight() const { return sight_; }  ///< of all cells
+  std::size_t rays() const { return sight_->rays(); }
+  std::size_t numbers() const { return numbers_; }     ///< size of a map: cells x kGroundEnergies
+  const SightLines& sight() const { return *sight_; }  ///< of all cells
   const std::vector<float>& rate() const { return rate_; }
   LightBelow light_below() const { return {lines_of_light_, below_.data()}; }
 
@@ -84,13 +91,14 @@ class GroundLight {
   void add_adjoint(const std::vector<float>& rayleighs, std::vector<float>& map) const;
 
  private:
-  const SightLines& in_use() const { return all_ ? sight_ : kept_; }
+  const SightLines& in_use() const { return all_ ? *sight_ : kept_; }
   void share_work();
   std::vector<GroundNumbers> below_of(const std::vector<float>& rate) const;
   void forward(const std::vector<float>& map, const LightBelow& light_below,
                std::vector<float>& rayleighs) const;
 
-  SightLines sight_, kept_;
+  std::shared_ptr<const SightLines> sight_;  ///< copies have it together
+  SightLines kept_;
   bool all_ = true;
   int lines_of_light_ = 0, threads_ = 0;
   std::size_t numbers_ = 0;

@@ -148,8 +148,9 @@ void march(const HomeRay& ray, double end_km, const FieldOver& field, const Grou
       const double east = next.east_km - foot.east_km, north = next.north_km - foot.north_km;
       const double finest =
           std::min(grid.finest_km(foot.east_km, foot.north_km), grid.finest_km(next.east_km, next.north_km));
-      const int steps = std::clamp(static_cast<int>(std::hypot(east, north) / (kShareOfCell * finest)) + 1, 1,
-                                   kMaxAltitudeSteps);
+      const int steps =
+          std::clamp(static_cast<int>(std::sqrt(east * east + north * north) / (kShareOfCell * finest)) + 1,
+                     1, kMaxAltitudeSteps);
       for (int i = 0; i < steps; ++i) {
         const double t = (i + 0.5) / steps;
         stretches.add(grid.cell_at(foot.east_km + t * east, foot.north_km + t * north), bin,
