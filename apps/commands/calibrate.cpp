@@ -17,6 +17,7 @@
 #include "apps/output/plot_file.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/measurement/calibration_words.h"
 #include "fit/measurement/camera_calibration.h"
 #include "fit/measurement/same_lens_calibration.h"
 #include "fit/photo/codec/picture_format.h"

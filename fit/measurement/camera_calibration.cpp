@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/measurement/calibration_inputs.h"
 #include "fit/photo/mask/circle.h"
 #include "fit/photo/photo.h"
 #include "fit/photo/photo_metadata.h"
@@ -18,16 +19,12 @@
 #include "fit/photo/pointing/blind/stars_by_hand.h"
 #include "fit/photo/pointing/calibration_tables.h"
 #include "fit/photo/pointing/catalogue_sky.h"
-#include "fit/photo/pointing/exchange/aida_camera.h"
-#include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/exchange/star_files.h"
 #include "fit/photo/pointing/held_out.h"
 #include "fit/photo/pointing/map_calibration.h"
 #include "fit/photo/pointing/star_check.h"
-#include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
-#include "sim/base/picture/pixel_limit.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/sky/planets.h"
@@ -36,130 +33,13 @@
 namespace vegard::fit {
 namespace {
 
-constexpr int kLensesShown = 8;
 constexpr const char* kFittingWork = "choosing the lens";
 constexpr const char* kDeeperWork = "choosing the lens with fainter stars";
-
-std::string name_without_folder(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-bool is_given_size(const CalibrationRequest& request, int width, int height) {
-  return request.size_px.empty() || (request.size_px[0] == width && request.size_px[1] == height);
-}
-
-/// Of the picture or of the option; else large enough for the stars.
-Frame frame_of_stars(const CalibrationRequest& request, const std::optional<Photo>& photo,
-                     const std::vector<StarSighting>& stars) {
-  if (photo) {
-    const Frame frame{photo->linear.width, photo->linear.height, true};
-    if (!is_given_size(request, frame.width_px, frame.height_px))
-      throw usage_error("--size", "the picture has another size", "no --size with --image");
-    return frame;
-  }
-  if (!request.size_px.empty()) {
-    if (request.size_px[0] < 1 || request.size_px[1] < 1 ||
-        std::max(request.size_px[0], request.size_px[1]) > 65535)
-      throw usage_error("--size", "no such size", "two numbers from 1 to 65535");
-    return {request.size_px[0], request.size_px[1], true};
-  }
-  double right = 1.0, bottom = 1.0;
-  for (const StarSighting& star : stars) {
-    right = std::max(right, std::min(star.x_px, 65000.0));
-    bottom = std::max(bottom, std::min(star.y_px, 65000.0));
-  }
-  return {static_cast<int>(std::ceil(right)), static_cast<int>(std::ceil(bottom)), false};
-}
-
-Frame frame_of_maps(const CalibrationRequest& request, const std::optional<Photo>& photo,
-                    const sim::DirectionMap& map) {
-  if (photo && (photo->linear.width != map.width || photo->linear.height != map.height))
-    throw usage_error("--image", "the picture has another size than the maps", "the maps' own picture");
-  if (!is_given_size(request, map.width, map.height))
-    throw usage_error("--size", "the maps have another size", "no --size with maps");
-  return {map.width, map.height, true};
-}
-
-/// The points of light of solve-field's list, if the table of stars is one.
-std::optional<StarPoints> listed_points(const CalibrationRequest& request) {
-  if (request.stars.empty()) return std::nullopt;
-  const std::string bytes = sim::input_bytes(request.stars, "a table of stars");
-  if (!is_star_list(bytes, request.stars)) return std::nullopt;
-  if (request.camera.empty())
-    throw usage_error("--camera", "points of light alone are stars of a rough camera",
-                      "--camera CAMERA.toml with the list, or --image alone");
-  return read_star_list(bytes, request.stars);
-}
 
 void check_scene(const Calibration& calibration) {
   sim::Scene scene;
   scene.camera = scene_camera_of(calibration);
   sim::validate(scene);
-}
-
-/// From the pixels of a crop to those of the picture.
-void move_by_offset(const CalibrationRequest& request, StarSighting& star) {
-  if (request.offset_px.empty()) return;
-  star.x_px += request.offset_px[0];
-  star.y_px += request.offset_px[1];
-}
-
-/// The stars of the table, in the pixels of the picture.
-std::vector<StarSighting> table_of(const CalibrationRequest& request, const SkyOfPicture& sky) {
-  std::vector<StarSighting> stars = read_star_table(request.stars, sky, request.first_pixel);
-  for (StarSighting& star : stars) move_by_offset(request, star);
-  return stars;
-}
-
-sim::DirectionMap map_of_wcs(const CalibrationRequest& request, int width, int height,
-                             const SkyOfPicture& sky) {
-  SipWcs wcs = read_sip_wcs(sim::input_bytes(request.wcs, "the .wcs file of solve-field"), request.wcs);
-  require_sky(sky, request.wcs);
-  if (wcs.width_px == 0 || wcs.height_px == 0) {
-    wcs.width_px = width;
-    wcs.height_px = height;
-  }
-  if (wcs.width_px == 0)
-    throw usage_error("--size", "the solution does not say how large its picture is", "--size or --image");
-  sim::check_pixel_limit(wcs.width_px, wcs.height_px, request.wcs);
-  return directions_of_wcs(wcs, *sky.observer, *sky.julian_date);
-}
-
-sim::DirectionMap map_of_aida(const CalibrationRequest& request, int width, int height) {
-  const std::vector<AidaCamera> cameras =
-      read_aida_cameras(sim::input_bytes(request.acc, "a camera of AIDA_tools"), request.acc);
-  const auto chosen = std::find_if(cameras.begin(), cameras.end(), [&](const AidaCamera& one) {
-    return !request.acc_line || one.line == *request.acc_line;
-  });
-  if (cameras.size() > 1 && !request.acc_line)
-    throw usage_error("--acc-line", "the file has " + std::to_string(cameras.size()) + " cameras",
-                      "the line of one of them");
-  if (chosen == cameras.end())
-    throw usage_error("--acc-line", "there is no camera in line " + std::to_string(*request.acc_line),
-                      "a line of the file");
-  if (width == 0) throw usage_error("--size", "a camera of AIDA's has no size", "--size W,H or --image");
-  return directions_of_aida(*chosen, width, height);
-}
-
-/// Where the pixels look by another program's solution. Throws Error(usage, unreadable_input).
-KnownMaps told_directions(const CalibrationRequest& request, const std::optional<Photo>& photo,
-                          const SkyOfPicture& sky) {
-  int width = 0, height = 0;
-  if (photo) {
-    width = photo->linear.width;
-    height = photo->linear.height;
-  } else if (!request.size_px.empty()) {
-    width = request.size_px[0];
-    height = request.size_px[1];
-    sim::check_pixel_limit(width, height, "--size");
-  }
-  KnownMaps known;
-  known.file = request.source();
-  known.names = name_without_folder(known.file);
-  known.map =
-      request.wcs.empty() ? map_of_aida(request, width, height) : map_of_wcs(request, width, height, sky);
-  flip_map(request.flip, known.map);
-  return known;
 }
 
 /// Why no stars were recognised from an earlier camera, and what would help.
@@ -181,9 +61,6 @@ std::string chance_line(const Identification& found, const std::string& camera) 
          "moved";
 }
 
-constexpr double kFirstRange = 1.5;  // magnitudes: stars are matched first to so much less than the faintest
-constexpr std::size_t kFewInView = 10;  // six are the least that chance does not explain after a short search
-
 /// What a field without enough stars of the table needs.
 std::string narrow_line(std::size_t in_view) {
   return fmt::format(
@@ -192,6 +69,9 @@ std::string narrow_line(std::size_t in_view) {
       "tables are deeper (--wcs FIELD.wcs)",
       in_view, kFaintestKnown);
 }
+
+constexpr double kFirstRange = 1.5;  // magnitudes: stars are matched first to so much less than the faintest
+constexpr std::size_t kFewInView = 10;  // six are the least that chance does not explain after a short search
 
 /// The decisions of one calibration, in their order.
 class CameraCalibrator {
@@ -641,7 +521,7 @@ void CameraCalibrator::fit_camera() {
   check_scene(*found_.calibration);
 
   CalibrationOrigin& origin = found_.origin;
-  origin.stars = maps_ ? maps_->names : name_without_folder(from);
+  origin.stars = maps_ ? maps_->names : std::filesystem::path(from).filename().string();
   if ((maps_ || !request_.stars.empty()) && found_.photo) origin.image = found_.photo->file_name;
   for (const PhotoFact& fact : says_.taken) origin.from_photograph.push_back(fact_text(fact));
   origin.site_known = found_.sky.observer.has_value();
@@ -687,75 +567,11 @@ CameraCalibration calibrate_camera(const CalibrationRequest& request, const Tell
   return CameraCalibrator(request, tell).run();
 }
 
-std::string recognised_table(const CameraCalibration& found) {
-  if (!found.blind || !found.blind->place) return {};
-  return found.calibration ? stars_csv(*found.calibration) : stars_csv(found.blind->picture.recognition);
-}
-
-std::string lens_line(const Calibration& calibration) {
-  return "lens: " + words_of(calibration.form) + (calibration.camera.mirrored ? ", mirrored" : "");
-}
-
-std::string rms_line(const Calibration& calibration) {
-  if (calibration.maps)
-    return fmt::format("rms: {} px over {} of {} points of the maps",
-                       sim::short_number(calibration.rms_px, 3), calibration.used(),
-                       calibration.stars.size());
-  return fmt::format("rms: {:.3f} px over {} of {} stars; each star by a fit without it: {:.3f} px",
-                     calibration.rms_px, calibration.used(), calibration.stars.size(),
-                     calibration.without_rms_px);
-}
-
-std::string axis_line(const Calibration& calibration) {
-  return fmt::format("the axis is known to {} deg, the turn about it to {} deg",
-                     sim::short_number(calibration.line_of_sight_sigma_deg, 2),
-                     sim::short_number(calibration.twist_sigma_deg, 2));
-}
-
 std::string elsewhere_line(const LocalStars& local) {
   return fmt::format(
       "the time or the site is not this picture's: {} of its {} recognised stars were below the horizon "
       "there then. Nothing was written but what the stars say alone",
       local.below_horizon, local.recognised);
-}
-
-void tell_calibration(const CameraCalibration& found, const Tell& tell) {
-  const Calibration& calibration = *found.calibration;
-  if (calibration.candidates.size() > 1) tell.lines(candidates_text(calibration, kLensesShown));
-  tell(lens_line(calibration));
-  tell(rms_line(calibration));
-  if (calibration.maps) tell(words_of(*calibration.maps));
-  if (!calibration.maps) tell(held_out_line(calibration));
-  if (const std::string points = explained_line(calibration); !points.empty()) tell(points);
-  for (const CameraEstimate& estimate : calibration.estimates)
-    if (estimate.free)
-      tell("camera." + estimate.key() + ": " + sim::number_with_error(estimate.value, estimate.sigma) + " " +
-           estimate.unit());
-  tell(axis_line(calibration));
-  if (calibration.maps && calibration.used() < static_cast<int>(calibration.stars.size()))
-    tell(fmt::format("left out: {} points, farther off than the others' scatter explains",
-                     static_cast<int>(calibration.stars.size()) - calibration.used()));
-  for (std::size_t i = 0; !calibration.maps && i < calibration.stars.size(); ++i) {
-    const StarResidual& one = calibration.residuals[i];
-    if (one.used) continue;
-    const StarSighting& star = calibration.stars[i];
-    tell(fmt::format("left out: {}{} at ({:.1f}, {:.1f}), {:.2f} px off",
-                     star.name.empty() ? "the star" : star.name,
-                     star.line > 0 ? " of line " + std::to_string(star.line) : "", star.x_px, star.y_px,
-                     std::hypot(one.dx_px, one.dy_px)));
-  }
-  for (const std::string& warning : calibration.warnings) tell("note: " + warning);
-  if (!found.frame.known) tell("note: the picture's size was guessed from its stars: set --size or --image");
-}
-
-nlohmann::ordered_json answer_json(const CameraCalibration& found) {
-  if (found.calibration)
-    return nlohmann::ordered_json::parse(calibration_json(*found.calibration, found.origin));
-  if (!found.blind) return {{"found", false}, {"words", found.chance}};
-  const StarRecognition& recognition = found.blind->picture.recognition;
-  nlohmann::ordered_json json = {{"found", recognition.found}, {"words", words_of(recognition)}};
-  if (found.blind->place) json["place"] = words_of(*found.blind->place, recognition.best);
-  return json;
 }
 
 }  // namespace vegard::fit

@@ -40,20 +40,7 @@ struct CameraCalibration {
 /// Error(scene).
 CameraCalibration calibrate_camera(const CalibrationRequest& request, const Tell& tell);
 
-/// The table of the stars that were recognised blindly; empty if there are none.
-std::string recognised_table(const CameraCalibration& found);
-
-/// "lens: equidistant", "rms: 0.123 px over 40 of 41 stars; ...", "the axis is known to 0.01 deg, ...".
-std::string lens_line(const Calibration& calibration);
-std::string rms_line(const Calibration& calibration);
-std::string axis_line(const Calibration& calibration);
-
 /// That time or place is another picture's: how many of the recognised stars were below the horizon.
 std::string elsewhere_line(const LocalStars& local);
-
-void tell_calibration(const CameraCalibration& found, const Tell& tell);
-
-/// The numbers as JSON: calibration_json(), or what the stars say of a picture without time and place.
-nlohmann::ordered_json answer_json(const CameraCalibration& found);
 
 }  // namespace vegard::fit

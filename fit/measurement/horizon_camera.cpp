@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/measurement/calibration_words.h"
 #include "fit/photo/picture_field_of_view.h"
 #include "fit/photo/scene_photos.h"
 #include "sim/base/error.h"

@@ -1,3 +1,4 @@
+#include "fit/measurement/calibration_words.h"
 #include "fit/measurement/measure_stages.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include "fit/photo/pointing/held_out.h"
 #include "fit/report/calibration_plots.h"
 #include "sim/base/utc_time.h"
+#include "sim/scene/file/scene_toml.h"
 #include "sim/view/sky/star_place.h"
 
 namespace vegard::fit {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/measurement/calibration_words.h"
 #include "fit/photo/pointing/calibration_doubts.h"
 #include "fit/photo/pointing/joint/same_lens.h"
 #include "sim/base/error.h"
