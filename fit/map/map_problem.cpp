@@ -66,7 +66,7 @@ std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Pho
 
 int fine_pixels(const sim::Camera& camera) {
   const double pixels = static_cast<double>(camera.width) * camera.height;
-  return std::max(1, static_cast<int>(std::lround(std::sqrt(pixels / kFilmCells))));
+  return std::max(1, static_cast<int>(std::sqrt(pixels / kFilmCells)));
 }
 
 std::vector<MapNumber> numbers_of(const sim::Scene& scene) {

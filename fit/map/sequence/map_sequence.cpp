@@ -16,6 +16,7 @@
 #include "fit/map/sequence/sparse_map.h"
 #include "fit/map/solution_draw.h"
 #include "sim/base/error.h"
+#include "sim/base/parallel.h"
 #include "sim/scene/table/value_check.h"
 
 namespace vegard::fit {
@@ -239,8 +240,9 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
     }
     return start;
   };
-  const auto solved = [&](const std::vector<float>& start, const std::vector<float>& prediction, int steps,
-                          double sparsity, std::vector<float> factors) {
+  const auto solved = [&](std::vector<MapObservation>& of, const std::vector<float>& start,
+                          const std::vector<float>& prediction, int steps, double sparsity,
+                          std::vector<float> factors) {
     MapSolverOptions o;
     o.sparsity = sparsity;
     o.cell_factor = std::move(factors);
@@ -251,13 +253,13 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
       o.time_bond = kFinerCells * bond;
       o.unpredicted = unpredicted;
     }
-    one.keep(kept);
-    return solve(*fine_, picture, start, o).map;
+    of.front().keep(kept);
+    return solve(*fine_, of, start, o).map;
   };
   const std::vector<float> begin =
       carried || before.begun ? start_from(best) : start_from(std::vector<float>(common_->map));
   const std::vector<float> map =
-      solved(begin, best, carried ? kFrameSteps : 2 * kBeginSteps, common_->sparsity, {});
+      solved(picture, begin, best, carried ? kFrameSteps : 2 * kBeginSteps, common_->sparsity, {});
   SparseMap(map).store(out, "map 0");
   out.numbers["gain"] = {one.gain[0], one.gain[1], one.gain[2]};
   const std::vector<CellFlux> cells = reading_->cells(map);
@@ -266,12 +268,14 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
   one.residual(truth, residual);
   const MapLight sky = one.sky();
   for (std::size_t i = 0; i < truth.size(); ++i) truth[i] += sky[i];
-  const std::array<double, 3> gain = one.gain;
-  for (std::size_t r = 0; r < perturbed_.size() && !problem_->stopped(); ++r) {
+  std::vector<SparseMap> perturbed(perturbed_.size());
+  sim::parallel_for(perturbed_.size(), options_.threads, [&](std::size_t r, int) {
+    if (problem_->stopped()) return;
     const PerturbedSequence& p = perturbed_[r];
-    one.set_rates(p.rates);
-    one.gain = gain;
-    one.set_data(p.draw.data(one, truth, 0, number, options_.threads));
+    std::vector<MapObservation> alone = picture;
+    alone.front().work_alone();
+    alone.front().set_rates(p.rates);
+    alone.front().set_data(p.draw.data(one, truth, 0, number, 1));
     const std::vector<float> prediction = predicted(r + 1);
     // Drawn about the best map each time: drawn about its own, light that no picture holds would grow.
     std::vector<float> start = p.draw.start(map, cells, problem_->energies_kev);
@@ -280,10 +284,10 @@ StepOutput Sequence::solved_frame(std::size_t number, const Photo& photo, const 
         start[i] = static_cast<float>(kOfPicture * start[i] + (1.0 - kOfPicture) * prediction[i]);
     for (std::size_t i = 0; i < start.size(); ++i)
       if (kept[i / kGroundEnergies] == 0) start[i] = 0.0f;
-    SparseMap(solved(start, prediction, carried ? kPerturbedSteps : kBeginSteps, p.sparsity, p.prior_factors))
-        .store(out, "map " + std::to_string(r + 1));
-  }
-  one.set_modes(problem_->modes);
+    perturbed[r] = SparseMap(solved(alone, start, prediction, carried ? kPerturbedSteps : kBeginSteps,
+                                    p.sparsity, p.prior_factors));
+  });
+  for (std::size_t r = 0; r < perturbed.size(); ++r) perturbed[r].store(out, "map " + std::to_string(r + 1));
   SparseMap(coarse.map).store(out, "coarse map");
   if (coarse.drift.moves()) {
     const auto of = [](const Eigen::MatrixXd& m) {
