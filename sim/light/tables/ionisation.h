@@ -1,4 +1,4 @@
-// Ion pairs that mono-energetic electrons make on their way down.
+// Ion pairs that mono-energetic electrons and protons make on their way down.
 //
 // Source: Fang et al. 2010, Geophys. Res. Lett. 37, L22106, doi:10.1029/2010GL045406, equations (1) to (5)
 // and table 1: electrons of 0.1 keV to 1 MeV that come isotropically out of the upper half-space,
@@ -8,6 +8,11 @@
 //
 // The integral of f dz/H over all altitudes is 0.84 at 0.1 keV, 0.93 to 0.97 from 0.3 to 2 keV and 0.98
 // to 1.02 from 2 to 300 keV: the paper's formula deviates so far from 35 eV per ion pair.
+//
+// Protons: Fang et al. 2013, J. Geophys. Res. 118, 5369, doi:10.1002/jgra.50484, equations (3) to (7), of the
+// same energies and directions, with y = (7.5 keV/E) (rho H / 1e-4 g cm^-2)^0.9, three terms of f, and the
+// same 35 eV. Protons really spend 22 eV (at 0.1 keV) to 33 eV (at 1 MeV) on an ion pair, so that the
+// integral of f dz/H is 1.60 to 1.05.
 #pragma once
 
 namespace vegard::sim {
@@ -35,5 +40,9 @@ LogRate log_ionisation(const StoppingAir& air, double energy_kev);
 
 /// Returns f(y) of the paper.
 double energy_dissipation(double y, double energy_kev);
+
+/// Return the same for protons. Below 0.1 keV the coefficients are those of 0.1 keV.
+LogRate log_proton_ionisation(const StoppingAir& air, double energy_kev);
+double proton_energy_dissipation(double y, double energy_kev);
 
 }  // namespace vegard::sim

@@ -90,5 +90,40 @@ TEST(Ionisation, IsFiniteWhereNothingArrives) {
   EXPECT_LT(rate.value, -1000.0);
 }
 
+/// As share_of_energy(), of protons, whose y goes by the power 0.9 of rho H.
+double share_of_proton_energy(double energy_kev) {
+  constexpr double step = 0.01;
+  double sum = 0.0;
+  for (double log_y = -15.0; log_y < 12.0; log_y += step)
+    sum += proton_energy_dissipation(std::exp(log_y), energy_kev) * step / 0.9;
+  return sum;
+}
+
+TEST(ProtonIonisation, SpendsTheEnergyPerIonPairOfItsSource) {
+  // Fang et al. 2013, abstract: a nearly monotonic increase from about 22 eV at 100 eV to 33 eV at 1 MeV.
+  EXPECT_NEAR(35.0 / share_of_proton_energy(0.1), 22.0, 0.6);
+  EXPECT_NEAR(35.0 / share_of_proton_energy(1000.0), 33.0, 0.7);
+  double last_ev = 0.0;
+  for (const double energy : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 300.0, 1000.0}) {
+    const double ev = 35.0 / share_of_proton_energy(energy);
+    EXPECT_GT(ev, last_ev) << energy;
+    last_ev = ev;
+  }
+}
+
+TEST(ProtonIonisation, GrowsWithTheEnergyAsItsSlopeSays) {
+  constexpr double h = 1e-5;
+  for (const double column : {1e-9, 1e-6, 1e-4}) {
+    const StoppingAir air{column, 6e5};
+    for (const double energy : {0.05, 0.3, 3.0, 40.0}) {
+      const double difference = (log_proton_ionisation(air, energy * std::exp(h)).value -
+                                 log_proton_ionisation(air, energy * std::exp(-h)).value) /
+                                (2.0 * h);
+      EXPECT_NEAR(log_proton_ionisation(air, energy).slope, difference, 1e-6 * (1.0 + std::abs(difference)))
+          << column << " " << energy;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vegard::sim::ionisation_test
