@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/triangulation/map_marks.h"
 #include "sim/base/file/csv_table.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/text.h"
@@ -20,11 +21,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kGroundPoints = 16;  ///< along the ground below a line of sight
 
 std::string number_cell(double value) { return std::isfinite(value) ? sim::csv_number(value) : "NaN"; }
-
-/// Decimals that keep a metre.
-double rounded_to(double value, double step) { return std::round(value / step) * step; }
-
-Json json_value(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string names_of(const Triangulation& all, const std::vector<std::size_t>& cameras) {
   std::string names;
@@ -73,50 +69,9 @@ std::vector<GeodeticPlace> ground_below(const Triangulation& all, std::size_t ca
   return ground;
 }
 
-Json coordinates(const GeodeticPlace& place) {
-  return {rounded_to(place.longitude_deg, 1e-6), rounded_to(place.latitude_deg, 1e-6),
-          rounded_to(1e3 * place.height_km, 0.1)};
-}
-
 GeodeticPlace place_of(const ViewPoint& view) {
   const sim::Site& site = view.camera().site;
   return {site.latitude_deg, site.longitude_deg, 1e-3 * site.altitude_m};
-}
-
-std::string kml_coordinates(const GeodeticPlace& place) {
-  return fmt::format("{:.6f},{:.6f},{:.1f}", place.longitude_deg, place.latitude_deg, 1e3 * place.height_km);
-}
-
-std::string xml_text(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
-
-Json feature(Json geometry, Json properties) {
-  return {{"type", "Feature"}, {"geometry", std::move(geometry)}, {"properties", std::move(properties)}};
-}
-
-std::string kml_mark(const std::string& name, const std::string& words, const std::string& geometry) {
-  return "<Placemark><name>" + xml_text(name) + "</name>" +
-         (words.empty() ? "" : "<description>" + xml_text(words) + "</description>") + geometry +
-         "</Placemark>\n";
-}
-
-std::string kml_line(const std::vector<GeodeticPlace>& places, bool is_on_ground) {
-  std::string text = is_on_ground ? "<LineString><tessellate>1</tessellate><coordinates>"
-                                  : "<LineString><altitudeMode>absolute</altitudeMode><coordinates>";
-  for (const GeodeticPlace& place : places) text += kml_coordinates(place) + " ";
-  return text + "</coordinates></LineString>";
 }
 
 std::string height_words(const TriangulatedPoint& point) {
@@ -216,24 +171,24 @@ nlohmann::ordered_json triangulation_json(const Triangulation& all) {
     if (row.is_curve) continue;
     const TriangulatedPoint& point = row.point;
     json["points"].push_back({{"name", row.name},
-                              {"latitude_deg", json_value(point.place.latitude_deg)},
-                              {"longitude_deg", json_value(point.place.longitude_deg)},
-                              {"height_km", json_value(point.place.height_km)},
-                              {"height_error_km", json_value(point.height_error_km)},
-                              {"miss_km", json_value(point.miss_km)},
-                              {"chi2", json_value(point.chi2)},
-                              {"probability", json_value(point.probability)},
-                              {"parallax_deg", json_value(point.parallax_deg)},
+                              {"latitude_deg", number_or_null(point.place.latitude_deg)},
+                              {"longitude_deg", number_or_null(point.place.longitude_deg)},
+                              {"height_km", number_or_null(point.place.height_km)},
+                              {"height_error_km", number_or_null(point.height_error_km)},
+                              {"miss_km", number_or_null(point.miss_km)},
+                              {"chi2", number_or_null(point.chi2)},
+                              {"probability", number_or_null(point.probability)},
+                              {"parallax_deg", number_or_null(point.parallax_deg)},
                               {"note", note_of(row)}});
   }
   json["curves"] = Json::array();
   for (const CurveSummary& curve : all.curves) {
     Json matches = Json::array();
     for (const CurveBranch& branch : curve.matched.branches)
-      matches.push_back({{"height_km", json_value(branch.mean.km)},
-                         {"height_error_km", json_value(branch.mean.error_km)},
-                         {"common_error_km", json_value(branch.mean.common_error_km)},
-                         {"scatter_km", json_value(branch.mean.scatter_km)},
+      matches.push_back({{"height_km", number_or_null(branch.mean.km)},
+                         {"height_error_km", number_or_null(branch.mean.error_km)},
+                         {"common_error_km", number_or_null(branch.mean.common_error_km)},
+                         {"scatter_km", number_or_null(branch.mean.scatter_km)},
                          {"points", branch.mean.points},
                          {"share", branch.share},
                          {"weight", branch.weight},
@@ -250,73 +205,70 @@ nlohmann::ordered_json triangulation_json(const Triangulation& all) {
 std::string triangulation_geojson(const Triangulation& all) {
   Json features = Json::array();
   for (const ViewPoint& view : all.cameras)
-    features.push_back(feature({{"type", "Point"}, {"coordinates", coordinates(place_of(view))}},
-                               {{"name", view.camera().name}, {"kind", "camera"}}));
+    features.push_back(
+        geojson_feature({{"type", "Point"}, {"coordinates", geojson_coordinates(place_of(view))}},
+                        {{"name", view.camera().name}, {"kind", "camera"}}));
   for (const TriangulatedRow& row : all.rows) {
     if (row.is_curve || !is_shown(row)) continue;
-    features.push_back(feature({{"type", "Point"}, {"coordinates", coordinates(row.point.place)}},
-                               {{"name", row.name},
-                                {"kind", "point"},
-                                {"height_km", row.point.place.height_km},
-                                {"height_error_km", row.point.height_error_km},
-                                {"miss_km", row.point.miss_km},
-                                {"note", note_of(row)}}));
+    features.push_back(
+        geojson_feature({{"type", "Point"}, {"coordinates", geojson_coordinates(row.point.place)}},
+                        {{"name", row.name},
+                         {"kind", "point"},
+                         {"height_km", row.point.place.height_km},
+                         {"height_error_km", row.point.height_error_km},
+                         {"miss_km", row.point.miss_km},
+                         {"note", note_of(row)}}));
     for (const std::size_t camera : row.cameras) {
       Json line = Json::array();
       for (const GeodeticPlace& place : ground_below(all, camera, row.point))
         line.push_back({rounded_to(place.longitude_deg, 1e-6), rounded_to(place.latitude_deg, 1e-6)});
-      features.push_back(feature({{"type", "LineString"}, {"coordinates", line}},
-                                 {{"name", row.name},
-                                  {"kind", "ground below the line of sight"},
-                                  {"camera", all.cameras[camera].camera().name}}));
+      features.push_back(geojson_feature({{"type", "LineString"}, {"coordinates", line}},
+                                         {{"name", row.name},
+                                          {"kind", "ground below the line of sight"},
+                                          {"camera", all.cameras[camera].camera().name}}));
     }
   }
   for (const ShownCurve& curve : shown_curves(all)) {
     Json line = Json::array(), heights = Json::array(), errors = Json::array();
     for (const TriangulatedRow* row : curve.rows) {
-      line.push_back(coordinates(row->point.place));
+      line.push_back(geojson_coordinates(row->point.place));
       heights.push_back(row->point.place.height_km);
       errors.push_back(row->point.height_error_km);
     }
     const bool is_one = line.size() == 1;
     const Json geometry = {{"type", is_one ? "Point" : "LineString"},
                            {"coordinates", is_one ? line[0] : line}};
-    features.push_back(feature(geometry, {{"name", curve.name},
-                                          {"kind", "curve"},
-                                          {"weight", curve.rows.front()->branch_weight},
-                                          {"height_km", heights},
-                                          {"height_error_km", errors}}));
+    features.push_back(geojson_feature(geometry, {{"name", curve.name},
+                                                  {"kind", "curve"},
+                                                  {"weight", curve.rows.front()->branch_weight},
+                                                  {"height_km", heights},
+                                                  {"height_error_km", errors}}));
   }
-  return Json({{"type", "FeatureCollection"}, {"features", features}})
-             .dump(1, ' ', false, Json::error_handler_t::replace) +
-         "\n";
+  return geojson_text(features);
 }
 
 std::string triangulation_kml(const Triangulation& all) {
-  std::string text =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml "
-      "xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n"
-      "<name>vegard triangulate</name>\n";
+  std::string marks;
   const auto mark = [](const GeodeticPlace& place) {
     return "<Point><altitudeMode>absolute</altitudeMode><coordinates>" + kml_coordinates(place) +
            "</coordinates></Point>";
   };
   for (const ViewPoint& view : all.cameras)
-    text += kml_mark(view.camera().name, "camera", mark(place_of(view)));
+    marks += kml_mark(view.camera().name, "camera", mark(place_of(view)));
   for (const TriangulatedRow& row : all.rows) {
     if (row.is_curve || !is_shown(row)) continue;
-    text += kml_mark(row.name, "height " + height_words(row.point), mark(row.point.place));
+    marks += kml_mark(row.name, "height " + height_words(row.point), mark(row.point.place));
     for (const std::size_t camera : row.cameras)
-      text += kml_mark(row.name + " from " + all.cameras[camera].camera().name, "",
-                       kml_line(ground_below(all, camera, row.point), true));
+      marks += kml_mark(row.name + " from " + all.cameras[camera].camera().name, "",
+                        kml_line(ground_below(all, camera, row.point), true));
   }
   for (const ShownCurve& curve : shown_curves(all)) {
     std::vector<GeodeticPlace> places;
     for (const TriangulatedRow* row : curve.rows) places.push_back(row->point.place);
-    text += kml_mark(curve.name, fmt::format("weight {:.2f}", curve.rows.front()->branch_weight),
-                     places.size() == 1 ? mark(places.front()) : kml_line(places, false));
+    marks += kml_mark(curve.name, fmt::format("weight {:.2f}", curve.rows.front()->branch_weight),
+                      places.size() == 1 ? mark(places.front()) : kml_line(places, false));
   }
-  return text + "</Document>\n</kml>\n";
+  return kml_text("vegard triangulate", marks);
 }
 
 }  // namespace vegard::fit

@@ -1,0 +1,35 @@
+// The files of maps: GeoJSON (RFC 7946) and KML (OGC 12-007r2) of places and lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "fit/triangulation/earth_shape.h"
+
+namespace vegard::fit {
+
+/// Returns a number rounded to a step of a decimal.
+double rounded_to(double value, double step);
+
+/// Returns a number, or null for one that is not finite.
+nlohmann::ordered_json number_or_null(double value);
+
+/// Returns longitude and latitude to a micro-degree and the height in metres to a decimetre.
+nlohmann::ordered_json geojson_coordinates(const GeodeticPlace& place);
+std::string kml_coordinates(const GeodeticPlace& place);
+
+nlohmann::ordered_json geojson_feature(nlohmann::ordered_json geometry, nlohmann::ordered_json properties);
+
+/// Returns a mark with a geometry. Markup in name and words is escaped.
+std::string kml_mark(const std::string& name, const std::string& words, const std::string& geometry);
+
+/// Returns a line through places, at their heights above the ellipsoid or along the ground.
+std::string kml_line(const std::vector<GeodeticPlace>& places, bool is_on_ground);
+
+/// Returns the whole file.
+std::string geojson_text(const nlohmann::ordered_json& features);
+std::string kml_text(const std::string& name, const std::string& marks);
+
+}  // namespace vegard::fit
