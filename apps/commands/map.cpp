@@ -46,6 +46,7 @@ struct MapRequest {
   double farthest_km = 0.0;
   double altitude_scale = fit::MapOptions().altitude_scale;
   bool overwrite = false, resume = false, no_metadata = false, netcdf = false;
+  bool geojson = false, kml = false, magnetic_grid = false;
   std::vector<std::string> sequence;
   double time_step_s = 0.0;
 };
@@ -122,6 +123,11 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
   if (!options.photo.file.empty() || !options.photo.filters.empty())
     throw usage_error("--sequence", "cannot be together with --photo or --line", "the frames");
   if (!options.photo.at.empty()) throw usage_error("--at", "chooses one frame", "all frames of a sequence");
+  if (options.geojson || options.kml || options.magnetic_grid)
+    throw usage_error(options.geojson ? "--geojson"
+                      : options.kml   ? "--kml"
+                                      : "--magnetic-grid",
+                      "is of the map of one photograph", "--sequence without it");
   GivenTimes given;
   if (options.time_step_s > 0.0) given.step_s = options.time_step_s;
   const TimedPictures pictures = timed_pictures(options.sequence, given);
@@ -212,6 +218,9 @@ int run_map(const MapRequest& options, const std::string& command) {
   fit::MapRunFacts facts;
   facts.command = command;
   facts.netcdf = options.netcdf;
+  facts.geojson = options.geojson;
+  facts.kml = options.kml;
+  facts.magnetic_grid = options.magnetic_grid;
   facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.from_photograph = from_photograph;
   fit::write_map(map, photos, options.out, replaces, facts, journal, said());
@@ -272,6 +281,10 @@ void add_map_command(Program& program) {
       .shows_default();
   add_spectrum_options(command, options->spectrum);
   command.flag("--netcdf", options->netcdf, "Also write the map as netCDF: RUN/precipitation.nc");
+  command.flag("--geojson", options->geojson, "Also write the curtains for maps: RUN/curtains.geojson");
+  command.flag("--kml", options->kml, "The same for Google Earth and others: RUN/curtains.kml");
+  command.flag("--magnetic-grid", options->magnetic_grid,
+               "Draw magnetic latitude and longitude, of the scene's dipole, beside the geographic");
   command.flag("--overwrite", options->overwrite,
                "Replace an existing map; without --resume, discard the steps of an interrupted one");
   command.flag("--resume", options->resume,

@@ -33,8 +33,8 @@ std::string range_words(double low, double high, const char* unit) {
   return sim::short_number(low, 3) + " to " + sim::short_number(high, 3) + " " + unit;
 }
 
-std::string maps(const MapResult& result, const std::vector<Curtain>& curtains) {
-  const ShownMap shown(result);
+std::string maps(const MapResult& result, const std::vector<Curtain>& curtains, bool magnetic_grid) {
+  const ShownMap shown(result, magnetic_grid);
   const double white = shown.white();
   const auto [low, high] = shown.ln_energy_range();
   Plot plot;
@@ -206,7 +206,8 @@ std::string map_page(const MapResult& result, const std::vector<Curtain>& curtai
       "<section><h2>Where electrons fall</h2>\n<p>Energy flux and energy on the ground's cells, at the feet "
       "of the field lines 110 km high, seen from above. Grey: not in view of any picture.</p>\n<div "
       "class=\"plots\">" +
-      maps(result, curtains) + "</div>\n" + count_words(result, curtains, facts.faint) + "</section>\n";
+      maps(result, curtains, facts.magnetic_grid) + "</div>\n" + count_words(result, curtains, facts.faint) +
+      "</section>\n";
   html += "<section><h2>What the map says</h2>\n" + verdict_table(verdicts) +
           corrections_list(map_corrections(result, curtains), "What it says about the emission tables:") +
           "</section>\n";

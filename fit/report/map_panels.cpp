@@ -4,17 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "sim/base/file/number_text.h"
+#include "fit/report/ground_lattice.h"
 #include "sim/base/number/constants.h"
-#include "sim/emit/aurora/foot_line.h"
-#include "sim/scene/structs/site_axes.h"
 
 namespace vegard::fit {
 namespace {
 
-constexpr Colour kMeridianInk{150, 158, 168}, kCurtainInk{220, 60, 40};
+constexpr Colour kCurtainInk{220, 60, 40};
 constexpr double kLit = 0.05;  // of the brightest place
 
 std::uint8_t display_code(double linear) {
@@ -81,68 +77,6 @@ Panel light_panel(const MappedPhoto& photo, const std::string& title, double whi
   });
 }
 
-/// The foot at a latitude and longitude, in the site's tangent plane.
-sim::EastNorth foot_at(const sim::Site& site, double latitude_deg, double longitude_deg) {
-  const sim::SiteAxes axes = sim::axes_at(site);
-  sim::Site there;
-  there.latitude_deg = latitude_deg;
-  there.longitude_deg = longitude_deg;
-  const sim::SiteAxes up = sim::axes_at(there);
-  const double radius = sim::kEarthRadiusKm + sim::kFootAltitudeKm;
-  double foot[3];
-  for (int i = 0; i < 3; ++i)
-    foot[i] = radius * (axes.axis[i][0] * up.axis[2][0] + axes.axis[i][1] * up.axis[2][1] +
-                        axes.axis[i][2] * up.axis[2][2]);
-  return foot[2] > 0.0 ? sim::EastNorth{foot[0], foot[1]} : sim::EastNorth{sim::kNaN, sim::kNaN};
-}
-
-double round_grid_step(double range) {
-  for (const double step : {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0})
-    if (range / step <= 6.0) return step;
-  return 20.0;
-}
-
-/// Lines of latitude and longitude over a map, dashed.
-void add_geographic_grid(const MapResult& result, const RasterGrid& raster, Panel& panel) {
-  double south = 90.0, north = -90.0, west = 1e9, east = -1e9;
-  for (const double x : {0.0, 0.5, 1.0})
-    for (const double y : {0.0, 0.5, 1.0}) {
-      const sim::PlaceOnEarth p =
-          sim::place_of_foot(result.scene, raster.place(x * raster.columns, y * raster.rows));
-      if (std::isnan(p.latitude_deg)) continue;
-      south = std::min(south, p.latitude_deg);
-      north = std::max(north, p.latitude_deg);
-      west = std::min(west, p.longitude_from_site_deg);
-      east = std::max(east, p.longitude_from_site_deg);
-    }
-  const double from = result.scene.site.longitude_deg;
-  const auto add = [&](const std::string& label, const auto& point) {
-    Series line;
-    line.label = label;
-    line.colour = kMeridianInk;
-    line.mark = Mark::dashed_line;
-    line.width_px = 0.8;
-    for (int i = 0; i <= 60; ++i) {
-      const sim::EastNorth p = point(i / 60.0);
-      const bool inside = p.east > raster.west_km && p.north > raster.south_km &&
-                          p.east < raster.west_km + raster.columns * raster.step_km &&
-                          p.north < raster.south_km + raster.rows * raster.step_km;
-      line.x.push_back(inside ? p.east : sim::kNaN);
-      line.y.push_back(inside ? p.north : sim::kNaN);
-    }
-    panel.series.push_back(std::move(line));
-  };
-  const double lat_step = round_grid_step(north - south), lon_step = round_grid_step(east - west);
-  std::string label = fmt::format("every {} ° of latitude, {} ° of longitude", sim::short_number(lat_step),
-                                  sim::short_number(lon_step));
-  for (double lat = std::ceil(south / lat_step) * lat_step; lat <= north; lat += lat_step) {
-    add(label, [&](double t) { return foot_at(result.scene.site, lat, from + west + t * (east - west)); });
-    label.clear();
-  }
-  for (double lon = std::ceil((from + west) / lon_step) * lon_step; lon <= from + east; lon += lon_step)
-    add("", [&](double t) { return foot_at(result.scene.site, south + t * (north - south), lon); });
-}
-
 }  // namespace
 
 double white_of(const MappedPhoto& photo) {
@@ -176,8 +110,9 @@ Panel residual_panel(const MappedPhoto& photo) {
   });
 }
 
-ShownMap::ShownMap(const MapResult& result)
+ShownMap::ShownMap(const MapResult& result, bool magnetic_grid)
     : result_(result),
+      magnetic_grid_(magnetic_grid),
       raster_(raster_over(result)),
       flux_(raster_flux(result, raster_, result.cells)),
       in_view_(places_in_view(result, raster_)) {}
@@ -223,7 +158,8 @@ Panel ShownMap::panel_of(const std::string& title, const Rgb& rgb_of_place) cons
       if (in_view_[i] != 0) rgb = rgb_of_place(i);
       panel.raster.rgb.insert(panel.raster.rgb.end(), rgb.begin(), rgb.end());
     }
-  add_geographic_grid(result_, raster_, panel);
+  add_geographic_grid(result_.scene, raster_, panel);
+  if (magnetic_grid_) add_magnetic_grid(result_.scene, raster_, panel);
   return panel;
 }
 

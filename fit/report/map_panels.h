@@ -24,8 +24,8 @@ Panel residual_panel(const MappedPhoto& photo);
 /// A map's raster, for panels of the ground.
 class ShownMap {
  public:
-  /// The result must outlive it.
-  explicit ShownMap(const MapResult& result);
+  /// The result must outlive it. With a magnetic grid, that of the dipole is drawn beside the geographic.
+  explicit ShownMap(const MapResult& result, bool magnetic_grid = false);
 
   /// The flux of all but the brightest lit places, which is shown brightest.
   double white() const;
@@ -43,6 +43,7 @@ class ShownMap {
   std::vector<double> lit(bool energies) const;
 
   const MapResult& result_;
+  bool magnetic_grid_;
   RasterGrid raster_;
   RasterFlux flux_;
   std::vector<std::uint8_t> in_view_;

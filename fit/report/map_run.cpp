@@ -10,6 +10,7 @@
 
 #include "fit/map/curtains/stored_map.h"
 #include "fit/map/rasterised_map.h"
+#include "fit/report/curtain_places.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/table/mode_information_json.h"
 #include "sim/base/error.h"
@@ -27,6 +28,7 @@ namespace vegard::fit {
 namespace {
 
 constexpr const char* kMapJson = "map.json";
+constexpr const char *kCurtainGeojson = "curtains.geojson", *kCurtainKml = "curtains.kml";
 constexpr std::size_t kMaxMapBytes = 64u << 20;
 
 std::string file_of(const char* stem, const std::string& photo) {
@@ -46,8 +48,8 @@ std::optional<nlohmann::json> map_json_of(const std::string& bytes) {
 }
 
 sim::KnownFolder look_at_map(const std::string& directory) {
-  std::set<std::string> names = {kMapJson,           "precipitation.fits", kCurtainTable,
-                                 kFaintCurtainTable, "report.html",        kMapNetcdf};
+  std::set<std::string> names = {kMapJson,      "precipitation.fits", kCurtainTable,   kFaintCurtainTable,
+                                 "report.html", kMapNetcdf,           kCurtainGeojson, kCurtainKml};
   sim::KnownFolder known;
   const sim::InputFile file = sim::read_input(directory + "/" + kMapJson, kMaxMapBytes);
   const std::optional<nlohmann::json> json = map_json_of(file.bytes);
@@ -256,6 +258,10 @@ void write_map_run(const std::string& directory, bool overwrite, const MapResult
     sim::write_whole(run.file(kFaintCurtainTable), curtains_csv(facts.faint));
     for (const MappedPhoto& photo : result.photos) write_pictures(run, photo);
     sim::write_whole(run.file("report.html"), map_page(result, curtains, verdicts, facts));
+    if (facts.geojson)
+      sim::write_whole(run.file(kCurtainGeojson),
+                       curtains_geojson(result.scene, is_absolute(result), curtains));
+    if (facts.kml) sim::write_whole(run.file(kCurtainKml), curtains_kml(result.scene, curtains));
     // Whatever is in it stands in the other files.
     if (facts.netcdf) sim::write_netcdf(map_dataset(run.temporary()), run.file(kMapNetcdf), false);
   });

@@ -1,6 +1,6 @@
 // The directory of a map of precipitation: map.json, precipitation.fits, curtains.csv, faint_curtains.csv,
-// model.exr, residual.exr, report.html (one self-contained page), and precipitation.nc if requested. With
-// several photographs: model-NAME.exr and residual-NAME.exr for each.
+// model.exr, residual.exr, report.html (one self-contained page), and precipitation.nc, curtains.geojson and
+// curtains.kml if requested. With several photographs: model-NAME.exr and residual-NAME.exr for each.
 #pragma once
 
 #include <string>
@@ -22,6 +22,8 @@ struct MapRunFacts {
   std::vector<std::pair<std::string, std::string>> decodings;  ///< photographs' names and decodings
   std::vector<Curtain> faint;  ///< find_faint_curtains(): for a fit that may add them
   bool netcdf = false;  ///< whether precipitation.nc is written beside the FITS file (fit/report/netcdf)
+  bool geojson = false, kml = false;  ///< whether curtains.geojson and curtains.kml are (curtain_places.h)
+  bool magnetic_grid = false;         ///< whether the page's maps have one (ground_lattice.h)
 };
 
 /// Returns the page. The same result gives the same bytes.

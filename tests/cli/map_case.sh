@@ -40,13 +40,30 @@ for file in precipitation.fits curtains.csv model.exr; do expect_same "run/$file
 
 # Of another spectrum, which is written down.
 expect_exit 5 map "$SCENES/map.toml" --photo photo.png --out narrow --replicates 0 --sparsity 16 --spectrum gaussian \
-  --spread 0.1 --netcdf
+  --spread 0.1 --netcdf --geojson --kml --magnetic-grid
 grep -q '"spectrum": "gaussian"' narrow/map.json || fail "no spectrum"
 grep -q '"spread": 0.1' narrow/map.json || fail "no spread"
 grep -qF "SPECTRUM= 'gaussian" narrow/precipitation.fits || fail "no spectrum in the header"
 ! grep -qF "SPECTRUM=" run/precipitation.fits || fail "a spectrum in the header of a usual map"
 
+# The curtains for other maps: a line for each that the table has.
+python3 - <<'END'
+import csv, json, xml.dom.minidom
+rows = list(csv.DictReader(open("narrow/curtains.csv")))
+features = json.load(open("narrow/curtains.geojson"))["features"]
+assert len(features) == len({row["curtain"] for row in rows}), len(features)
+assert sum(len(f["properties"]["energy_kev"]) for f in features) == len(rows)
+assert all(point[2] == 110000.0 for f in features for point in f["geometry"]["coordinates"])
+assert len(xml.dom.minidom.parse("narrow/curtains.kml").getElementsByTagName("LineString")) == len(features)
+END
+grep -q "dipole latitude" narrow/report.html || fail "no magnetic grid"
+! grep -q "dipole latitude" run/report.html || fail "a magnetic grid unasked"
+[[ ! -e run/curtains.kml ]] || fail "a file unasked"
+
 # Refusals, each in one line.
+expect_exit 2 map "$SCENES/map.toml" --sequence photo.png --out none --kml
+expect_one_message
+expect_stderr "--kml"
 expect_exit 2 map "$SCENES/map.toml" --out none
 expect_one_message
 expect_stderr "no photograph"
