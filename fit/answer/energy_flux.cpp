@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "sim/light/sheet_profile.h"
 #include "sim/scene/rows/spline_rates.h"
 #include "sim/view/colour/line_colours.h"
 #include "sim/view/sensor/expected_counts.h"
@@ -123,7 +124,7 @@ std::optional<FoundFlux> found_flux(const sim::Scene& known, const FittedPhoto& 
                                     std::string& why_none) {
   const sim::Sheet& sheet = fitted.best.sheets[index];
   std::string why_not_this;
-  if (sheet.brightness_kilorayleigh > 0.0)
+  if (sim::has_given_brightness(sheet))
     why_not_this = "the sheet's brightness was given in its place";
   else if (sim::has_spline_profile(sheet))
     why_not_this = "a free-form height profile has a scale of its own";

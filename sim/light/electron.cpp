@@ -26,6 +26,8 @@ std::optional<double> mean_energy_kev(const Sheet& sheet) {
     case ProfileKind::file:
     case ProfileKind::spline:
     case ProfileKind::layer:
+    case ProfileKind::line:
+    case ProfileKind::proton:
       break;
   }
   return std::nullopt;

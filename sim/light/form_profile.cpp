@@ -26,21 +26,6 @@ Total total_at(const HeightProfile& profile, int altitude) {
   return total;
 }
 
-/// Returns d form_intensity / d number.
-double intensity_slope(const FormCurve& curve, double altitude_km, double FormCurve::*number) {
-  const double above = altitude_km - curve.peak_km;
-  if (above < 0.0) {
-    if (number == &FormCurve::upper_km) return 0.0;
-    const double x = above / curve.lower_km;
-    const double by_x = -2.0 * kLnTen * x * std::exp(-kLnTen * x * x);
-    return by_x * (number == &FormCurve::peak_km ? -1.0 : -x) / curve.lower_km;
-  }
-  if (number == &FormCurve::lower_km) return 0.0;
-  const double x = kTenthAbove * above / curve.upper_km;
-  const double by_x = -x * std::exp(-x);
-  return by_x * (number == &FormCurve::peak_km ? -kTenthAbove : -x) / curve.upper_km;
-}
-
 /// Shifts the light of a profile to the curve, and its derivatives with it. `reference` is the profile of
 /// kTotalLinesNm.
 HeightProfile moved(HeightProfile profile, const HeightProfile& reference, const FormCurve& curve) {
@@ -78,6 +63,20 @@ double form_intensity(const FormCurve& curve, double altitude_km) {
   return (1.0 + x) * std::exp(-x);
 }
 
+double form_intensity_slope(const FormCurve& curve, double altitude_km, double FormCurve::*number) {
+  const double above = altitude_km - curve.peak_km;
+  if (above < 0.0) {
+    if (number == &FormCurve::upper_km) return 0.0;
+    const double x = above / curve.lower_km;
+    const double by_x = -2.0 * kLnTen * x * std::exp(-kLnTen * x * x);
+    return by_x * (number == &FormCurve::peak_km ? -1.0 : -x) / curve.lower_km;
+  }
+  if (number == &FormCurve::lower_km) return 0.0;
+  const double x = kTenthAbove * above / curve.upper_km;
+  const double by_x = -x * std::exp(-x);
+  return by_x * (number == &FormCurve::peak_km ? -kTenthAbove : -x) / curve.upper_km;
+}
+
 HeightProfile form_profile(const EmissionSource& source, const std::vector<double>& wavelengths_nm,
                            double energy_kev, const FormCurve& curve, double energy_flux_mw_m2, SlopeBy by) {
   return moved(maxwellian_profile(source, wavelengths_nm, energy_kev, energy_flux_mw_m2, by),
@@ -94,14 +93,15 @@ std::vector<float> form_slope(const EmissionSource& source, const std::vector<do
     const double end = a == 0 || a == HeightProfile::kAltitudes - 1 ? 0.5 : 1.0;
     tables_column += end * total_at(reference, a).rate;
     form_column += end * form_intensity(curve, HeightProfile::altitude_km(a));
-    form_grows += end * intensity_slope(curve, HeightProfile::altitude_km(a), number);
+    form_grows += end * form_intensity_slope(curve, HeightProfile::altitude_km(a), number);
   }
   std::vector<float> slope(profile.rate.size(), 0.0f);
   for (int a = 0; a < HeightProfile::kAltitudes; ++a) {
     const double altitude = HeightProfile::altitude_km(a), intensity = form_intensity(curve, altitude);
     if (intensity < kDark) continue;
-    const double wanted = (intensity_slope(curve, altitude, number) - intensity * form_grows / form_column) *
-                          tables_column / form_column;
+    const double wanted =
+        (form_intensity_slope(curve, altitude, number) - intensity * form_grows / form_column) *
+        tables_column / form_column;
     const double here = total_at(reference, a).rate;
     for (int l = 0; l < profile.lines; ++l) {
       const std::size_t i = static_cast<std::size_t>(a) * profile.stride + l;

@@ -25,6 +25,9 @@ struct FormCurve {
 /// only.
 double form_intensity(const FormCurve& curve, double altitude_km);
 
+/// Returns d form_intensity / d one of the curve's numbers.
+double form_intensity_slope(const FormCurve& curve, double altitude_km, double FormCurve::*number);
+
 /// Returns the profile of Maxwellian electrons with its total light redistributed in altitude to follow the
 /// form's curve. The total is the sum of the photons of 630.0, 557.7 and 427.8 nm, whatever lines are in
 /// `wavelengths_nm`. At each altitude the ratios of the lines are those of the tables (or of their floor);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/base/error.h"
+#include "sim/light/proton_profile.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/scene_lines.h"
@@ -71,6 +72,9 @@ bool has_line(double wavelength_nm, const Scene& scene, int sheet) {
   if (has_spline_profile(scene.sheets[sheet])) return line_index(scene.emission.lines, wavelength_nm) >= 0;
   if (scene.sheets[sheet].profile == ProfileKind::layer)
     return find_own_line(scene, wavelength_nm) != nullptr;
+  if (scene.sheets[sheet].profile == ProfileKind::line)
+    return line_index({scene.sheets[sheet].line_nm}, wavelength_nm) == 0;
+  if (scene.sheets[sheet].profile == ProfileKind::proton) return is_of_protons(wavelength_nm);
   if (scene.sheets[sheet].profile != ProfileKind::file) return true;
   try {
     sheet_profile({wavelength_nm}, scene, sheet);

@@ -13,7 +13,7 @@ namespace {
 /// Returns whether the sheet's profile has the light of this line itself.
 bool is_in_profile(double wavelength_nm, const Scene& scene, const Sheet& sheet) {
   if (sheet.profile == ProfileKind::file) return has_drawn_column(wavelength_nm, scene, sheet);
-  return sheet.profile == ProfileKind::spline;
+  return sheet.profile == ProfileKind::spline || is_as_bright_as_given(sheet.profile);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include "sim/base/error.h"
 #include "sim/light/drawn_profile.h"
 #include "sim/light/form_profile.h"
+#include "sim/light/line_profile.h"
 #include "sim/light/own_light.h"
+#include "sim/light/proton_profile.h"
 #include "sim/light/spectrum_profile.h"
 #include "sim/light/tables/emission_tables.h"
 #include "sim/scene/rows/spline_rates.h"
@@ -19,6 +21,13 @@ namespace {
 const std::vector<double> kBrightnessLineNm = {557.7};
 
 FormCurve form_curve(const Sheet& sheet) { return {sheet.peak_km, sheet.lower_km, sheet.upper_km}; }
+
+GivenLine given_line(const Sheet& sheet) {
+  return {sheet.line_nm, 1e3 * sheet.line_kilorayleigh, sheet.top_km};
+}
+
+/// Returns whether the profile is scaled to a brightness of 557.7 nm.
+bool is_scaled(const Sheet& sheet) { return sheet.brightness_kilorayleigh > 0.0; }
 
 /// Returns the flux at which the light per mW m^-2 is taken: the sheet's own, at the peak of a layer, for all
 /// of it.
@@ -46,10 +55,22 @@ HeightProfile of_model(const std::vector<double>& wavelengths_nm, const Scene& s
                           by);
     case ProfileKind::layer:
       return dark_profile(static_cast<int>(wavelengths_nm.size()));
+    case ProfileKind::line:
+      return line_profile(wavelengths_nm, given_line(sheet), form_curve(sheet));
+    case ProfileKind::proton:
+      return proton_profile(emission_source(scene).tables, wavelengths_nm, given_line(sheet),
+                            sheet.energy_kev);
     case ProfileKind::maxwellian:
       break;
   }
   return maxwellian_profile(emission_source(scene), wavelengths_nm, sheet.energy_kev, flux, by);
+}
+
+/// The derivative by the brightness of a line, to which all light of a sheet is in proportion.
+HeightProfile with_kilorayleigh_of_one(const std::vector<double>& wavelengths_nm, const Scene& scene,
+                                       Sheet sheet) {
+  sheet.line_kilorayleigh = 1.0;
+  return of_model(wavelengths_nm, scene, sheet, SlopeBy::log_energy);
 }
 
 HeightProfile of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene, const Sheet& sheet,
@@ -71,6 +92,8 @@ bool follows_flux_law(const Scene& scene, const Sheet& sheet) {
 std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm, const Scene& scene,
                                       const Sheet& sheet, const ParameterId& number) {
   const auto by_form = [&](double FormCurve::*of_curve) {
+    if (sheet.profile == ProfileKind::line)
+      return line_profile_slope(wavelengths_nm, given_line(sheet), form_curve(sheet), of_curve);
     if (sheet.profile != ProfileKind::form) return std::vector<float>();
     const OwnLight own(wavelengths_nm, scene, sheet);
     std::vector<float> slope = form_slope(emission_source(scene), own.asked_nm(), sheet.energy_kev,
@@ -99,6 +122,9 @@ std::vector<float> slope_of_unit_flux(const std::vector<double>& wavelengths_nm,
       return by_form(&FormCurve::lower_km);
     case ParameterRole::form_upper:
       return by_form(&FormCurve::upper_km);
+    case ParameterRole::line_brightness:
+      if (!is_as_bright_as_given(sheet.profile)) return {};
+      return with_kilorayleigh_of_one(wavelengths_nm, scene, sheet).rate;
     default:
       return {};
   }
@@ -111,12 +137,14 @@ bool may_shape(const ParameterId& number, int sheet) {
 
 }  // namespace
 
-bool has_given_brightness(const Sheet& sheet) { return sheet.brightness_kilorayleigh > 0.0; }
+bool has_given_brightness(const Sheet& sheet) {
+  return is_scaled(sheet) || is_as_bright_as_given(sheet.profile);
+}
 
 HeightProfile sheet_profile(const std::vector<double>& wavelengths_nm, const Scene& scene, int index) {
   const Sheet& sheet = scene.sheets[index];
   HeightProfile profile = of_unit_flux(wavelengths_nm, scene, sheet);
-  if (!has_given_brightness(sheet)) return profile;
+  if (!is_scaled(sheet)) return profile;
   const Column green = column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km);
   const double scale = 1000.0 * sheet.brightness_kilorayleigh / green.rayleigh;
   const double growth = green.d_rayleigh_d_ln_energy / green.rayleigh;
@@ -134,7 +162,7 @@ std::vector<float> profile_slope(const std::vector<double>& wavelengths_nm, cons
   if (!may_shape(number, index)) return {};
   const Sheet& sheet = scene.sheets[index];
   std::vector<float> slope = slope_of_unit_flux(wavelengths_nm, scene, sheet, number);
-  if (slope.empty() || !has_given_brightness(sheet)) return slope;
+  if (slope.empty() || !is_scaled(sheet)) return slope;
   // The rate is scaled by brightness / green, and green changes too.
   const HeightProfile profile = of_unit_flux(wavelengths_nm, scene, sheet);
   HeightProfile green = of_unit_flux(kBrightnessLineNm, scene, sheet);
@@ -206,7 +234,7 @@ void check_profiles(const Scene& scene) {
     const Sheet& sheet = scene.sheets[s];
     if (sheet.profile != ProfileKind::file) continue;
     of_unit_flux(scene.emission.lines, scene, sheet);
-    if (!has_given_brightness(sheet)) continue;
+    if (!is_scaled(sheet)) continue;
     if (column_below(of_unit_flux(kBrightnessLineNm, scene, sheet), 0, sheet.top_km).rayleigh > 0.0) continue;
     throw unreadable(table_place(scene, sheet.profile_file),
                      "557.7 nm has no light below top_km, so that the sheet's brightness cannot be reached")

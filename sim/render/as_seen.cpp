@@ -6,6 +6,7 @@
 
 #include "sim/view/colour/colour_table.h"
 #include "sim/view/colour/line_colours.h"
+#include "sim/view/colour/line_spectrum.h"
 #include "sim/view/sensor/tone_curve.h"
 
 namespace vegard::sim {
@@ -24,7 +25,8 @@ Eigen::Matrix3d luminous_from_rgb(const Scene& scene) {
 
 Image picture_as_seen(const Scene& scene, const Rendering& rendering, double half_cd_m2) {
   std::vector<EyeLight> per_rayleigh;
-  for (double nm : scene.emission.lines) per_rayleigh.push_back(line_eye_light_per_rayleigh(nm));
+  for (double nm : scene.emission.lines)
+    per_rayleigh.push_back(eye_light_per_rayleigh(components_of_line(scene, nm)));
   const Eigen::Matrix3d luminous = luminous_from_rgb(scene);
   Image shown = rendering.rgb;
   for (int y = 0; y < shown.height; ++y) {

@@ -4,6 +4,7 @@
 
 #include "sim/scene/table/parameter_table.h"
 #include "sim/view/colour/eye.h"
+#include "sim/view/colour/line_spectrum.h"
 #include "sim/view/colour/radiometry.h"
 
 namespace vegard::sim {
@@ -51,7 +52,7 @@ BrightnessReport brightness_report(const Scene& scene, const Rendering& renderin
     std::vector<double> this_one(lines, 0.0);
     this_one[l] = 1.0;
     report.brightest.push_back(brightest_spot(rendering.rayleigh, this_one, scene.camera));
-    luminance.push_back(line_luminance_cd_m2_per_rayleigh(scene.emission.lines[l]));
+    luminance.push_back(luminance_cd_m2_per_rayleigh(components_of_line(scene, scene.emission.lines[l])));
   }
   report.most_luminous = brightest_spot(rendering.rayleigh, luminance, scene.camera);
   report.eye = eye_report(report.most_luminous.value);

@@ -11,6 +11,7 @@
 #include "sim/view/camera/camera.h"
 #include "sim/view/colour/colour.h"
 #include "sim/view/colour/line_colours.h"
+#include "sim/view/colour/line_spectrum.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/air.h"
 
@@ -60,7 +61,8 @@ GroundIllumination light_of_sky(const Scene& sky, const Image& rayleigh, const I
                                 const Image& night_sky, const Image& stars) {
   GroundIllumination light;
   std::vector<double> luminance;
-  for (const double nm : sky.emission.lines) luminance.push_back(line_luminance_cd_m2_per_rayleigh(nm));
+  for (const double nm : sky.emission.lines)
+    luminance.push_back(luminance_cd_m2_per_rayleigh(components_of_line(sky, nm)));
   const Vector3 weights = inverse(rgb_from_xyz(sky.sensor.primaries))[1];
   const double white = white_luminance_cd_m2(sky);
   constexpr int kWidth = 2 * kGroundSkyRows;

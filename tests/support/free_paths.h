@@ -38,10 +38,11 @@ inline std::vector<FreePath> free_paths(const sim::Scene& scene) {
     if (path.row->key == "oxygen_factor") continue;
     // A profile's own numbers are not the kernel's, and have a test of theirs.
     if (path.row->key == "peak_km" || path.row->key == "lower_km" || path.row->key == "upper_km" ||
-        path.row->key == "spline_rate")
+        path.row->key == "spline_rate" || path.row->key == "line_kilorayleigh")
       continue;
     if (path.row->key == "energy_flux_mw_m2" && path.sheet() >= 0 &&
-        scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0)
+        (scene.sheets[path.sheet()].brightness_kilorayleigh > 0.0 ||
+         sim::is_as_bright_as_given(scene.sheets[path.sheet()].profile)))
       continue;  // it has no effect, and validate() does not let it be free
     // A Sun that is not shown, lights that do not shine, and air that is not there.
     if (path.row->table == "sun" && !scene.sun.shown) continue;

@@ -233,6 +233,7 @@ std::string column_text(const sim::EmissionLine& line) {
   if (const auto response = sim::temperature_response(line.wavelength_nm))
     return fmt::format("of the Sun, of {:.2g} MK", megakelvin(*response));
   if (sim::is_solar(line)) return "of the Sun";
+  if (sim::is_subauroral(line)) return "of STEVE";
   if (!sim::is_auroral(line)) return "of nebulae";
   if (line.ratio_source[0] == '\0') return line.table_column;
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
@@ -281,7 +282,8 @@ std::string line_page() {
       "The lines that a scene can have (`emission.lines`, up to eight), by `vegard lines --markdown`: "
       "species, transition, lifetime, and light: a column of the [emission "
       "tables](file_formats.md#emission-tables), or a ratio of photons to another column. Electrons do not "
-      "excite the lines of [nebulae](nebulae.md) and the Sun. A filter of some nm also passes what a line is "
+      "excite the lines of [nebulae](nebulae.md), the Sun and [STEVE](steve.md). A filter of some nm also "
+      "passes what a line is "
       "*blended with*, which is not added to it.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     text += fmt::format("- {:.1f} nm:", line.wavelength_nm);
@@ -306,8 +308,8 @@ std::string line_page() {
       "less energy and are quenched below 90 km, an approximation.\n";
   text +=
       "\n## Lines and bands under one wavelength\n\n"
-      "A camera's colour is that of all of them. `vegard "
-      "lines --csv` has every share.\n\n";
+      "A camera's colour is that of all of them. `vegard lines --csv` has every share. A `[[line]]` with a "
+      "`spectrum_file` is a continuum of your own.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
     text += fmt::format("- **{:.1f} nm**: {}", line.wavelength_nm, line.components_source);

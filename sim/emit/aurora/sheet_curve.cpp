@@ -68,6 +68,7 @@ Sheet evened_sheet(const Sheet& sheet) {
   if (!sheet.point_width_km.empty()) even.width_km = widths / kPlaces;
   even.energy_flux_mw_m2 *= brightness;
   even.brightness_kilorayleigh *= brightness;
+  even.line_kilorayleigh *= brightness;
   if (!sheet.point_energy_kev.empty()) even.energy_kev = std::exp(ln_energies / fluxes);
   even.length_km = layout.length_km;
   even.center_km = curve_feet(sheet, 0.0, 1).front();

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <iterator>
 
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/lines/scene_lines.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/table/value_check.h"
 
@@ -39,6 +41,40 @@ void check_layers(const Scene& scene) {
   for (const Footprint& footprint : scene.footprints) check(footprint.profile, "footprint." + footprint.name);
 }
 
+constexpr double kLinesOfProtonsNm[] = {391.4, 427.8, 486.1, 656.3};
+
+/// A sheet of one line or of protons shines in the picture, and does not ask for what it lacks.
+void check_sheets_of_line(const Scene& scene) {
+  for (const Sheet& sheet : scene.sheets) {
+    if (!is_as_bright_as_given(sheet.profile)) continue;
+    const std::string path = "sheet." + sheet.name + ".", nm = short_real_text(sheet.line_nm);
+    const auto is_given = [&](double of_protons) { return line_index({of_protons}, sheet.line_nm) == 0; };
+    if (sheet.profile == ProfileKind::proton &&
+        std::none_of(std::begin(kLinesOfProtonsNm), std::end(kLinesOfProtonsNm), is_given))
+      throw scene_error({"protons have no light of " + nm + " nm here", "391.4, 427.8, 486.1 or 656.3",
+                         "486.1 nm is their own"},
+                        {scene.file, 0, path + "line_nm"});
+    if (sheet.profile == ProfileKind::line && line_index(scene.emission.lines, sheet.line_nm) < 0)
+      throw scene_error({"the sheet's light is of " + nm + " nm, which is not among emission.lines",
+                         nm + " in emission.lines", "or the line_nm of one that is"},
+                        {scene.file, 0, path + "line_nm"});
+    if (sheet.brightness_kilorayleigh > 0.0)
+      throw scene_error(
+          {"the profile \"" + std::string(sheet.profile == ProfileKind::line ? "line" : "proton") +
+               "\" has a brightness of its own",
+           "line_kilorayleigh", "brightness_kilorayleigh (and ibc) are for electrons"},
+          {scene.file, 0, path + "brightness_kilorayleigh"});
+  }
+  const bool any = std::any_of(scene.sheets.begin(), scene.sheets.end(),
+                               [](const Sheet& sheet) { return is_as_bright_as_given(sheet.profile); });
+  for (const Footprint& footprint : scene.footprints)
+    if (any && footprint.source == FootprintSource::sheets)
+      throw scene_error(
+          {"a footprint is of electrons, which a sheet of profile \"line\" or \"proton\" has none of",
+           "sheets of electrons", "render that sheet without the footprint"},
+          {scene.file, 0, "footprint." + footprint.name + ".source"});
+}
+
 }  // namespace
 
 void check_own_lines(const Scene& scene) {
@@ -57,6 +93,10 @@ void check_own_lines(const Scene& scene) {
       throw error_at({short_real_text(own.wavelength_nm) + " nm is the name of a set: " + listed->transition,
                       "a wavelength that is not a set's", "vegard lines has them"},
                      "wavelength_nm");
+    if (!own.spectrum_file.empty() && !is_table_file(own.spectrum_file))
+      throw error_at({"'" + own.spectrum_file + "' is no CSV file by its name",
+                      "spectrum_file = \"a name that ends in .csv\"", "the file is in the scene's folder"},
+                     "spectrum_file");
     if (own.rayleigh_per_mw_m2 > 0.0 && own.scale_height_km == 0.0 &&
         scale_height_km(scene.body, own.peak_km) < kThinnestLayer_km)
       throw error_at(
@@ -77,6 +117,7 @@ void check_own_lines(const Scene& scene) {
                      "rayleigh_per_mw_m2");
   }
   check_layers(scene);
+  check_sheets_of_line(scene);
 }
 
 }  // namespace vegard::sim

@@ -72,11 +72,11 @@ void check_structures(const Scene& scene) {
     check(sheet, "spirals", sheet.spiral_radius_km, sheet.spiral_spacing_km, "spiral_radius_km",
           "spiral_spacing_km");
     // Else a given brightness might have no light at all to be reached with.
-    if (sheet.profile == ProfileKind::form && sheet.peak_km >= sheet.top_km) {
+    if (has_heights_of_form(sheet.profile) && sheet.peak_km >= sheet.top_km) {
       const std::string path = "sheet." + sheet.name + ".";
       throw scene_error(
-          {"the form's light peaks at " + short_real_text(sheet.peak_km) +
-               " km, above its beams, which start at " + short_real_text(sheet.top_km),
+          {"the light peaks at " + short_real_text(sheet.peak_km) + " km, above its beams, which start at " +
+               short_real_text(sheet.top_km),
            "peak_km below top_km", "lower the one or raise the other"},
           {scene.file, 0, path + (line_of(scene, path + "peak_km") > 0 ? "peak_km" : "top_km")});
     }

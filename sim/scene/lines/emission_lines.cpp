@@ -141,6 +141,7 @@ std::vector<EmissionLine> all_lines() {
   std::vector<EmissionLine> lines = auroral_lines();
   for (const EmissionLine& line : nebular_lines()) lines.push_back(line);
   for (const EmissionLine& line : solar_lines()) lines.push_back(line);
+  for (const EmissionLine& line : subauroral_lines()) lines.push_back(line);
   std::sort(lines.begin(), lines.end(),
             [](const EmissionLine& a, const EmissionLine& b) { return a.wavelength_nm < b.wavelength_nm; });
   for (EmissionLine& line : lines)

@@ -73,6 +73,12 @@ std::string line_name(double line_nm);
 /// light.
 std::vector<EmissionLine> nebular_lines();
 
+/// Returns the continuum of STEVE, which shines south of the aurora without electrons falling.
+std::vector<EmissionLine> subauroral_lines();
+
+/// True if the line is one of subauroral_lines().
+bool is_subauroral(const EmissionLine& line);
+
 /// Light of a line as a function of the temperature of the plasma, relative to its maximum:
 ///   exp(-1/2 ((log10 T - peak_log_k) / width_log_k)²).
 /// It approximates the line's contribution function, which peaks where the line's ion is most abundant in

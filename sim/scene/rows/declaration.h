@@ -44,6 +44,7 @@ enum class ParameterRole {
   form_peak,
   form_lower,
   form_upper,
+  line_brightness,      ///< of the profiles "line" and "proton"
   profile_coefficient,  ///< of a free-form profile
   curve_east,           ///< of a point of its curve
   curve_north,

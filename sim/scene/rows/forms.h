@@ -1,7 +1,8 @@
 // Auroral forms, and the keys of a sheet that each form sets.
 //
 // Source: Baranoski et al. 2000, sections 2.2 to 2.4 (after the International Auroral Atlas); docs/physics.md
-// row B20, docs/forms.md.
+// row B20, docs/forms.md; of STEVE and the picket fence Archer et al. 2019,
+// doi:10.1029/2019GL084473.
 #pragma once
 
 #include <string>

@@ -20,8 +20,10 @@ bool is_not_drawn(const OwnLine& line, const Scene& scene) {
 }
 
 bool nothing_makes_it_shine(const OwnLine& line, const Scene& scene) {
-  const bool may_be_dark = std::all_of(scene.sheets.begin(), scene.sheets.end(), [](const Sheet& sheet) {
-    return sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
+  const bool may_be_dark = std::all_of(scene.sheets.begin(), scene.sheets.end(), [&](const Sheet& sheet) {
+    const bool is_of_it =
+        sheet.profile == ProfileKind::line && line_index({line.wavelength_nm}, sheet.line_nm) == 0;
+    return !is_of_it && sheet.profile != ProfileKind::file && sheet.profile != ProfileKind::spline;
   });
   const bool shines_otherwise = scene.sun.shown || !scene.nebulae.empty() || !scene.volumes.empty() ||
                                 !scene.loops.empty() || !scene.coronae.empty() || !scene.bundles.empty() ||
@@ -47,7 +49,9 @@ std::vector<Declaration> own_line_rows() {
       row("wavelength_nm", &L::wavelength_nm).in("nm").within(10, 30000)
           .means("its name in emission.lines, and its colour; replaces the program's line of the same wavelength")
           .inert_if(is_not_drawn, {"the line is not among emission.lines, so it is not drawn", "its wavelength there", ""})
-          .inert_if(nothing_makes_it_shine, {"nothing makes the line shine", "follows_nm and ratio, rayleigh_per_mw_m2, or a column of it in a sheet's profile_file", ""}),
+          .inert_if(nothing_makes_it_shine, {"nothing makes the line shine", "follows_nm and ratio, rayleigh_per_mw_m2, a sheet of profile \"line\", or a column of it in a sheet's profile_file", ""}),
+      row("spectrum_file", &L::spectrum_file).names_table()
+          .means("a continuum: CSV of wavelength_nm and photons (per nm, relative), relative to the scene's file; empty: one wavelength"),
       row("lifetime_s", &L::lifetime_s).in("s").within(0, 1e6)
           .means("of the upper state, without collisions; below 0.001 the light is prompt"),
       row("follows_nm", &L::follows_nm).in("nm").within(0, 30000)

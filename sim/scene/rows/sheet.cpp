@@ -64,6 +64,15 @@ Row<Sheet> of_profile(ProfileKind profile, const char* else_do, Row<Sheet> row) 
                       "the sheet's profile is {profile}", else_do);
 }
 
+/// A row of the heights of a form's curve.
+Row<Sheet> of_heights(Row<Sheet> row) {
+  return row.inert_if([](const Sheet& sheet) { return !has_heights_of_form(sheet.profile); },
+                      "the sheet's profile is {profile}", "set the profile to \"form\" or \"line\"");
+}
+
+bool is_of_line(const Sheet& sheet) { return sheet.profile == ProfileKind::line; }
+bool is_as_given(const Sheet& sheet) { return is_as_bright_as_given(sheet.profile); }
+
 /// The row of the electrons' energy, which is not what every sheet's light depends on.
 Row<Sheet> of_energy(Row<Sheet> row) {
   row.noted_if([](const Sheet& s) { return s.profile == ProfileKind::form; },
@@ -84,6 +93,8 @@ Row<Sheet> of_energy(Row<Sheet> row) {
                 {"the sheet's light is in layers of the scene's own lines, so the energy of its electrons "
                  "counts for nothing",
                  affects_light, "leave it out of fit.free, or set profile to a spectrum of electrons"})
+      .inert_if(is_of_line, {"no electrons make the light of the profile \"line\", so {key} has no effect",
+                             affects_light, "leave it out of fit.free; line_kilorayleigh is the light"})
       .inert_if([](const Sheet& s) { return s.profile == ProfileKind::spline; },
                 {"the sheet's profile is free, so the electrons' energy has no effect", affects_light,
                  "leave it out of fit.free; sheet.{element}.spline_rate is the light"});
@@ -132,13 +143,14 @@ std::vector<Declaration> sheet_rows() {
       row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("electron beams in each layer; sets beams_per_km to 0"),
       of_energy(Row("energy_kev", &Sheet::energy_kev)).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy E0 of Maxwellian electrons (mean energy 2 E0); else the central energy"),
+          .means("characteristic energy E0 of Maxwellian electrons or protons (mean energy 2 E0); else the central energy"),
       of_profile(ProfileKind::gaussian, "set profile to \"gaussian\"", row("energy_spread", &Sheet::energy_spread)).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("relative standard deviation of a Gaussian energy"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
           .means("energy flux Q, at its peak across a layer")
           .not_free_if([](const Sheet& s, const Scene& scene) { return is_wound_up(s, scene) && scene.sheets.size() != 1; }, words_of_flow())
-          .inert_if([](const Sheet& s) { return s.brightness_kilorayleigh > 0.0; }, {"the sheet's brightness is given, so its energy flux has no effect", affects_light, "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"}),
+          .inert_if([](const Sheet& s) { return s.brightness_kilorayleigh > 0.0; }, {"the sheet's brightness is given, so its energy flux has no effect", affects_light, "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"})
+          .inert_if(is_as_given, {"the sheet is as bright as line_kilorayleigh says, so {key} has no effect", affects_light, "leave it out of fit.free; line_kilorayleigh is the light"}),
       row("path_spread", &Sheet::path_spread).within(0, 1)
           .means("largest random shortening of a beam, as a fraction of its path"),
       row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
@@ -168,16 +180,20 @@ std::vector<Declaration> sheet_rows() {
           .inert_if([](const Sheet& s) { return s.arcs == 1; }, {"the sheet is a single arc, so the spacing of arcs has no effect", affects_light, "leave it out of fit.free, or set arcs"}),
       row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
-      row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}})
-          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; or the layers of [[line]]"),
+      row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}, {"line", ProfileKind::line}, {"proton", ProfileKind::proton}})
+          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; the layers of [[line]]; line_nm alone, of no electrons, as high as a form; or of Maxwellian protons"),
       row("profile_file", &Sheet::profile_file).names_table()
           .means("for \"file\": CSV of altitude_km and photons cm⁻³ s⁻¹ per line, relative to the scene's file"),
-      of_profile(ProfileKind::form, "set the profile to \"form\"", row("peak_km", &Sheet::peak_km)).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
-          .means("altitude of a form's brightest light"),
-      of_profile(ProfileKind::form, "set the profile to \"form\"", row("lower_km", &Sheet::lower_km)).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
-          .means("for \"form\": distance below the peak where the light is a tenth"),
-      of_profile(ProfileKind::form, "set the profile to \"form\"", row("upper_km", &Sheet::upper_km)).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
-          .means("for \"form\": distance above the peak where the light is a tenth"),
+      of_heights(row("peak_km", &Sheet::peak_km)).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
+          .means("altitude of the brightest light of \"form\" or \"line\""),
+      of_heights(row("lower_km", &Sheet::lower_km)).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
+          .means("for \"form\" and \"line\": distance below the peak where the light is a tenth"),
+      of_heights(row("upper_km", &Sheet::upper_km)).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
+          .means("for \"form\" and \"line\": distance above the peak where the light is a tenth"),
+      row("line_nm", &Sheet::line_nm).in("nm").within(10, 30000)
+          .means("for \"line\": the line or continuum that shines, one of emission.lines; for \"proton\": the line that line_kilorayleigh is of"),
+      row("line_kilorayleigh", &Sheet::line_kilorayleigh).inert_if([](const Sheet& s) { return !is_as_given(s); }, "the sheet's profile is {profile}", "set the profile to \"line\" or \"proton\"").called("brightness").as(ParameterRole::line_brightness).in("kR").within(0, 1e6).may_be_free(ParameterScale::logarithmic)
+          .means("for \"line\" and \"proton\": its brightness along the field, at its peak across a layer"),
       row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
           .means("lowest altitude of a free-form profile, dark"),
       row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)

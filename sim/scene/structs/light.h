@@ -25,6 +25,8 @@ struct OwnLine {
   double rayleigh_per_mw_m2 = 0.0;  ///< brightness of its layer from straight below; 0: no layer
   double peak_km = 120.0;           ///< of its layer
   double scale_height_km = 0.0;     ///< of its layer; 0: that of the body's air
+  std::string spectrum_file =
+      {};  ///< CSV of a continuum, relative to the scene's file; empty: one wavelength
 };
 
 /// The texts of a folder of emission tables.

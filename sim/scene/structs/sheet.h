@@ -52,9 +52,11 @@ struct Sheet {
   ProfileKind profile = ProfileKind::maxwellian;
   double energy_spread = 0.2;      ///< of a Gaussian spectrum: standard deviation over energy_kev
   std::string profile_file;        ///< CSV of a height profile, relative to the scene's file
-  double peak_km = 110.0;          ///< altitude of the maximum of a form's light
+  double peak_km = 110.0;          ///< altitude of the maximum of a form's light, or that of "line"
   double lower_km = 4.0;           ///< distance below the peak at which a form's light has fallen to a tenth
   double upper_km = 20.0;          ///< distance above the peak at which a form's light has fallen to a tenth
+  double line_nm = 557.7;          ///< the only line of the profile "line"; of "proton" one of theirs
+  double line_kilorayleigh = 1.0;  ///< its brightness along the field, at the peak of a layer; replaces Q
   double spline_bottom_km = 80.0;  ///< lower end of a free-form profile, where it is 0
   double spline_top_km = 500.0;    ///< upper end of a free-form profile, where it is 0
   int spline_knots = 36;           ///< coefficients of a free-form profile per line

@@ -12,12 +12,25 @@ enum class ProfileKind {
   form,        ///< measured curve of an auroral form, with the line ratios of a Maxwellian
   file,        ///< from a CSV file
   spline,      ///< free-form: a coefficient per knot and line
-  layer        ///< the layers of the scene's own lines ([[line]])
+  layer,       ///< the layers of the scene's own lines ([[line]])
+  line,        ///< of one line, as bright as given, at the heights of a form: light without electrons
+  proton       ///< of protons with a Maxwellian spectrum, as bright as given in one of their lines
 };
 
 /// True if the profile comes from the emission tables: electrons in the Earth's air.
 constexpr bool is_of_electrons(ProfileKind profile) {
-  return profile != ProfileKind::file && profile != ProfileKind::spline && profile != ProfileKind::layer;
+  return profile != ProfileKind::file && profile != ProfileKind::spline && profile != ProfileKind::layer &&
+         profile != ProfileKind::line && profile != ProfileKind::proton;
+}
+
+/// True if line_kilorayleigh is the brightness of line_nm, so that no energy flux follows.
+constexpr bool is_as_bright_as_given(ProfileKind profile) {
+  return profile == ProfileKind::line || profile == ProfileKind::proton;
+}
+
+/// True if peak_km, lower_km and upper_km are the heights of the light.
+constexpr bool has_heights_of_form(ProfileKind profile) {
+  return profile == ProfileKind::form || profile == ProfileKind::line;
 }
 
 /// The course of a sheet's layers on the ground.

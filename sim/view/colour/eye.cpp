@@ -1,5 +1,4 @@
 #include "sim/view/colour/eye.h"
-#include "sim/scene/lines/emission_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,9 +45,9 @@ EyeLight eye_light_per_rayleigh(double wavelength_nm) {
   return light;
 }
 
-EyeLight line_eye_light_per_rayleigh(double line_nm) {
+EyeLight eye_light_per_rayleigh(const std::vector<LineComponent>& components) {
   EyeLight sum;
-  for (const LineComponent& component : line_components(line_nm)) {
+  for (const LineComponent& component : components) {
     EyeLight light = eye_light_per_rayleigh(component.wavelength_nm);
     for (double& value : light.xyz_cd_m2) value *= component.share;
     light.scotopic_cd_m2 *= component.share;

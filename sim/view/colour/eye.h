@@ -10,6 +10,9 @@
 // docs/optics.md, "What the eye sees".
 #pragma once
 
+#include <vector>
+
+#include "sim/scene/lines/emission_lines.h"
 #include "sim/view/colour/colour.h"
 
 namespace vegard::sim {
@@ -31,7 +34,7 @@ struct EyeLight {
 
 /// Return one rayleigh of light of one wavelength, and of an emission line with all its components.
 EyeLight eye_light_per_rayleigh(double wavelength_nm);
-EyeLight line_eye_light_per_rayleigh(double line_nm);
+EyeLight eye_light_per_rayleigh(const std::vector<LineComponent>& components);
 
 /// Returns light whose spectrum is unknown, such as a picture's: the scotopic luminance is the approximation
 /// of Larson, Rushmeier and Piatko 1997, doi:10.1109/2945.646233, Y (1.33 (1 + (Y + Z)/X) - 1.68), at least

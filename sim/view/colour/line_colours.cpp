@@ -4,6 +4,7 @@
 #include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/scene/structs/sensor.h"
+#include "sim/view/colour/line_spectrum.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/colour/sensor_response.h"
 
@@ -32,7 +33,7 @@ std::vector<Vector3> line_colours_at_unit_gain(const Scene& scene) {
   std::vector<Vector3> colours;
   for (const double wavelength_nm : scene.emission.lines) {
     Vector3 colour{};
-    for (const LineComponent& component : line_components(wavelength_nm)) {
+    for (const LineComponent& component : components_of_line(scene, wavelength_nm)) {
       const Vector3 rgb = response.rgb_per_kilorayleigh(component.wavelength_nm);
       for (int c = 0; c < 3; ++c) colour[c] += component.share * rgb[c];
     }

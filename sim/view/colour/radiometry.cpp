@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/base/number/constants.h"
-#include "sim/scene/lines/emission_lines.h"
 #include "sim/scene/structs/scene.h"
 #include "sim/view/colour/colour.h"
 
@@ -19,9 +18,9 @@ double luminance_cd_m2_per_rayleigh(double wavelength_nm) {
          radiance_w_m2_sr_per_rayleigh(wavelength_nm);
 }
 
-double line_luminance_cd_m2_per_rayleigh(double line_nm) {
+double luminance_cd_m2_per_rayleigh(const std::vector<LineComponent>& components) {
   double luminance = 0.0;
-  for (const LineComponent& component : line_components(line_nm))
+  for (const LineComponent& component : components)
     luminance += component.share * luminance_cd_m2_per_rayleigh(component.wavelength_nm);
   return luminance;
 }

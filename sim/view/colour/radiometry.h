@@ -1,5 +1,5 @@
-// Conversion of rayleighs to radiance, luminance, photons on a pixel, and the electrons and digital numbers of a
-// sensor; familiar luminances to compare an aurora with.
+// Conversion of rayleighs to radiance, luminance, photons on a pixel, and the electrons and digital numbers
+// of a sensor; familiar luminances to compare an aurora with.
 //
 // Sources: Hunten, Roach and Chamberlain 1956, J. Atmos. Terr. Phys. 8, 345 (a rayleigh is an apparent
 // emission of 10^6 photons cm^-2 s^-1 of column, so a radiance of 10^10 / 4 pi photons m^-2 s^-1 sr^-1); the
@@ -8,6 +8,9 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
+
+#include "sim/scene/lines/emission_lines.h"
 
 namespace vegard::sim {
 
@@ -24,8 +27,8 @@ double radiance_w_m2_sr_per_rayleigh(double wavelength_nm);
 /// Returns the luminance of one rayleigh at a wavelength in cd m^-2, for the CIE 1931 observer.
 double luminance_cd_m2_per_rayleigh(double wavelength_nm);
 
-/// The same for one rayleigh of an emission line with all its components.
-double line_luminance_cd_m2_per_rayleigh(double line_nm);
+/// The same for one rayleigh of a line with all its components.
+double luminance_cd_m2_per_rayleigh(const std::vector<LineComponent>& components);
 
 /// A lens and the pixels of the sensor.
 struct Optics {

@@ -220,6 +220,9 @@ TEST(FormOnFilm, IsMeasuredForEveryForm) {
   std::vector<std::string> measured = {"custom"};
   for (const Stated& stated : kStated) measured.emplace_back(stated.form);
   measured.emplace_back("spirals");  // the source leaves them to the future and states nothing of them
+  measured.emplace_back("steve");    // no form of the source
+  measured.emplace_back("picket_fence");
+  measured.emplace_back("proton_arc");
   EXPECT_EQ(measured, form_names());
 }
 

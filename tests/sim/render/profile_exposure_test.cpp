@@ -63,6 +63,21 @@ TEST(ProfileExposure, OfAFormsNumbersAgreesWithDifferences) {
   expect_exact(scene, &Sheet::upper_km, ParameterRole::form_upper, 0.02, 3e-3);
 }
 
+TEST(ProfileExposure, OfAGivenLinesNumbersAgreesWithDifferences) {
+  Scene scene = tests::small_scene();
+  scene.sheets[0].profile = ProfileKind::line;  // of 557.7 nm
+  scene.sheets[0].line_kilorayleigh = 4.0;
+  scene.sheets[0].peak_km = 113.1;
+  scene.sheets[0].lower_km = 11.0;
+  expect_exact(scene, &Sheet::peak_km, ParameterRole::form_peak, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::lower_km, ParameterRole::form_lower, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::upper_km, ParameterRole::form_upper, 0.02, 3e-3);
+  expect_exact(scene, &Sheet::line_kilorayleigh, ParameterRole::line_brightness, 0.1, 3e-3);
+  scene.sheets[0].profile = ProfileKind::proton;
+  scene.sheets[0].line_nm = 427.8;
+  expect_exact(scene, &Sheet::line_kilorayleigh, ParameterRole::line_brightness, 0.1, 3e-3);
+}
+
 TEST(ProfileExposure, OfSplinesCoefficientsAddUpToTheLight) {
   Scene scene = tests::small_scene();
   scene.sheets[0].profile = ProfileKind::spline;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "sim/base/number/constants.h"
@@ -43,14 +44,16 @@ Scene magnetic_zenith(double inclination_deg) {
   return scene;
 }
 
-/// Mean green light of a film of magnetic_zenith(), its border left out, in kilorayleigh.
-double green_kilorayleigh(const Exposure& exposure) {
+/// Mean light of a line of a film of magnetic_zenith(), its border left out, in kilorayleigh.
+double kilorayleigh_of(const Exposure& exposure, int line) {
   double sum = 0.0;
   int cells = 0;
   for (int r = 4; r < 36; ++r)
-    for (int c = 4; c < 36; ++c, ++cells) sum += exposure.rayleigh[exposure.cells() + r * 40 + c];
+    for (int c = 4; c < 36; ++c, ++cells) sum += exposure.rayleigh[line * exposure.cells() + r * 40 + c];
   return 1e-3 * sum / cells;
 }
+
+double green_kilorayleigh(const Exposure& exposure) { return kilorayleigh_of(exposure, 1); }
 
 TEST(Brightness, OfIbcTwoIsTenKilorayleighAlongTheField) {
   // Source paper, table 1; docs/physics.md row B21. Beams and steps are random: from seed to seed the mean of
@@ -63,6 +66,19 @@ TEST(Brightness, OfIbcTwoIsTenKilorayleighAlongTheField) {
       EXPECT_NEAR(green_kilorayleigh(exposed(scene)), 10.0, 0.25)
           << profile << ", inclination " << inclination;
     }
+  }
+}
+
+TEST(Brightness, OfALineAndOfProtonsIsAsGivenAlongTheField) {
+  for (const auto& [profile, line_nm, line] :
+       {std::tuple(ProfileKind::line, 557.7, 1), std::tuple(ProfileKind::proton, 427.8, 2)}) {
+    Scene scene = magnetic_zenith(60.0);
+    scene.sheets[0].profile = profile;
+    scene.sheets[0].line_nm = line_nm;
+    scene.sheets[0].line_kilorayleigh = 3.0;
+    scene.sheets[0].energy_flux_mw_m2 = 77.0;  // has no effect
+    EXPECT_NEAR(kilorayleigh_of(exposed(scene), line), 3.0, 0.075) << line_nm;
+    EXPECT_EQ(kilorayleigh_of(exposed(scene), 0), 0.0) << "no red line";
   }
 }
 

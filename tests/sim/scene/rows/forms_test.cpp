@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/light/sheet_profile.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/lines/scene_lines.h"
 #include "sim/scene/table/parameter_table.h"
 #include "tests/support/small_scene.h"
 
@@ -15,7 +16,15 @@ namespace vegard::sim::forms_test {
 namespace {
 
 Sheet sheet_of(const std::string& form) {
-  return parse_scene("[[sheet]]\nform = \"" + form + "\"\n", "aurora.toml").sheets.at(0);
+  return parse_scene(
+             "[emission]\nlines = [557.7, 610.0]\n[blur]\nwidth_deg = [0.2, 0.0]\n[[sheet]]\nform = \"" +
+                 form + "\"\n",
+             "aurora.toml")
+      .sheets.at(0);
+}
+
+bool is_of_source(const std::string& form) {
+  return form != "custom" && form != "steve" && form != "picket_fence" && form != "proton_arc";
 }
 
 /// With the source's curve in the place of electrons.
@@ -26,9 +35,11 @@ Sheet sheet_with_curve(const std::string& form) {
 }
 
 TEST(Forms, SetWhatTheirTableSaysAndNothingElse) {
-  ASSERT_EQ(forms().size(), 10u) << "custom, the eight of the source and its future work";
+  ASSERT_EQ(forms().size(), 13u)
+      << "custom, the eight of the source and its future work, STEVE, its fence, protons";
   Scene untouched;
   untouched.sheets.resize(1);
+  change_lines(untouched, {557.7, 610.0});
   for (const Form& form : forms()) {
     Scene scene = untouched;
     set_from_text(scene, "sheet.main.form", form.name);
@@ -123,7 +134,7 @@ TEST(Forms, AreAsTallAsTheSourceHasThem) {
 
 TEST(Forms, ChangeWithTheirEnergy) {
   for (const Form& form : forms()) {
-    if (form.name == "custom") continue;
+    if (!is_of_source(form.name)) continue;
     Sheet harder = sheet_of(form.name);
     harder.energy_kev *= 2.0;
     EXPECT_LT(height_of(harder, 0.1, false), height_of(sheet_of(form.name), 0.1, false) - 2.0) << form.name;
@@ -134,7 +145,7 @@ TEST(Forms, HaveACurveWithALowerBorderAsSharpAsTheSourceHasIt) {
   // Section 3.4: a tenth within a few kilometres, a hundredth one or two below that; the profile's step is
   // 0.25 km.
   for (const Form& form : forms()) {
-    if (form.name == "custom") continue;
+    if (!is_of_source(form.name)) continue;
     const Sheet sheet = sheet_with_curve(form.name);
     const double tenth = height_of(sheet, 0.1, false), hundredth = height_of(sheet, 0.01, false);
     EXPECT_LT(sheet.peak_km - tenth, 5.25) << form.name;
@@ -145,7 +156,7 @@ TEST(Forms, HaveACurveWithALowerBorderAsSharpAsTheSourceHasIt) {
 
 TEST(Forms, KeepToTheSourcesRanges) {
   for (const Form& form : forms()) {
-    if (form.name == "custom") continue;
+    if (!is_of_source(form.name)) continue;
     SCOPED_TRACE(form.name);
     const Sheet s = sheet_of(form.name);
     const double ratio = s.wavelength_km / (2.0 * s.thickness_km);
@@ -184,6 +195,27 @@ TEST(Forms, KeepToTheSourcesRanges) {
   };
   EXPECT_LT(green_kilorayleigh("diffuse_patches"), 1.0) << "difficult to see with the naked eye: below 1 kR";
   EXPECT_GT(green_kilorayleigh("homogeneous_arc"), 5.0);
+}
+
+TEST(Forms, SteveAndThePicketFenceAreAtTheAltitudesOfTheirTriangulation) {
+  // Archer et al. 2019, doi:10.1029/2019GL084473: 130 to 270 km and 95 to 150 km, here the tenths of the
+  // peak.
+  struct {
+    const char* form;
+    double line_nm, lowest_km, highest_km;
+  } const published[] = {{"steve", 610.0, 130.0, 270.0}, {"picket_fence", 557.7, 95.0, 150.0}};
+  for (const auto& [form, line_nm, lowest_km, highest_km] : published) {
+    const Scene scene = tests::with_sheet(sheet_of(form));
+    const HeightProfile profile = sheet_profile({line_nm, 427.8}, scene, 0);
+    const auto rate = [&](double km) {
+      return profile.rate[static_cast<std::size_t>((km - HeightProfile::kBottomKm) / HeightProfile::kStepKm) *
+                          profile.stride];
+    };
+    const double peak = rate(scene.sheets[0].peak_km);
+    EXPECT_NEAR(rate(lowest_km) / peak, 0.1, 1e-4) << form;
+    EXPECT_NEAR(rate(highest_km) / peak, 0.1, 1e-4) << form;
+    EXPECT_EQ(column_below(profile, 1, 500.0).rayleigh, 0.0) << "the fence has no light of N2+";
+  }
 }
 
 TEST(Forms, GivingTheBeamsWinsOverTheBeamsPerKilometre) {

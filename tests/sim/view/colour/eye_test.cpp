@@ -51,11 +51,13 @@ TEST(Rods, ScotopicOverPhotopicLuminanceOfTheLinesIsThatOfTheTables) {
 // V' at 595 nm is some 300 times that at 670 nm: a few per cent of the photons near there are most of the
 // light.
 TEST(Eye, SeesAllBandsOfASetThatIsNamedAfterOne) {
-  const EyeLight bands = line_eye_light_per_rayleigh(670.5), named = eye_light_per_rayleigh(670.5);
+  const EyeLight bands = eye_light_per_rayleigh(line_components(670.5)),
+                 named = eye_light_per_rayleigh(670.5);
   EXPECT_GT(bands.scotopic_cd_m2, 3.0 * named.scotopic_cd_m2);
-  EXPECT_NEAR(bands.xyz_cd_m2[1], line_luminance_cd_m2_per_rayleigh(670.5), 1e-15);
+  EXPECT_NEAR(bands.xyz_cd_m2[1], luminance_cd_m2_per_rayleigh(line_components(670.5)), 1e-15);
   // A line is a set of one.
-  EXPECT_EQ(line_eye_light_per_rayleigh(557.7).scotopic_cd_m2, eye_light_per_rayleigh(557.7).scotopic_cd_m2);
+  EXPECT_EQ(eye_light_per_rayleigh(line_components(557.7)).scotopic_cd_m2,
+            eye_light_per_rayleigh(557.7).scotopic_cd_m2);
 }
 
 TEST(Rods, DoNotSeeRedAurora) {
