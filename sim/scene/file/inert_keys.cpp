@@ -12,12 +12,16 @@
 namespace vegard::sim {
 namespace {
 
-/// The same sheets by name and form, and nothing else.
+/// The same sheets by name and form, and nothing else. It need not be a valid scene: a form may be of a line
+/// that emission.lines has to name.
 Scene unsaid(const Scene& scene) {
-  std::string text;
-  for (const Sheet& sheet : scene.sheets)
-    text += "[[sheet]]\nname = \"" + sheet.name + "\"\nform = \"" + sheet.form + "\"\n";
-  return parse_scene(text, "");
+  Scene plain;
+  for (const Sheet& sheet : scene.sheets) {
+    plain.sheets.emplace_back();
+    plain.sheets.back().name = sheet.name;
+    set_from_text(plain, "sheet." + sheet.name + ".form", sheet.form);
+  }
+  return plain;
 }
 
 /// The line of the file that sets the number or its list; 0 if a change of the scene has; none if it was not

@@ -37,6 +37,15 @@ TEST(IdleKeys, TellNothingOfWhatCountsOrIsAsItWouldBe) {
   EXPECT_TRUE(inert_keys(parse_scene(write_scene(scene), "y.toml")).empty());
 }
 
+TEST(IdleKeys, AreToldOfAFormWhoseLineTheSceneNames) {
+  const Scene scene = parse_scene(
+      "[emission]\nlines = [610.0]\n[blur]\nwidth_deg = [0]\n[[sheet]]\nform = \"steve\"\nenergy_kev = 2\n",
+      "x.toml");
+  const std::vector<std::string> told = inert_keys(scene);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].rfind("x.toml:7: sheet.main.energy_kev: ", 0), 0u) << told[0];
+}
+
 TEST(IdleKeys, KnowThatAPanoramaHasNoFocalLength) {
   const auto told = [](const std::string& camera) {
     return inert_keys(parse_scene("[camera]\nwidth = 400\nheight = 200\n" + camera, "x.toml"));
