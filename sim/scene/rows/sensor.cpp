@@ -49,7 +49,7 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "white_balance", &Scene::sensor, &Sensor::white_balance).of({"red", "green", "blue"}).within(1e-6, 1e6)
           .means("given gains of a camera's raw channels"),
       Row("sensor", "matrix_rule", &Scene::sensor, &Sensor::matrix_rule).one_of<MatrixRule>({{"none", MatrixRule::none}, {"colorimetric", MatrixRule::colorimetric}, {"given", MatrixRule::given}})
-          .means("camera channels to primaries: `none`, `colorimetric` (least squares, docs/physics.md) or `given` (matrix)"),
+          .means("camera channels to primaries: `none`, `colorimetric` (least squares, docs/optics.md) or `given` (matrix)"),
       Row("sensor", "matrix", &Scene::sensor, &Sensor::matrix).of({"rr", "rg", "rb", "gr", "gg", "gb", "br", "bg", "bb"}).within(-1e6, 1e6)
           .means("matrix from camera to picture channels, by rows"),
       Row("sensor", "exposure", &Scene::sensor, &Sensor::exposure).one_of<ExposureRule>({{"gain", ExposureRule::gain}, {"camera", ExposureRule::camera}})
