@@ -9,7 +9,7 @@ fit_from() { expect_exit "$1" fit "$SCENES/map.toml" --photo photo.png --from-ma
 # Residuals of 8 bits are correlated, which the verdict says.
 fit_from 5 map run --threads 2
 expect_stdout "curtain | settled"
-expect_stdout "1 curve"
+expect_stdout "curtain_1 stays: BIC would be"
 for file in result.json best.toml report.html model.exr trace.csv; do expect_file "run/$file"; done
 grep -q '"change": "start"' run/result.json || fail "no steps"
 grep -qF "Selection of curtains" run/report.html || fail "no table of the steps"
@@ -57,7 +57,7 @@ changed 's/"width_px"/"breadth"/'
 refused 3 other "lacks"
 changed '/"curtains": \[/,/^  \],/c\  "curtains": [],'
 refused 3 other "no curtain"
-changed 's/"faint_curtains": 0/"faint_curtains": 3/'
+changed 's/"faint_curtains": [0-9]*/"faint_curtains": 3/'
 refused 3 other "faint_curtains.csv"
 rm -rf other
 cp -r map other
