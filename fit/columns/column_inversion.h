@@ -14,6 +14,7 @@
 
 #include "fit/columns/column_chi2.h"
 #include "fit/uncertainty/profile_likelihood.h"
+#include "sim/base/number/chi_squared.h"
 
 namespace vegard::fit {
 
@@ -76,8 +77,7 @@ ColumnInversion invert_columns(const ColumnChi2& chi2, const ColumnData& data);
 /// Returns the number of lines minus that of free unknowns.
 int degrees_of_freedom(const ColumnChi2& chi2);
 
-/// Returns the probability of a larger chi2 by chance, for at least one degree of freedom.
-double chi2_tail(double chi2, int degrees_of_freedom);
+using sim::chi2_tail;
 
 /// True if a chi2 is too large for these tables, by kMaxColumnChi2 or kMinChance.
 bool contradicts_tables(double chi2, int degrees_of_freedom);
