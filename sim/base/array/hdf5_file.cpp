@@ -2,7 +2,8 @@
 // separate process (sim/base/file/child_worker.h) because it crashes on damaged files.
 //
 // It reads datasets of integers, floats and texts, of any layout inside of the file, with the filters of the
-// library (deflate, shuffle, checksums). Links to other files, and data in other files, are not followed.
+// library (deflate, shuffle, checksums). Of a table of records each column of numbers is an array, named
+// "TABLE/COLUMN". Links to other files, and data in other files, are not followed.
 #include "sim/base/array/array_format.h"
 
 #include <hdf5.h>
@@ -178,6 +179,23 @@ bool is_within_reach(hid_t dataset, std::size_t size) {
   return true;
 }
 
+/// The columns of a table of records that are numbers.
+void take_columns(hid_t type, const StoredArray& table, Listing& listing) {
+  const int columns = H5Tget_nmembers(type);
+  for (int c = 0; c < columns && listing.arrays.size() <= kMaxArrays; ++c) {
+    const Handle member(H5Tget_member_type(type, static_cast<unsigned>(c)), H5Tclose);
+    char* const name = H5Tget_member_name(type, static_cast<unsigned>(c));
+    StoredArray column = table;
+    bool is_known = false;
+    if (name != nullptr && member.is_open()) column.kind = array_kind_of(member, is_known);
+    if (is_known && column.kind != ArrayKind::text) {
+      column.name += "/" + std::string(name, ::strnlen(name, kMaxTextBytesOfOne));
+      listing.arrays.push_back(std::move(column));
+    }
+    H5free_memory(name);
+  }
+}
+
 void take_dataset(hid_t dataset, const std::string& name, Listing& listing) {
   const Handle type(H5Dget_type(dataset), H5Tclose), space(H5Dget_space(dataset), H5Sclose);
   if (!type.is_open() || !space.is_open() || H5Sget_simple_extent_type(space) == H5S_NULL) return;
@@ -186,11 +204,13 @@ void take_dataset(hid_t dataset, const std::string& name, Listing& listing) {
   bool is_known = false;
   array.kind = array_kind_of(type, is_known);
   const int dims = H5Sget_simple_extent_ndims(space);
-  if (!is_known || dims < 0 || dims > static_cast<int>(kMaxArrayDims)) return;
+  const bool is_table = H5Tget_class(type) == H5T_COMPOUND && dims == 1;
+  if (!(is_known || is_table) || dims < 0 || dims > static_cast<int>(kMaxArrayDims)) return;
   if (!is_within_reach(dataset, H5Tget_size(type))) return;
   std::array<hsize_t, kMaxArrayDims> lengths{};
   H5Sget_simple_extent_dims(space, lengths.data(), nullptr);
   array.dims.assign(lengths.begin(), lengths.begin() + dims);
+  if (is_table) return take_columns(type, array, listing);
   array.words = words_of_object(dataset, listing);
   listing.arrays.push_back(std::move(array));
 }
@@ -280,15 +300,32 @@ class Hdf5File : public ArrayFile {
     return damaged(name_, "'" + array.name + "' cannot be read");
   }
 
+  /// A dataset and, if it is a table of records, which of its columns an array is.
+  struct Column {
+    std::string dataset, name;
+  };
+  Column column_of(const StoredArray& array) const {
+    const std::size_t slash = array.name.rfind('/');
+    if (slash == std::string::npos || H5Lexists(file_, array.name.c_str(), H5P_DEFAULT) > 0)
+      return {array.name, {}};
+    return {array.name.substr(0, slash), array.name.substr(slash + 1)};
+  }
+
   Handle opened(const StoredArray& array) const {
     return {H5Dopen2(file_, array.name.c_str(), H5P_DEFAULT), H5Dclose};
   }
 
   std::string read_block(const StoredArray& array, const std::vector<std::uint64_t>& start,
                          const std::vector<std::uint64_t>& count) override {
-    const Handle dataset = opened(array);
+    const Column column = column_of(array);
+    const Handle dataset(H5Dopen2(file_, column.dataset.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle space(dataset.is_open() ? H5Dget_space(dataset) : -1, H5Sclose);
-    if (!space.is_open()) throw bad_array(array);
+    // In memory a record has the column alone.
+    const Handle record(H5Tcreate(H5T_COMPOUND, size_of(array.kind)), H5Tclose);
+    if (!space.is_open() || !record.is_open()) throw bad_array(array);
+    if (!column.name.empty() && H5Tinsert(record, column.name.c_str(), 0, memory_type(array.kind)) < 0)
+      throw bad_array(array);
+    const hid_t type = column.name.empty() ? memory_type(array.kind) : static_cast<hid_t>(record);
     std::string block(size_of(array.kind), '\0');
     if (array.dims.empty()) {
       if (H5Dread(dataset, memory_type(array.kind), H5S_ALL, H5S_ALL, H5P_DEFAULT, block.data()) < 0)
@@ -302,7 +339,7 @@ class Hdf5File : public ArrayFile {
     const Handle memory(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
     if (!memory.is_open() ||
         H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, sizes.data(), nullptr) < 0 ||
-        H5Dread(dataset, memory_type(array.kind), memory, space, H5P_DEFAULT, block.data()) < 0)
+        H5Dread(dataset, type, memory, space, H5P_DEFAULT, block.data()) < 0)
       throw bad_array(array);
     return block;
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Writes the files beside it, which tests read: small ones of the formats in which imagers' frames and skymaps are
-published, by writers that have nothing to do with vegard: h5py (rgb.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
+published, by writers that have nothing to do with vegard: h5py (rgb.h5, madrigal.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
 zlib and gzip (minute.png.tar, minute.pgm.gz, frame.fits.gz), and for CDF, which has no library in Debian, the format's
 description by hand (asi.cdf, asi_packed.cdf; Debian's libjcdf-java reads the same numbers of them). The two .sav are GDL's: gdl -q make_skymap.pro.
 
@@ -49,6 +49,23 @@ def write_huge():
         file.create_dataset("images", shape=(400000, 400000, 10), dtype="u2", chunks=(64, 64, 1), compression="gzip")
     with h5py.File("huge_chunk.h5", "w", libver="latest") as file:
         file.create_dataset("images", shape=(32768, 32768, 10), dtype="u2", chunks=(32768, 16384, 2), compression="gzip")
+
+
+def write_madrigal():
+    """A radar's densities as Madrigal has them: two minutes, two beams; dnel as the error's log10 and as the log10's error."""
+    names = [("year", "i4"), ("beamid", "i4"), ("ut1_unix", "f8"), ("ut2_unix", "f8"), ("gdalt", "f8"), ("nel", "f8"),
+             ("dnel", "f8"), ("kindat", "i4")]
+    rows = []
+    for minute in range(2):
+        begin = 1206515000.0 + 60 * minute
+        for beam in (1, 2):
+            for gate, altitude in enumerate(range(85, 155, 5)):
+                density = 11.0 + 0.5 * np.exp(-(((altitude - 110) / 20.0) ** 2))
+                rows.append((2008, beam, begin, begin + 60.0, altitude, np.nan if gate == 3 and minute == 0 else density,
+                             density - 1.3 if beam == 1 else 0.02, 5950))
+    with h5py.File("madrigal.h5", "w") as file:
+        file.create_dataset("Data/Table Layout", data=np.array(rows, dtype=names), compression="gzip", chunks=(28,))
+        file["Metadata/Experiment Notes"] = np.array([("a note",)], dtype=[("File Notes", "S10")])
 
 
 def write_matlab():
@@ -154,6 +171,7 @@ write_rgb()
 write_minute()
 write_fits()
 write_huge()
+write_madrigal()
 write_matlab()
 write_tar()
 write_cdf("asi.cdf", False, True)

@@ -53,6 +53,19 @@ TEST(ArrayFile, ReadsHdf5) {
             words.end());
 }
 
+// Each column of numbers of a table of records is an array; columns of text are none.
+TEST(ArrayFile, ReadsTablesOfHdf5) {
+  const auto file = open_array_file(made("madrigal.h5"));
+  EXPECT_EQ(file->arrays().size(), 8u);
+  const StoredArray& beams = array_called(*file, "Data/Table Layout/beamid");
+  EXPECT_EQ(beams.dims, (Dims{56}));
+  EXPECT_EQ(beams.kind, ArrayKind::i32);
+  const std::vector<double> altitudes = file->read_numbers(array_called(*file, "Data/Table Layout/gdalt"));
+  for (std::size_t row = 0; row < altitudes.size(); ++row)
+    EXPECT_EQ(altitudes[row], 85.0 + 5.0 * static_cast<double>(row % 14));
+  EXPECT_EQ(file->read(beams, {13}, {2}), std::string("\1\0\0\0\2\0\0\0", 8));
+}
+
 TEST(ArrayFile, ReadsMatlabOfBothKinds) {
   for (const char* name : {"stack.mat", "stack_v73.mat"}) {
     const auto file = open_array_file(made(name));
