@@ -124,6 +124,12 @@ IonDensities ion_balance(const ReactingAir& air, const IonProduction& production
   return ion_history(air, production, reactions, seconds, night).ions.back();
 }
 
+double balanced_production(const ReactingAir& air, const IonProduction& production,
+                           const Reactions& reactions, double electrons_cm3) {
+  const RatesAtPlace rates = reactions.at(air.temperature_k, air.electron_temperature_k);
+  return electrons_cm3 / ions_among(air, production, rates, diffusion_loss_s(air), electrons_cm3, {}).ions();
+}
+
 std::vector<double> atoms_since_onset(const std::vector<double>& step_s,
                                       const std::vector<double>& made_cm3_s,
                                       const std::vector<double>& losses_s) {

@@ -56,6 +56,11 @@ IonHistory ion_history(const ReactingAir& air, const IonProduction& production, 
 IonDensities ion_balance(const ReactingAir& air, const IonProduction& production, const Reactions& reactions,
                          double seconds = std::numeric_limits<double>::infinity(), double night = 1.0);
 
+/// Returns the factor on a production with which ions in balance equal this density of electrons. At a given
+/// density every ion is proportional to what is produced, so it needs no search.
+double balanced_production(const ReactingAir& air, const IonProduction& production,
+                           const Reactions& reactions, double electrons_cm3);
+
 /// Returns the densities of atoms that are made and lost at the given rates [moment], none being there
 /// before; of a steady state, without steps, what is made over the losses. Between two moments what is made
 /// changes linearly, and the losses are the mean of both: exact where both are so.

@@ -10,9 +10,17 @@
 #include <cstdint>
 #include <optional>
 
+#include "sim/light/chemistry/physics_draw.h"
 #include "sim/light/ionosphere/ionosphere.h"
 
 namespace vegard::sim {
+
+/// Returns the air that tables of light were made for. Throws Error(unreadable_input) if it is no table of
+/// read_air_table().
+AirTable air_of_tables(const EmissionTables& tables);
+
+/// Returns the reactions and the ionisation of the gases by a draw of the numbers, in a steady state.
+IonospherePhysics drawn_physics(const PhysicsDraw& numbers);
 
 struct IonosphereRequest {
   ElectronSpectrum spectrum;
