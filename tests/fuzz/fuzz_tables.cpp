@@ -10,6 +10,7 @@
 #include "fit/photo/pointing/exchange/sip_wcs.h"
 #include "fit/photo/pointing/star_table.h"
 #include "fit/photo/rayleigh/rayleigh_camera.h"
+#include "fit/radar/density_table.h"
 #include "fit/report/ionosphere/electron_source.h"
 #include "fit/report/netcdf/keyed_table.h"
 #include "fit/sky_kind/sky_model.h"
@@ -295,11 +296,20 @@ void electrons(const std::string& text) {
     require(row.energy_kev > 0.0 && row.energy_flux_mw_m2 >= 0.0);
 }
 
+/// A radar's profiles.
+void densities(const std::string& text) {
+  const fit::DensityTable table = fit::density_table_of_csv(text, "it.csv", 80.0, 150.0);
+  require(!table.profiles.empty() && table.altitude_km.size() >= fit::kLeastAltitudes);
+  for (const fit::DensityProfile& profile : table.profiles)
+    for (std::size_t i = 0; i < table.altitude_km.size(); ++i)
+      require(std::isfinite(profile.density_cm3[i]) == (profile.sigma_cm3[i] > 0.0));
+}
+
 constexpr Reader kReaders[] = {
-    csv,       height_profile, response, tone,      colours,         stars,         pictures,
-    times,     camera,         mask,     moments,   curtains,        precipitation, survey,
-    plan,      survey_list,    air,      sky_model, emission_tables, reactions,     aida_cameras,
-    solutions, keyed_tables,   counts,   sights,    tracks,          elements,      electrons};
+    csv,    height_profile, response,        tone,      colours,       stars,     pictures,     times,
+    camera, mask,           moments,         curtains,  precipitation, survey,    plan,         survey_list,
+    air,    sky_model,      emission_tables, reactions, aida_cameras,  solutions, keyed_tables, counts,
+    sights, tracks,         elements,        electrons, densities};
 
 }  // namespace
 

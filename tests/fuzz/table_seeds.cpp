@@ -136,6 +136,8 @@ std::vector<std::string> fuzz_seeds(const std::string&) {
       "|{\"kind\": \"vegard invert\", \"spectrum\": \"maxwellian\", \"tables\": \"vegard\", \"solutions\": "
       "[{\"energy_kev\": {\"value\": 3, \"sigma_ln\": 0.1, \"free\": true}, \"energy_flux_mw_m2\": "
       "{\"value\": 5, \"sigma_ln\": 0.2}, \"correlations\": {\"energy_kev,energy_flux_mw_m2\": -0.5}}]}",
+      "}time_s,altitude_km,density_m3,density_m3_error\n0,90,1e11,1e9\n0,95,2e11,1e9\n0,100,3e11,1e9\n"
+      "0,105,3e11,1e9\n0,110,2e11,1e9\n",
       "w# a profile\n# decoding: srgb\nband,row_px,r,\"g, h\"\n0,0,1,2\n0,1,,4\n1,0,5e-3,6\n1,1,7,8\n",
       "qaltitude_km,T_K,nN2,nO2,nO\n90,190,4e13,1e13,2e11\n110,240,2e12,3e11,2e11\n400,1000,4e6,1e5,1e8\n",
       "tnumber,value,exponent,activation_K,of\n43,0.19,0,0,0\n31,1.9e-7,-0.7,0,2\n",
