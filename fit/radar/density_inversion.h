@@ -1,0 +1,69 @@
+// Spectra of electrons from profiles of electron density: each in a steady state, or one after another in
+// time.
+//
+// In time the posterior of one profile is the prior of the next, of the density as the model of Virtanen et
+// al. 2018 has it (spectrum_posterior.h), and of the spectrum, which is remembered for as long as makes the
+// densities most probable (profile_solution.h). The first profile, and one after a gap, begins anew. Numbers
+// are medians of samples and quantiles of them, which contain the errors of the density, the smoothness and
+// the numbers of physics.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "fit/radar/density_table.h"
+#include "fit/radar/spectrum_posterior.h"
+
+namespace vegard::fit {
+
+/// All NaN: unknown.
+struct SampledNumber {
+  double value, low68, high68, low95, high95;
+};
+
+struct DensityInversionOptions {
+  bool is_steady = true;
+  bool has_uncertainty = true;             ///< of physics
+  double least_kev = 0.0, most_kev = 1e3;  ///< of Q and mean energy, within what the altitudes tell
+  int samples = 1200;  ///< more make the ends of intervals less random: 3 % of an interval's width
+  int threads = 0;
+};
+
+/// No number is known where no electrons explain the density (contradicts()), and of a profile with fewer
+/// than kLeastAltitudes not even chi2.
+struct DensitySpectrum {
+  /// Number flux cm^-2 s^-1 keV^-1 by bin. NaN where no altitude tells of a bin; where the interval of 68 %
+  /// is wider than kKnownFactor only its upper ends are known.
+  std::vector<SampledNumber> flux_cm2_s_kev;
+  SampledNumber energy_flux_mw_m2, mean_energy_kev;  ///< of the energies of EnergyRange
+  std::vector<double> density_cm3;                   ///< of the largest posterior, by altitude
+  double chi2 = 0.0, degrees_of_freedom = 0.0;
+  /// The smaller of the probabilities of a larger chi2 by chance, and of a larger sum of it and the squares
+  /// of the coefficients of physics, so that no unlikely physics explains a density.
+  double chance = 1.0;
+  bool contradicts() const { return chance < kLeastChance; }
+  bool has_numbers() const { return std::isfinite(energy_flux_mw_m2.value); }
+  static constexpr double kLeastChance = 0.0027;
+};
+
+/// The ends of the 68 % interval of a known flux differ by no more; it is known from its neighbours too, so
+/// that less than one error will do.
+inline constexpr double kKnownFactor = 10.0, kLeastSignal = 0.3;
+
+/// The bins whose electrons ionise most inside the altitudes and between the options' energies.
+struct EnergyRange {
+  std::size_t first = 0, count = 0;
+  double least_kev = 0.0, most_kev = 0.0;
+};
+/// Throws Error(usage), key --energies-kev, if there is none.
+EnergyRange known_energies(const DensityPhysics& physics, const DensityInversionOptions& options);
+
+/// Profiles farther apart than so many median steps do not follow each other in time.
+inline constexpr double kGapOfUsual = 3.0;
+
+/// A spectrum a profile; in time at least two profiles. Does not depend on the number of threads.
+std::vector<DensitySpectrum> invert_densities(const DensityPhysics& physics, const DensityTable& table,
+                                              const DensityInversionOptions& options);
+
+}  // namespace vegard::fit
