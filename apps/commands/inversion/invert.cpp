@@ -10,7 +10,8 @@ namespace vegard::apps {
 void add_invert_command(Program& program) {
   const auto options = std::make_shared<InvertRequest>();
   const Command command = program.add(
-      "invert", "Compute electrons' energy flux and energy from the brightness of lines, or from maps of it");
+      "invert",
+      "Compute electrons' energy flux and energy from the brightness of lines, maps of it, or densities");
   const Option line = command
                           .option("--line", options->lines,
                                   "A line's brightness in rayleighs of the vertical column, 427.8=2300±50 or "
@@ -53,6 +54,7 @@ void add_invert_command(Program& program) {
       .shows_default();
   command.flag("--common-physics", options->common_physics,
                "With --map: the pixels have their physics in common, of which they tell together");
+  add_density_options(command, options->density);
   add_spectrum_options(command, options->spectrum);
   command
       .option("--soft-kev", options->soft_kev,
@@ -83,17 +85,21 @@ void add_invert_command(Program& program) {
       .finite_range(fit::ColumnModel::kMinSoftRatio, fit::ColumnModel::kMaxSoftRatio);
   command
       .option("-o,--output", options->outputs,
-              "The result to write: JSON of lines; FITS or netCDF-4 of maps, or one of each; a table")
+              "The result to write: JSON of lines; FITS or netCDF-4 of maps, or one of each; a table; of "
+              "densities JSON, a table or netCDF-4")
       .type_name("OUT.json|.fits|.nc|.csv")
       .repeated();
-  command.option("--plot", options->plot, "Draw chi2 over energy and flux").type_name("OUT.svg|OUT.png");
+  command.option("--plot", options->plot, "Draw chi2 over energy and flux, or spectrum and density")
+      .type_name("OUT.svg|OUT.png");
   add_threads_option(command, options->threads);
   command.flag("--overwrite", options->overwrite, "Replace outputs that exist");
   command.runs([options] {
+    if (!options->density.file.empty()) return invert_density(*options);
     if (!options->table.empty()) return invert_table(*options);
     if (options->lines.empty() && options->maps.empty())
-      throw usage_error("--line", "no line is given",
-                        "--line NM=RAYLEIGHS±ERROR or --map NM=FILE, two or more, or --table FILE");
+      throw usage_error(
+          "--line", "no line is given",
+          "--line NM=RAYLEIGHS±ERROR or --map NM=FILE, two or more, --table FILE or --density FILE");
     return options->maps.empty() ? invert_lines(*options) : invert_line_maps(*options);
   });
 }

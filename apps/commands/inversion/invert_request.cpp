@@ -44,7 +44,9 @@ fit::ColumnModelOptions options_of(const InvertRequest& request) {
   return options;
 }
 
-const sim::EmissionTables& tables_of(const InvertRequest& request) {
+}  // namespace
+
+const sim::EmissionTables& inversion_tables(const InvertRequest& request) {
   sim::Scene scene;
   scene.emission.tables = request.tables;
   try {
@@ -56,8 +58,6 @@ const sim::EmissionTables& tables_of(const InvertRequest& request) {
   }
 }
 
-}  // namespace
-
 double share_of(const std::string& text, const char* option) {
   if (text.empty()) return 0.0;
   const bool has_sign = text.back() == '%';
@@ -66,7 +66,7 @@ double share_of(const std::string& text, const char* option) {
 
 Inversion::Inversion(const InvertRequest& request, const std::vector<double>& lines_nm)
     : free_(freedom_of(request)),
-      tables_(tables_of(request)),
+      tables_(inversion_tables(request)),
       options_(options_of(request)),
       model_(tables_, lines_nm, options_, request.threads) {
   for (std::size_t k = 0; k < fit::kColumnUnknowns; ++k) {

@@ -17,6 +17,14 @@ namespace vegard::apps {
 inline constexpr const char* kHoldOptions[fit::kColumnUnknowns] = {"--energy-kev", "--flux-mw-m2",
                                                                    "--oxygen-factor", "--soft-ratio"};
 
+/// What is asked of density profiles.
+struct DensityRequest {
+  std::string file, atmosphere = "tables", recombination = "chemistry";
+  std::vector<double> altitudes_km = {85.0, 150.0}, energies_kev;
+  std::optional<double> beam;
+  bool is_steady = false;
+};
+
 struct InvertRequest {
   std::vector<std::string> lines, maps, errors, outputs, free = {"energy", "flux"};
   std::string relative_error, model_error, tables = sim::kDefaultEmissionTables, uncertainty = "modes", plot,
@@ -25,6 +33,7 @@ struct InvertRequest {
   std::optional<double> soft_kev;
   std::array<std::optional<double>, fit::kColumnUnknowns> held;
   std::string table;
+  DensityRequest density;
   int threads = 0;
   bool overwrite = false, common_physics = false;
 };
@@ -60,9 +69,16 @@ class Inversion {
 /// Refuses outputs that are inputs, or each other.
 void spare_inputs(const InvertRequest& request, const std::vector<std::string>& inputs);
 
+/// Returns the tables that --tables names. Throws Error about the option for tables that cannot be read.
+const sim::EmissionTables& inversion_tables(const InvertRequest& request);
+
+/// The options that belong to --density alone.
+void add_density_options(const Command& command, DensityRequest& request);
+
 /// Return the exit code.
 int invert_lines(const InvertRequest& request);
 int invert_line_maps(const InvertRequest& request);
 int invert_table(const InvertRequest& request);
+int invert_density(const InvertRequest& request);
 
 }  // namespace vegard::apps
