@@ -8,6 +8,8 @@
 #include <numeric>
 #include <optional>
 
+#include "fit/triangulation/light_ranks.h"
+#include "fit/triangulation/smooth_light.h"
 #include "sim/base/number/constants.h"
 
 namespace vegard::fit {
@@ -21,48 +23,6 @@ constexpr double kLeastCorrelation = 0.5;
 constexpr double kContrastReach_km = 30.0, kLeastContrast = 0.15;
 constexpr double kPerturbedReach_km = 24.0;
 
-/// Brightness in pixels, smoothed by a box so that a picture's noise does not decide the ranks.
-class SmoothLight {
- public:
-  SmoothLight(const Photo& photo, int channel, int half_px) : image_(photo.linear) {
-    const int width = image_.width, height = image_.height;
-    sums_.assign((width + 1) * static_cast<std::size_t>(height + 1), 0.0);
-    counts_.assign(sums_.size(), 0);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        const std::size_t pixel = (static_cast<std::size_t>(y) * width + x) * 3 + channel;
-        const bool is_usable = photo.usable.empty() || photo.usable[pixel] != 0;
-        sums_[at(x + 1, y + 1)] = sums_[at(x, y + 1)] + sums_[at(x + 1, y)] - sums_[at(x, y)] +
-                                  (is_usable ? image_.at(x, y, channel) : 0.0);
-        counts_[at(x + 1, y + 1)] =
-            counts_[at(x, y + 1)] + counts_[at(x + 1, y)] - counts_[at(x, y)] + (is_usable ? 1 : 0);
-      }
-    half_px_ = half_px;
-  }
-
-  /// None where less than half of the box is usable.
-  std::optional<double> value(const PixelPoint& pixel) const {
-    const int x = static_cast<int>(std::floor(pixel.x_px)), y = static_cast<int>(std::floor(pixel.y_px));
-    if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return std::nullopt;
-    const int left = std::max(0, x - half_px_), right = std::min(image_.width, x + half_px_ + 1);
-    const int top = std::max(0, y - half_px_), bottom = std::min(image_.height, y + half_px_ + 1);
-    const auto box = [&](const auto& of) {
-      return of[at(right, bottom)] - of[at(left, bottom)] - of[at(right, top)] + of[at(left, top)];
-    };
-    const int count = static_cast<int>(box(counts_));
-    if (2 * count < (right - left) * (bottom - top)) return std::nullopt;
-    return box(sums_) / count;
-  }
-
- private:
-  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * (image_.width + 1) + x; }
-
-  const sim::Image& image_;
-  std::vector<double> sums_;
-  std::vector<int> counts_;
-  int half_px_ = 0;
-};
-
 /// A place of the shell that both pictures show.
 struct Shown {
   int column, row;
@@ -75,22 +35,9 @@ enum class Weighting { even, bright };
 /// Ranks from -1 to 1 with a surface of second order taken off; of equal values the mean rank.
 Eigen::VectorXd rank_pattern(const std::vector<Shown>& shown, int picture, const Eigen::MatrixXd& surface,
                              Weighting weighting) {
-  const std::size_t n = shown.size();
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return shown[a].light[picture] != shown[b].light[picture]
-               ? shown[a].light[picture] < shown[b].light[picture]
-               : a < b;
-  });
-  Eigen::VectorXd rank(static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n;) {
-    std::size_t end = i;
-    while (end < n && shown[order[end]].light[picture] == shown[order[i]].light[picture]) ++end;
-    const double mean = 0.5 * static_cast<double>(i + end - 1);
-    for (; i < end; ++i)
-      rank[static_cast<Eigen::Index>(order[i])] = 2.0 * mean / static_cast<double>(n) - 1.0;
-  }
+  std::vector<double> light;
+  for (const Shown& one : shown) light.push_back(one.light[picture]);
+  Eigen::VectorXd rank = ranks_of(light);
   if (weighting == Weighting::bright) rank = (0.5 * (rank.array() + 1.0)).square().matrix().eval();
   const Eigen::VectorXd fitted =
       surface * (surface.transpose() * surface).ldlt().solve(surface.transpose() * rank);
@@ -215,15 +162,6 @@ double independent_places(const Patterns& p, double correlation, int reach) {
   return std::max(4.0, static_cast<double>(p.shown.size()) / (2.27 * lag_of_half(1, 0) * lag_of_half(0, 1)));
 }
 
-/// The place of the largest value near `best` by a parabola through it and its neighbours.
-double refined_km(const std::vector<double>& height_km, const std::vector<double>& value, std::size_t best) {
-  if (best == 0 || best + 1 >= value.size()) return height_km[best];
-  const double a = value[best - 1], b = value[best], c = value[best + 1];
-  const double curvature = a - 2.0 * b + c;
-  if (!(curvature < 0.0)) return height_km[best];
-  return height_km[best] + 0.5 * (a - c) / curvature * (height_km[best + 1] - height_km[best]);
-}
-
 /// The height of the best correlation near `around_km`; NaN if there is none inside of the reach.
 double best_near(const Shells& shells, const std::vector<ViewPoint>& cameras, double around_km,
                  double east_km, double north_km, double step_km, Weighting weighting = Weighting::even) {
@@ -237,41 +175,7 @@ double best_near(const Shells& shells, const std::vector<ViewPoint>& cameras, do
   std::size_t best = value.size();
   for (std::size_t i = 0; i < value.size(); ++i)
     if (std::isfinite(value[i]) && (best == value.size() || value[i] > value[best])) best = i;
-  return best == value.size() ? sim::kNaN : refined_km(height_km, value, best);
-}
-
-/// A camera turned about one of three axes.
-ViewPoint turned(const ViewPoint& view, int axis, double by_deg) {
-  PlacedCamera camera = view.camera();
-  const sim::CameraView<double> before = sim::camera_view(camera.camera);
-  // Small turns about the camera's axes, by its own angles: the sizes alone matter.
-  if (axis == 0)
-    camera.camera.elevation_deg += by_deg;
-  else if (axis == 1)
-    camera.camera.roll_deg += by_deg;
-  else {
-    // About the right-hand axis turned by 90 degrees: for a camera at the zenith azimuth would be a roll.
-    Eigen::Matrix3d axes;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) axes(i, j) = before.camera_from_enu[i][j];
-    const Eigen::AngleAxisd turn(by_deg * sim::kRadiansPerDegree, Eigen::Vector3d::UnitY());
-    const Eigen::Matrix3d after = turn.toRotationMatrix() * axes;
-    const Eigen::Vector3d forward = after.row(2);
-    camera.camera.elevation_deg = std::asin(std::clamp(forward[2], -1.0, 1.0)) / sim::kRadiansPerDegree;
-    camera.camera.azimuth_deg = std::atan2(forward[0], forward[1]) / sim::kRadiansPerDegree;
-    sim::Camera level = camera.camera;
-    level.roll_deg = 0.0;
-    const sim::CameraView<double> without = sim::camera_view(level);
-    const Eigen::Vector3d right(without.camera_from_enu[0][0], without.camera_from_enu[0][1],
-                                without.camera_from_enu[0][2]);
-    const Eigen::Vector3d down(without.camera_from_enu[1][0], without.camera_from_enu[1][1],
-                               without.camera_from_enu[1][2]);
-    const Eigen::Vector3d seen_right = after.row(0);
-    // Right turned clockwise by the roll: cos right - sin down.
-    camera.camera.roll_deg =
-        std::atan2(-seen_right.dot(down), seen_right.dot(right)) / sim::kRadiansPerDegree;
-  }
-  return ViewPoint(camera, view.shape());
+  return best == value.size() ? sim::kNaN : refined_maximum(height_km, value, best);
 }
 
 /// The standard error by pointing, clocks and what counts in a pattern: by doing it again with each of them
@@ -335,7 +239,7 @@ double left_out_error_km(const std::vector<Patterns>& near, const std::vector<do
     }
     if (!has_any) continue;
     const auto best = static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin());
-    found.push_back(refined_km(height_km, value, best));
+    found.push_back(refined_maximum(height_km, value, best));
   }
   const double n = static_cast<double>(found.size());
   const double mean = std::accumulate(found.begin(), found.end(), 0.0) / n;
@@ -454,7 +358,7 @@ ShellCorrelation shell_correlation(const std::vector<ViewPoint>& cameras,
     if (weight < kLeastWeight || !depends_on_height(found, peak)) continue;
     mean /= weight;
     ShellHeight height;
-    height.km = refined_km(found.height_km, evidence, peak);
+    height.km = refined_maximum(found.height_km, evidence, peak);
     height.correlation = found.correlation[peak];
     height.weight = weight;
     const double width_km = std::sqrt(std::max(0.0, square / weight - mean * mean));

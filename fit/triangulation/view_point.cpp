@@ -1,5 +1,7 @@
 #include "fit/triangulation/view_point.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,6 +75,39 @@ bool ViewPoint::is_hidden(const Eigen::Vector3d& place_km) const {
   const double nearest = -place_km_.dot(sight) / sight.squaredNorm();  // to the Earth's centre, of its length
   if (nearest <= 0.0 || nearest >= 1.0) return geodetic_place(shape_, place_km).height_km < 0.0;
   return geodetic_place(shape_, place_km_ + nearest * sight).height_km < 0.0;
+}
+
+ViewPoint turned(const ViewPoint& view, int axis, double by_deg) {
+  PlacedCamera camera = view.camera();
+  const sim::CameraView<double> before = sim::camera_view(camera.camera);
+  // Small turns about the camera's axes, by its own angles: the sizes alone matter.
+  if (axis == 0)
+    camera.camera.elevation_deg += by_deg;
+  else if (axis == 1)
+    camera.camera.roll_deg += by_deg;
+  else {
+    // About the right-hand axis turned by 90 degrees: for a camera at the zenith azimuth would be a roll.
+    Eigen::Matrix3d axes;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) axes(i, j) = before.camera_from_enu[i][j];
+    const Eigen::AngleAxisd turn(by_deg * sim::kRadiansPerDegree, Eigen::Vector3d::UnitY());
+    const Eigen::Matrix3d after = turn.toRotationMatrix() * axes;
+    const Eigen::Vector3d forward = after.row(2);
+    camera.camera.elevation_deg = std::asin(std::clamp(forward[2], -1.0, 1.0)) / sim::kRadiansPerDegree;
+    camera.camera.azimuth_deg = std::atan2(forward[0], forward[1]) / sim::kRadiansPerDegree;
+    sim::Camera level = camera.camera;
+    level.roll_deg = 0.0;
+    const sim::CameraView<double> without = sim::camera_view(level);
+    const Eigen::Vector3d right(without.camera_from_enu[0][0], without.camera_from_enu[0][1],
+                                without.camera_from_enu[0][2]);
+    const Eigen::Vector3d down(without.camera_from_enu[1][0], without.camera_from_enu[1][1],
+                               without.camera_from_enu[1][2]);
+    const Eigen::Vector3d seen_right = after.row(0);
+    // Right turned clockwise by the roll: cos right - sin down.
+    camera.camera.roll_deg =
+        std::atan2(-seen_right.dot(down), seen_right.dot(right)) / sim::kRadiansPerDegree;
+  }
+  return ViewPoint(camera, view.shape());
 }
 
 }  // namespace vegard::fit

@@ -56,4 +56,7 @@ class ViewPoint {
   Eigen::Vector3d place_km_;
 };
 
+/// Returns the camera turned by a small angle about one of three perpendicular axes, 0 to 2.
+ViewPoint turned(const ViewPoint& view, int axis, double by_deg);
+
 }  // namespace vegard::fit
