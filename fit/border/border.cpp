@@ -10,6 +10,7 @@
 
 #include "fit/border/border_distance.h"
 #include "fit/border/cell_traces.h"
+#include "fit/border/cut_peaks.h"
 #include "fit/border/high_borders.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/value_check.h"
@@ -101,6 +102,8 @@ Border trace_border(const Photo& photo, const sim::Scene& scene, const BorderSet
                      return a.measured > b.measured;
                    });
   if (border.traces.size() > kMaxTraces) border.traces.resize(kMaxTraces);
+  for (BorderTrace& trace : border.traces)
+    trace.cut_peaks = cut_peak_share(trace, photo, scene.camera, settings.channel);
   for (const BorderTrace& trace : border.traces)
     if (trace.is_claimed())
       ++border.measured;

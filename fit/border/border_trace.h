@@ -58,6 +58,7 @@ struct BorderTrace {
   std::vector<BorderPoint> points;
   int measured = 0;                 ///< number of points with a measured border
   double aurora_probability = 1.0;  ///< that it is the border of aurora, and not of something else
+  double cut_peaks = 0.0;           ///< share of the measured points whose peak is clipped or hidden
   std::string doubt;                ///< what else it may be, in a few words; empty where it is claimed
 
   double mean_brightness() const;

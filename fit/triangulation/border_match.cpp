@@ -27,7 +27,8 @@ bool is_any_claimed(const Border& border, const std::vector<std::size_t>& traces
                      [&](std::size_t t) { return border.traces[t].is_claimed(); });
 }
 
-constexpr double kLevelError = 0.1;          ///< of the peak's light
+constexpr double kLevelError = 0.1, kCutLevelError = 0.5;  ///< of the peak's light
+constexpr double kMostCutPeaks = 0.25;
 constexpr double kUsualLevelError_km = 3.0;  ///< ESTIMATED
 
 /// The mean height of the branch that is nearest to a height; NaN without any.
@@ -39,6 +40,10 @@ double mean_near(const MatchedCurves& matched, double height_km) {
 }
 
 }  // namespace
+
+bool is_peak_cut(const BorderTrace& trace) { return trace.cut_peaks > kMostCutPeaks; }
+
+double level_error(const BorderTrace& trace) { return is_peak_cut(trace) ? kCutLevelError : kLevelError; }
 
 PictureCurve curve_of_trace(const BorderTrace& trace, const ViewPoint& view, std::size_t camera,
                             double level) {
@@ -80,9 +85,9 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
     for (const std::size_t b : there) {
       const PictureCurve second_curve = curve_of_trace(second_border.traces[b], cameras[second], second);
       const PictureCurve first_higher =
-          curve_of_trace(first_border.traces[a], cameras[first], first, kLevelError);
-      const PictureCurve second_higher =
-          curve_of_trace(second_border.traces[b], cameras[second], second, kLevelError);
+          curve_of_trace(first_border.traces[a], cameras[first], first, level_error(first_border.traces[a]));
+      const PictureCurve second_higher = curve_of_trace(second_border.traces[b], cameras[second], second,
+                                                        level_error(second_border.traces[b]));
       if (second_curve.points.size() < kFewestPoints) continue;
       const MatchedCurves matched = matched_curves(cameras, first_curve, second_curve, range, drift_km_s);
       no_match = matched.no_match_badness;
@@ -94,19 +99,20 @@ BorderMatches border_matches(const std::vector<ViewPoint>& cameras, std::size_t 
         for (const CurveMatch& point : matched.matches)
           if (point.branch == k) match.points.push_back(point);
         const double height_km = match.branch.mean.km;
-        bool has_level = false;
-        for (const bool is_first : {true, false}) {
-          const double moved_km =
-              mean_near(matched_curves(cameras, is_first ? first_higher : first_curve,
-                                       is_first ? second_curve : second_higher, range, drift_km_s),
-                        height_km) -
-              height_km;
-          // A level at which nothing matches says nothing.
-          if (!std::isfinite(moved_km)) continue;
-          match.level_error_km = std::hypot(match.level_error_km, moved_km);
-          has_level = true;
-        }
-        if (!has_level) match.level_error_km = kUsualLevelError_km;
+        const auto moved_km = [&](bool is_first_higher, bool is_second_higher) {
+          const MatchedCurves other =
+              matched_curves(cameras, is_first_higher ? first_higher : first_curve,
+                             is_second_higher ? second_higher : second_curve, range, drift_km_s);
+          return std::abs(mean_near(other, height_km) - height_km);
+        };
+        // A level at which nothing matches (NaN) says nothing.
+        std::vector<double> known_km;
+        for (const double one : {moved_km(true, false), moved_km(false, true)})
+          if (std::isfinite(one)) known_km.push_back(one);
+        for (const double one : known_km) match.level_error_km = std::hypot(match.level_error_km, one);
+        if (known_km.empty()) match.level_error_km = kUsualLevelError_km;
+        if (is_peak_cut(first_border.traces[a]) || is_peak_cut(second_border.traces[b]))
+          match.level_error_km = std::fmax(match.level_error_km, moved_km(true, true));
         match.branch.mean.error_km = std::hypot(match.branch.mean.error_km, match.level_error_km);
         least = std::min(least, match.branch.badness);
         of_trace.push_back(std::move(match));

@@ -17,9 +17,10 @@ struct BorderMatch {
   std::size_t first_trace = 0, second_trace = 0;
   double weight = 0.0;  ///< of 1, among the matches of the first trace and none of them
   CurveBranch branch;   ///< the error of its mean holds level_error_km
-  /// What it does to the mean height if the border of one picture or the other is where the light has fallen
-  /// to six tenths of its peak, in place of a half: the two see the light's thickness in different ways.
-  /// 3 km if neither gives a height (ESTIMATED: what it is where they do).
+  /// What it does to the mean height if the border of one picture or the other is at a level that is higher
+  /// by level_error(), six tenths of the peak in place of a half: the two see the light's thickness in
+  /// different ways. Where a peak is cut, at least what both together do. 3 km if neither gives a height
+  /// (ESTIMATED: what it is where they do).
   double level_error_km = 0.0;
   std::vector<CurveMatch> points;
 };
@@ -30,6 +31,12 @@ struct BorderMatches {
   std::size_t traces = 0;            ///< number of the first picture's traces that were tried
   std::size_t along_epipolar = 0, outside_range = 0;  ///< of crossings, as in MatchedCurves
 };
+
+/// Returns by how much of the peak's light the level of a border may be off, a tenth; a half where more than
+/// a quarter of the peaks are clipped or hidden: the light may be twice as bright (ESTIMATED).
+double level_error(const BorderTrace& trace);
+/// Whether it is the larger one.
+bool is_peak_cut(const BorderTrace& trace);
 
 /// Returns the measured points of a trace as a curve of the camera's picture, at the level of a half of the
 /// peak's light and `level` more.
