@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/border/border_distance.h"
 #include "fit/measurement/main_border.h"
 #include "fit/measurement/together/measure_together.h"
 #include "fit/report/plot/plot.h"
@@ -140,6 +141,61 @@ Panel pattern_panel(const PairOfPictures& pair) {
   return panel;
 }
 
+/// The border that the second picture shows, and what the first one alone says of it.
+Panel cross_check_panel(const CrossCheck& check) {
+  Panel panel;
+  panel.title = "The second picture's border, by the first one alone";
+  panel.x.label = "azimuth from the second camera (°)";
+  panel.y.label = "elevation (°)";
+  const double middle = check.shown[check.shown.size() / 2].azimuth_deg;
+  const auto azimuth = [&](double deg) { return middle + std::remainder(deg - middle, 360.0); };
+  int colour = 0;
+  for (const auto* curve : {&check.lowest, &check.highest}) {
+    Series series;
+    series.colour = distinct_colour(colour++);
+    series.mark = Mark::line;
+    series.label = fmt::format(
+        "if {:.0f} km high", curve == &check.lowest ? kBorderAltitudesKm.front() : kBorderAltitudesKm.back());
+    for (const SeenBorder& point : *curve) {
+      series.x.push_back(azimuth(point.azimuth_deg));
+      series.y.push_back(point.elevation_deg);
+    }
+    panel.series.push_back(std::move(series));
+  }
+  Series shown;
+  shown.label = "shown";
+  shown.colour = distinct_colour(colour);
+  shown.mark = Mark::points;
+  shown.width_px = 4.0;
+  shown.error_bars = true;
+  for (const SeenBorder& point : check.shown) {
+    shown.x.push_back(azimuth(point.azimuth_deg));
+    shown.y.push_back(point.elevation_deg);
+    shown.low.push_back(point.elevation_deg - point.error_deg);
+    shown.high.push_back(point.elevation_deg + point.error_deg);
+  }
+  panel.series.push_back(std::move(shown));
+  return panel;
+}
+
+/// The mean light of both pictures along the field lines.
+Panel profiles_panel(const PairOfPictures& pair) {
+  Panel panel;
+  panel.title = "Light along the field lines";
+  panel.x.label = "height above the border (km)";
+  panel.y.label = "mean light, least 0, most 1";
+  for (std::size_t i = 0; i < 2; ++i) {
+    Series series;
+    series.label = pair.cameras[i].camera().name;
+    series.colour = distinct_colour(static_cast<int>(i));
+    series.mark = i == 0 ? Mark::line : Mark::dashed_line;
+    series.x = pair.profiles.profiles.above_km;
+    series.y = pair.profiles.profiles.light[i];
+    panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
 std::string matches_table(const PairOfPictures& pair) {
   if (pair.borders.matches.empty()) return {};
   std::string html =
@@ -181,13 +237,38 @@ std::string pair_section(const TogetherMeasurement& m, const PairOfPictures& pai
   plot.panels = {map_panel(pair)};
   if (best_border(pair)) plot.panels.push_back(heights_panel(pair));
   if (pair.pattern && pair.pattern->places > 0) plot.panels.push_back(pattern_panel(pair));
+  if (has_clear_profiles(pair)) plot.panels.push_back(profiles_panel(pair));
+  const CrossCheck check = cross_check(pair, m.alone[pair.first], m.alone[pair.second]);
+  if (check.compared > 0) plot.panels.push_back(cross_check_panel(check));
   html += "<figure class=\"large\">" + plot_svg(plot) + "</figure>\n" + matches_table(pair);
+  if (pair.profiles.is_given())
+    html += fmt::format(
+        "<p>Light along the field lines: border {} km high without the clocks' part, ranks alike to {:.2f} "
+        "(median of the pieces), "
+        "weight {:.2f}; meanwhile moved by {} km across the base, to the left of it.</p>\n",
+        sim::number_with_error(pair.profiles.border_km, std::sqrt(pair.profiles.covariance_km2(0, 0))),
+        pair.profiles.correlation, pair.profiles.weight,
+        sim::number_with_error(pair.profiles.across_km, std::sqrt(pair.profiles.covariance_km2(1, 1))));
+  if (!check.sentence.empty()) html += "<p>" + html_text(check.sentence) + "</p>\n";
   if (pair.pattern)
     for (const ShellHeight& height : pair.pattern->heights)
       html +=
           fmt::format("<p>Densest light: {} km, correlation {:.2f}, weight {:.2f}.</p>\n",
                       sim::number_with_error(height.km, height.error_km), height.correlation, height.weight);
   return html + "</section>\n";
+}
+
+std::string clocks_section(const TogetherMeasurement& m) {
+  std::string html =
+      "<section>\n<h2>Clocks</h2>\n<table class=\"wide\">\n<thead><tr><th>picture</th><th>to be added to its "
+      "time (s)</th><th>do the pictures tell</th></tr></thead>\n<tbody>\n";
+  for (std::size_t i = 0; i < m.alone.size(); ++i) {
+    const ClockOffset& clock = m.clocks.offsets[i];
+    html += "<tr><td>" + html_text(m.alone[i].photo) + "</td><td>" +
+            sim::number_with_error(clock.s, clock.error_s) + "</td><td>" + (clock.is_told ? "yes" : "no") +
+            "</td></tr>\n";
+  }
+  return html + "</tbody></table>\n</section>\n";
 }
 
 std::string alone_section(const TogetherMeasurement& m) {
@@ -222,7 +303,7 @@ std::string together_page(const TogetherMeasurement& m) {
             "</div>";
   html += "</div></div></div>\n<main>\n";
   for (const PairOfPictures& pair : m.pairs) html += pair_section(m, pair);
-  html += alone_section(m);
+  html += clocks_section(m) + alone_section(m);
   html +=
       "<section>\n<h2>With the physics of electrons</h2>\n<p>One map explains all pictures: name each in a "
       "[[fit.photo]] of a scene, with its camera in <code>set</code>, and run <code>vegard map</code>.</p>\n"
@@ -230,6 +311,18 @@ std::string together_page(const TogetherMeasurement& m) {
       html_text(m.command) + "</code></pre>\n</section>\n";
   return html + "</main>\n</body>\n</html>\n";
 }
+
+namespace together_page_parts {
+
+Json height_json(const std::optional<PairHeight>& height) {
+  if (!height) return nullptr;
+  return {{"height_km", height->km},
+          {"height_error_km", height->error_km},
+          {"by", height->is_by_profiles ? "profiles" : "borders"},
+          {"doubts", height->doubts}};
+}
+
+}  // namespace together_page_parts
 
 std::string together_json(const TogetherMeasurement& m) {
   using namespace together_page_parts;
@@ -240,12 +333,17 @@ std::string together_json(const TogetherMeasurement& m) {
                {"word", m.word},
                {"answer", m.answer}};
   json["pictures"] = Json::array();
-  for (const Measurement& one : m.alone) {
+  for (std::size_t i = 0; i < m.alone.size(); ++i) {
+    const Measurement& one = m.alone[i];
     Json alone = {{"photo", one.photo}, {"trust", trust_name(one.trust)}, {"answer", one.answer}};
     if (one.main_border)
       alone["main_border"] = {{"azimuth_deg", one.main_border->azimuth_deg},
                               {"distance_km", json_or_null(one.main_border->distance_km)},
                               {"distance_error_km", json_or_null(one.main_border->distance_error_km)}};
+    const ClockOffset& clock = m.clocks.offsets[i];
+    alone["clock_offset_s"] = std::round(1e3 * clock.s) / 1e3 + 0.0;  // no negative zero
+    alone["clock_offset_error_s"] = clock.error_s;
+    alone["clock_offset_is_told"] = clock.is_told;
     json["pictures"].push_back(std::move(alone));
   }
   json["pairs"] = Json::array();
@@ -255,7 +353,17 @@ std::string together_json(const TogetherMeasurement& m) {
                 {"base_km", json_or_null(pair.base_km)},
                 {"base_azimuth_deg", json_or_null(pair.base_azimuth_deg)},
                 {"apart_s", json_or_null(pair.apart_s)},
-                {"shared_share", json_or_null(pair.shared_share)}};
+                {"shared_share", json_or_null(pair.shared_share)},
+                {"border", nullptr},
+                {"peak", nullptr}};
+    if (pair.refusal.empty()) {
+      one["border"] = height_json(height_of(pair));
+      if (const std::optional<PairHeight> peak = peak_of(pair))
+        one["peak"] = {{"height_km", peak->km}, {"height_error_km", peak->error_km}};
+      const CrossCheck check = cross_check(pair, m.alone[pair.first], m.alone[pair.second]);
+      one["cross_check"] = {
+          {"points", check.compared}, {"covered", check.covered}, {"sentence", check.sentence}};
+    }
     one["borders"] = Json::array();
     for (const BorderMatch& match : pair.borders.matches) {
       const MeanHeight& mean = match.branch.mean;
@@ -276,6 +384,22 @@ std::string together_json(const TogetherMeasurement& m) {
                                         {"height_error_km", height.error_km},
                                         {"correlation", height.correlation},
                                         {"weight", height.weight}});
+    if (pair.profiles.is_given()) {
+      const ProfileMatch& found = pair.profiles;
+      one["profiles"] = {{"border_km", found.border_km},
+                         {"border_error_km", std::sqrt(found.covariance_km2(0, 0))},
+                         {"level_error_km", found.level_error_km},
+                         {"across_km", found.across_km},
+                         {"across_error_km", std::sqrt(found.covariance_km2(1, 1))},
+                         {"border_km_per_km", found.border_km_per_km},
+                         {"peak_above_km", json_or_null(found.profiles.peak_above_km)},
+                         {"peak_above_error_km", json_or_null(found.profiles.peak_above_error_km)},
+                         {"correlation", found.correlation},
+                         {"alike", found.alike},
+                         {"weight", found.weight},
+                         {"with_clocks_km", json_or_null(pair.clocks.border_km)},
+                         {"with_clocks_error_km", json_or_null(pair.clocks.border_error_km)}};
+    }
     json["pairs"].push_back(std::move(one));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

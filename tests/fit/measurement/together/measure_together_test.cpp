@@ -10,7 +10,7 @@
 namespace vegard::fit::measure_together_test {
 namespace {
 
-MeanHeight height(double km, double error_km) { return {20, km, error_km, 1.0, 1.0}; }
+PairHeight height(double km, double error_km) { return {km, error_km, true, 20, {}}; }
 
 TEST(MeasureTogether, DoubtsPairsThatContradictEachOther) {
   EXPECT_FALSE(contradict({}));
