@@ -18,7 +18,8 @@ constexpr std::size_t kFewestPlaces = 40;  ///< of a piece that counts
 constexpr std::size_t kFewestPieces = 4;
 constexpr double kShorterHighest_km = 20.0;
 constexpr double kScanStep_km = 4.0, kScanAcross_km = 4.0;
-constexpr int kHalf = 2;  ///< steps of the fine grid to each side
+constexpr int kMostAcross = 8;  ///< steps to each side
+constexpr int kHalf = 2;        ///< steps of the fine grid to each side
 constexpr double kFineStep_km = 1.5, kFineAcross_km = 0.75;
 constexpr double kFieldError_deg = 1.5;  ///< ESTIMATED: of the main field's direction, by currents and waves
 constexpr double kMostCorrelated = 0.999;
@@ -227,22 +228,30 @@ std::optional<Eigen::Vector2d> scanned(ProfileMatch& match, const CurtainLight& 
   for (double h = range.lowest_km; h <= range.highest_km + 1e-9; h += kScanStep_km)
     match.height_km.push_back(h);
   const std::size_t count = match.height_km.size();
-  std::vector<double> values(3 * count);
-  sim::parallel_for(3 * count, settings.threads, [&](std::size_t i, int) {
-    values[i] = mean_likelihood(correlations_at(curtain, as, match.height_km[i / 3],
-                                                kScanAcross_km * (static_cast<double>(i % 3) - 1.0)));
+  // Two standard deviations of the movement, and a step at least.
+  const int aside =
+      std::clamp(static_cast<int>(std::ceil(2.0 * settings.moved_km / kScanAcross_km)), 1, kMostAcross);
+  const auto wide = static_cast<std::size_t>(2 * aside + 1);
+  const auto across_km = [&](std::size_t i) {
+    return kScanAcross_km * (static_cast<double>(i % wide) - aside);
+  };
+  std::vector<double> values(wide * count);
+  sim::parallel_for(wide * count, settings.threads, [&](std::size_t i, int) {
+    values[i] = mean_likelihood(correlations_at(curtain, as, match.height_km[i / wide], across_km(i)));
   });
   for (std::size_t i = 0; i < count; ++i)
-    match.likelihood.push_back(std::max({values[3 * i], values[3 * i + 1], values[3 * i + 2]}));
+    match.likelihood.push_back(
+        *std::max_element(values.begin() + static_cast<std::ptrdiff_t>(wide * i),
+                          values.begin() + static_cast<std::ptrdiff_t>(wide * (i + 1))));
   const auto best = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
   // Smooth light has a gradient in common at any height; only a peak tells one.
-  const std::size_t height = best / 3;
+  const std::size_t height = best / wide;
   const auto far = static_cast<std::size_t>(kContrastReach_km / kScanStep_km);
   const double most = kLeastContrast * values[best];
   if (height == 0 || height + 1 == count || !(match.likelihood[height > far ? height - far : 0] < most) ||
       !(match.likelihood[std::min(count - 1, height + far)] < most))
     return std::nullopt;
-  return Eigen::Vector2d(match.height_km[best / 3], kScanAcross_km * (static_cast<double>(best % 3) - 1.0));
+  return Eigen::Vector2d(match.height_km[height], across_km(best));
 }
 
 /// The share of the probability within some errors of the height, among all heights and no match.

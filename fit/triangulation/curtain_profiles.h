@@ -30,6 +30,7 @@ struct ProfileSettings {
   int channel = 1;                 ///< of Photo::linear
   double year = 2020.0;            ///< of the field, decimal
   double lowest_elevation_deg = 5.0;
+  double moved_km = 1.0;  ///< standard deviation of the light's movement in each direction
   int threads = 0;
 };
 
