@@ -145,6 +145,13 @@ void conclude(TogetherMeasurement& m) {
     if (m.pairs.size() > 1) said.front() = names + ": " + said.front();
     m.answer.insert(m.answer.end(), said.begin(), said.end());
   }
+  std::vector<PairHeight> clear;
+  for (const PairOfPictures& pair : m.pairs)
+    if (pair.refusal.empty() && has_clear_profiles(pair)) clear.push_back(*height_of(pair));
+  m.has_common_border = clear.size() > 1 && !contradict(clear);
+  if (m.has_common_border)
+    m.answer.push_back(fmt::format("By all pictures together the lower border is {} km high.",
+                                   sim::number_with_error(m.clocks.border_km, m.clocks.border_error_km)));
   const bool is_contradicted = contradict(good);
   if (is_contradicted)
     m.answer.push_back("With care: the heights of the pairs contradict each other beyond their errors.");

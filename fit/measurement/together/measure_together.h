@@ -21,6 +21,9 @@ struct TogetherMeasurement {
   std::vector<Measurement> alone;
   std::vector<PairOfPictures> pairs;
   ClockSolution clocks;  ///< of all pictures, by the pairs whose light along the field lines is clear
+  /// By more than one of these, if they do not contradict each other: the border's height is
+  /// clocks.border_km.
+  bool has_common_border = false;
   Trust trust = Trust::unconstrained;
   std::string word;
   std::vector<std::string> answer;

@@ -62,11 +62,18 @@ double year_of(const Measurement& m) {
   return std::clamp(1970.0 + *seconds / kSecondsPerYear, sim::kFirstIgrfYear, sim::kLastIgrfYear - 0.1);
 }
 
+/// The standard deviation of the light's movement between the pictures.
+double moved_km(const PairOfPictures& pair, const TogetherRequest& request) {
+  return request.drift_km_s *
+         std::hypot(pair.cameras[0].camera().clock_error_s, pair.cameras[1].camera().clock_error_s);
+}
+
 void compare_profiles(PairOfPictures& pair, const TogetherRequest& request,
                       const std::vector<const Photo*>& photos, const std::vector<const Measurement*>& alone) {
   ProfileSettings settings;
   settings.year = year_of(*alone[0]);
   settings.threads = request.pictures[pair.first].threads;
+  settings.moved_km = moved_km(pair, request);
   std::vector<ProfileMatch> found(2);
   for (std::size_t i = 0; i < 2; ++i) {
     const std::optional<std::size_t> trace = compared_trace(pair, *alone[i], i);
@@ -111,8 +118,7 @@ void look_for_heights(PairOfPictures& pair, const TogetherRequest& request, cons
         photos[i].linear.height != pair.cameras[i].camera().camera.height)
       return;  // averaged while it was read
   ShellSettings settings;
-  settings.moved_km = request.drift_km_s * std::hypot(pair.cameras[0].camera().clock_error_s,
-                                                      pair.cameras[1].camera().clock_error_s);
+  settings.moved_km = moved_km(pair, request);
   pair.pattern = shell_correlation(pair.cameras, {&photos[0], &photos[1]}, settings);
   compare_profiles(pair, request, {&photos[0], &photos[1]}, {&a, &b});
 }
