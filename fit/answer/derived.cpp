@@ -49,11 +49,15 @@ Group none(const Label& label) {
   return one(label, [](const sim::Scene&) { return sim::kNaN; });
 }
 
-/// Of a sheet whose energy varies along its curve what its mean has.
+/// Of a sheet whose energy varies along its curve what its mean has. Of one that is as bright as given only
+/// altitudes and ratios are asked for, which rounding must not let depend on the brightness.
 sim::LineLight light_of(double wavelength_nm, const sim::Scene& scene, int sheet) {
-  if (scene.sheets[sheet].point_energy_kev.empty()) return sim::line_light(wavelength_nm, scene, sheet);
+  const sim::Sheet& given = scene.sheets[sheet];
+  if (given.point_energy_kev.empty() && !sim::is_as_bright_as_given(given.profile))
+    return sim::line_light(wavelength_nm, scene, sheet);
   sim::Scene even = scene;
-  even.sheets[sheet] = sim::evened_sheet(scene.sheets[sheet]);
+  even.sheets[sheet] = sim::evened_sheet(given);
+  even.sheets[sheet].line_kilorayleigh = 1.0;
   return sim::line_light(wavelength_nm, even, sheet);
 }
 

@@ -55,6 +55,27 @@ TEST(LineFit, FindsTheHeightsOfAContinuum) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(result.parameters[i].value, of_truth[i], 0.01 * of_truth[i]) << i;
 }
 
+TEST(LineFit, SaysNothingOfHeightsThatAreHeld) {
+  sim::Scene truth = one_sheet();
+  sim::change_lines(truth, {557.7, 610.0});
+  sim::Sheet& sheet = truth.sheets[0];
+  sheet.profile = sim::ProfileKind::line;
+  sheet.line_nm = 610.0;
+  sheet.line_kilorayleigh = 10.0;
+  sheet.peak_km = 150.0;
+  sheet.lower_km = 25.0;
+  sheet.upper_km = 50.0;
+  const FitResult result = refitted(truth, {{"line_kilorayleigh", 7.0}});
+  EXPECT_NEAR(result.parameters[0].value, 10.0, 0.1);
+  int heights = 0;
+  for (const DerivedNumber& number : result.derived)
+    if (number.unit == "km" && number.name.find("of 610.0 nm") != std::string::npos) {
+      ++heights;
+      EXPECT_FALSE(number.sigma) << number.name;
+    }
+  EXPECT_GE(heights, 2);
+}
+
 TEST(LineFit, FindsTheEnergyOfProtons) {
   sim::Scene truth = one_sheet();
   sim::change_lines(truth, {427.8, 486.1});
