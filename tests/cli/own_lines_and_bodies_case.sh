@@ -55,6 +55,9 @@ expect_exit 0 render jupiter.toml -o jupiter.png
 expect_exit 2 render jupiter.toml -o refused.png --set sheet.profile=maxwellian
 expect_one_message
 expect_stderr "Earth alone"
+expect_exit 2 render jupiter.toml -o refused.png --set sheet.profile=proton --set emission.lines=[486.1] --set sheet.line_nm=486.1
+expect_one_message
+expect_stderr "sheet.main.profile"
 [[ ! -e refused.png ]] || fail "a picture was written"
 expect_exit 2 fit jupiter.toml --photo jupiter.png --out run --set fit.free='["sheet.main.energy_flux_mw_m2"]'
 expect_one_message

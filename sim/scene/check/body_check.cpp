@@ -47,8 +47,9 @@ void check_body(const Scene& scene) {
   const std::string layer = "\"layer\"";
   only.refuse(scene.field.model == FieldModel::igrf, "field.model", "the reference field is", "\"dipole\"");
   for (const Sheet& sheet : scene.sheets)
-    only.refuse(is_of_electrons(sheet.profile), "sheet." + sheet.name + ".profile", "the emission tables are",
-                layer + ", \"file\" or \"spline\"");
+    only.refuse(is_of_electrons(sheet.profile) || sheet.profile == ProfileKind::proton,
+                "sheet." + sheet.name + ".profile", "the emission tables are",
+                layer + ", \"line\", \"file\" or \"spline\"");
   for (const Footprint& footprint : scene.footprints)
     only.refuse(is_of_electrons(footprint.profile), "footprint." + footprint.name + ".profile",
                 "the emission tables are", layer);
