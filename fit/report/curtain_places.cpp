@@ -42,12 +42,10 @@ Json along(const std::vector<Placed>& points, const Value& value) {
   return values;
 }
 
-/// A line, or a point where one is left.
-Json geometry_of(const std::vector<Placed>& points) {
-  Json line = Json::array();
-  for (const Placed& p : points) line.push_back(geojson_coordinates(p.place));
-  const bool is_one = line.size() == 1;
-  return {{"type", is_one ? "Point" : "LineString"}, {"coordinates", is_one ? line[0] : line}};
+std::vector<GeodeticPlace> places_of(const std::vector<Placed>& points) {
+  std::vector<GeodeticPlace> places;
+  for (const Placed& p : points) places.push_back(p.place);
+  return places;
 }
 
 Json properties_of(bool flux_is_absolute, const Curtain& curtain, const std::vector<Placed>& points,
@@ -83,7 +81,7 @@ std::string curtains_geojson(const sim::Scene& scene, bool flux_is_absolute,
     const auto points = curtain_places::placed(scene, curtains[c]);
     if (points.empty()) continue;
     features.push_back(
-        geojson_feature(curtain_places::geometry_of(points),
+        geojson_feature(geojson_line(curtain_places::places_of(points), false),
                         curtain_places::properties_of(flux_is_absolute, curtains[c], points, c)));
   }
   return geojson_text(features);
@@ -92,8 +90,8 @@ std::string curtains_geojson(const sim::Scene& scene, bool flux_is_absolute,
 std::string curtains_kml(const sim::Scene& scene, const std::vector<Curtain>& curtains) {
   std::string marks;
   for (std::size_t c = 0; c < curtains.size(); ++c) {
-    std::vector<GeodeticPlace> places;
-    for (const auto& p : curtain_places::placed(scene, curtains[c])) places.push_back(p.place);
+    const std::vector<GeodeticPlace> places =
+        curtain_places::places_of(curtain_places::placed(scene, curtains[c]));
     if (places.empty()) continue;
     const std::string geometry = places.size() > 1
                                      ? kml_line(places, false)

@@ -27,13 +27,44 @@ std::string xml_text(const std::string& text) {
 
 }  // namespace
 
-double rounded_to(double value, double step) { return std::round(value / step) * step; }
+double rounded_to(double value, int decimals) {
+  const double power = std::pow(10.0, decimals);
+  return std::round(value * power) / power;
+}
 
 MapJson number_or_null(double value) { return std::isfinite(value) ? MapJson(value) : MapJson(nullptr); }
 
 MapJson geojson_coordinates(const GeodeticPlace& place) {
-  return {rounded_to(place.longitude_deg, 1e-6), rounded_to(place.latitude_deg, 1e-6),
-          rounded_to(1e3 * place.height_km, 0.1)};
+  return {rounded_to(place.longitude_deg, 6), rounded_to(place.latitude_deg, 6),
+          rounded_to(1e3 * place.height_km, 1)};
+}
+
+MapJson geojson_line(const std::vector<GeodeticPlace>& places, bool is_on_ground) {
+  const auto coordinates = [&](const GeodeticPlace& place) {
+    MapJson at = geojson_coordinates(place);
+    if (is_on_ground) at.erase(2);
+    return at;
+  };
+  if (places.size() == 1) return {{"type", "Point"}, {"coordinates", coordinates(places[0])}};
+  MapJson lines = MapJson::array({MapJson::array()});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const GeodeticPlace& at = places[i];
+    if (i > 0 && std::abs(at.longitude_deg - places[i - 1].longitude_deg) > 180.0) {
+      const GeodeticPlace& before = places[i - 1];
+      const double edge = before.longitude_deg > 0.0 ? 180.0 : -180.0;
+      const double there = edge - before.longitude_deg,
+                   whole = at.longitude_deg + 2.0 * edge - before.longitude_deg;
+      const double part = whole != 0.0 ? there / whole : 0.0;
+      GeodeticPlace cut{before.latitude_deg + part * (at.latitude_deg - before.latitude_deg), edge,
+                        before.height_km + part * (at.height_km - before.height_km)};
+      lines.back().push_back(coordinates(cut));
+      cut.longitude_deg = -edge;
+      lines.push_back(MapJson::array({coordinates(cut)}));
+    }
+    lines.back().push_back(coordinates(at));
+  }
+  if (lines.size() == 1) return {{"type", "LineString"}, {"coordinates", lines[0]}};
+  return {{"type", "MultiLineString"}, {"coordinates", lines}};
 }
 
 std::string kml_coordinates(const GeodeticPlace& place) {

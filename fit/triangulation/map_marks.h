@@ -10,8 +10,8 @@
 
 namespace vegard::fit {
 
-/// Returns a number rounded to a step of a decimal.
-double rounded_to(double value, double step);
+/// Returns a number rounded to so many decimals.
+double rounded_to(double value, int decimals);
 
 /// Returns a number, or null for one that is not finite.
 nlohmann::ordered_json number_or_null(double value);
@@ -19,6 +19,10 @@ nlohmann::ordered_json number_or_null(double value);
 /// Returns longitude and latitude to a micro-degree and the height in metres to a decimetre.
 nlohmann::ordered_json geojson_coordinates(const GeodeticPlace& place);
 std::string kml_coordinates(const GeodeticPlace& place);
+
+/// Returns a line through places, without heights along the ground; of one place a point. Where it crosses
+/// the date line it is cut, as RFC 7946 (3.1.9) asks.
+nlohmann::ordered_json geojson_line(const std::vector<GeodeticPlace>& places, bool is_on_ground);
 
 nlohmann::ordered_json geojson_feature(nlohmann::ordered_json geometry, nlohmann::ordered_json properties);
 

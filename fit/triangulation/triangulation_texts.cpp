@@ -219,30 +219,26 @@ std::string triangulation_geojson(const Triangulation& all) {
                          {"miss_km", row.point.miss_km},
                          {"note", note_of(row)}}));
     for (const std::size_t camera : row.cameras) {
-      Json line = Json::array();
-      for (const GeodeticPlace& place : ground_below(all, camera, row.point))
-        line.push_back({rounded_to(place.longitude_deg, 1e-6), rounded_to(place.latitude_deg, 1e-6)});
-      features.push_back(geojson_feature({{"type", "LineString"}, {"coordinates", line}},
+      features.push_back(geojson_feature(geojson_line(ground_below(all, camera, row.point), true),
                                          {{"name", row.name},
                                           {"kind", "ground below the line of sight"},
                                           {"camera", all.cameras[camera].camera().name}}));
     }
   }
   for (const ShownCurve& curve : shown_curves(all)) {
-    Json line = Json::array(), heights = Json::array(), errors = Json::array();
+    std::vector<GeodeticPlace> places;
+    Json heights = Json::array(), errors = Json::array();
     for (const TriangulatedRow* row : curve.rows) {
-      line.push_back(geojson_coordinates(row->point.place));
+      places.push_back(row->point.place);
       heights.push_back(row->point.place.height_km);
       errors.push_back(row->point.height_error_km);
     }
-    const bool is_one = line.size() == 1;
-    const Json geometry = {{"type", is_one ? "Point" : "LineString"},
-                           {"coordinates", is_one ? line[0] : line}};
-    features.push_back(geojson_feature(geometry, {{"name", curve.name},
-                                                  {"kind", "curve"},
-                                                  {"weight", curve.rows.front()->branch_weight},
-                                                  {"height_km", heights},
-                                                  {"height_error_km", errors}}));
+    features.push_back(
+        geojson_feature(geojson_line(places, false), {{"name", curve.name},
+                                                      {"kind", "curve"},
+                                                      {"weight", curve.rows.front()->branch_weight},
+                                                      {"height_km", heights},
+                                                      {"height_error_km", errors}}));
   }
   return geojson_text(features);
 }

@@ -52,6 +52,30 @@ TEST(CurtainPlaces, AreWhereTheFeetAreWithNullForTheUnknown) {
   EXPECT_TRUE(numbers["probability"].is_null());
 }
 
+TEST(CurtainPlaces, AreCutAtTheDateLine) {
+  Curtain curtain = curtain_to_the_north();
+  curtain.points.resize(2);
+  curtain.points[0].foot_km = {-30.0, 0.0};
+  curtain.points[1].foot_km = {90.0, 0.0};
+  for (const double sign : {1.0, -1.0}) {
+    std::swap(curtain.points[0], curtain.points[1]);
+    const auto json = nlohmann::json::parse(curtains_geojson(scene_at(67.0, 180.0), true, {curtain}));
+    const auto& geometry = json["features"][0]["geometry"];
+    ASSERT_EQ(geometry["type"], "MultiLineString");
+    const auto& lines = geometry["coordinates"];
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_EQ(lines[0][1][0], -180.0 * sign);
+    EXPECT_EQ(lines[1][0][0], 180.0 * sign);
+    EXPECT_EQ(lines[0][1][1], lines[1][0][1]);
+    for (const auto& line : lines)
+      for (const auto& at : line) EXPECT_EQ(at[0].get<double>() > 0.0, line[0][0].get<double>() > 0.0);
+    // A quarter of the way is west of the date line.
+    const double west = 180.0 - std::abs(lines[sign > 0.0 ? 1 : 0][sign > 0.0 ? 1 : 0][0].get<double>());
+    const double east = 180.0 - std::abs(lines[sign > 0.0 ? 0 : 1][sign > 0.0 ? 0 : 1][0].get<double>());
+    EXPECT_NEAR(west / (west + east), 0.25, 1e-3);
+  }
+}
+
 TEST(CurtainPlaces, CallAFluxRelativeThatIsKnownUpToAFactor) {
   const auto json =
       nlohmann::json::parse(curtains_geojson(scene_at(67.0, 20.0), false, {curtain_to_the_north()}));
