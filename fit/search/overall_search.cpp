@@ -21,7 +21,8 @@ using Values = std::vector<double>;
 bool is_overall(const FreeNumber& n) {
   if (is_of_volume(n)) return false;
   return n.has_role(ParameterRole::centre) || n.has_role(ParameterRole::energy) ||
-         n.has_role(ParameterRole::bearing) || n.has_role(ParameterRole::energy_flux) || !n.has_path();
+         n.has_role(ParameterRole::bearing) || n.has_role(ParameterRole::energy_flux) ||
+         n.has_role(ParameterRole::line_brightness) || !n.has_path();
 }
 
 bool is_amplitude(const FreeNumber& n) { return n.has_role(ParameterRole::amplitude); }

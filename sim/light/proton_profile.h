@@ -5,11 +5,8 @@
 // al. 2013, sim/light/tables/ionisation.h), in the air of the emission tables. Ratios of photons, to Hβ 486.1
 // nm:
 //
-//   427.8 nm  1.6   from Hβ = 3.0 x N2+ (0,2) 470.9 nm, the theory for protons that "Studies of auroral
-//   hydrogen
-//                   emissions in west-central Canada" (part II, Can. J. Phys.) compares with its spectra, and
-//                   470.9 nm = 0.21 x 427.8 nm (A-coefficients, Vallance Jones 1974, "Aurora"); ESTIMATED to
-//                   a half
+//   427.8 nm  1.6   ESTIMATED to a half: Hβ = 3.0 x N2+ (0,2) 470.9 nm, which is of a theory for protons, and
+//                   470.9 nm = 0.21 x 427.8 nm (A-coefficients, Vallance Jones 1974, "Aurora")
 //   391.4 nm  3.28 x that of 427.8 nm, as for electrons
 //   656.3 nm  4     ESTIMATED to a half
 //

@@ -18,17 +18,18 @@ std::set<int> free_of_sheet(const Scene& scene, int sheet, ParameterRole role) {
   return components;
 }
 
-/// A flux has no effect in a fit that frees what it is multiplied by.
+/// A flux or brightness has no effect in a fit that frees what it is multiplied by.
 std::optional<Complaint> why_flux_is_replaced(const Scene& scene, const ParameterPath& path) {
-  if (path.row->role != ParameterRole::energy_flux) return std::nullopt;
+  if (path.row->role != ParameterRole::energy_flux && path.row->role != ParameterRole::line_brightness)
+    return std::nullopt;
   const Sheet& sheet = scene.sheets[static_cast<std::size_t>(path.sheet())];
   const auto count_free = [&](ParameterRole role) { return free_of_sheet(scene, path.sheet(), role).size(); };
   const std::size_t points = sheet.point_brightness.size();
   if (sheet.course == SheetCourse::curve && points > 0 &&
       count_free(ParameterRole::curve_brightness) == points)
     return Complaint{
-        "all of the sheet's point_brightness is free, so its energy flux has no effect: their "
-        "product is the light",
+        "all of the sheet's point_brightness is free, so {key} has no effect: their product is "
+        "the light",
         "a parameter that the light depends on",
         "leave {key} out of fit.free, or hold one of point_brightness"};
   if (sheet.profile == ProfileKind::spline && count_free(ParameterRole::profile_coefficient) > 0)

@@ -190,7 +190,7 @@ std::vector<Declaration> sheet_rows() {
           .means("for \"form\" and \"line\": distance below the peak where the light is a tenth"),
       of_heights(row("upper_km", &Sheet::upper_km)).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
           .means("for \"form\" and \"line\": distance above the peak where the light is a tenth"),
-      row("line_nm", &Sheet::line_nm).in("nm").within(10, 30000)
+      row("line_nm", &Sheet::line_nm).inert_if([](const Sheet& s) { return !is_as_given(s); }, "the sheet's profile is {profile}", "set the profile to \"line\" or \"proton\"").in("nm").within(10, 30000)
           .means("for \"line\": the line or continuum that shines, one of emission.lines; for \"proton\": the line that line_kilorayleigh is of"),
       row("line_kilorayleigh", &Sheet::line_kilorayleigh).inert_if([](const Sheet& s) { return !is_as_given(s); }, "the sheet's profile is {profile}", "set the profile to \"line\" or \"proton\"").called("brightness").as(ParameterRole::line_brightness).in("kR").within(0, 1e6).may_be_free(ParameterScale::logarithmic)
           .means("for \"line\" and \"proton\": its brightness along the field, at its peak across a layer"),
