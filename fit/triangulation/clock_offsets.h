@@ -5,8 +5,9 @@
 // in both directions, the same for all pictures. Of each pair is known by how much the light had moved across
 // the base, and a border's height, which a movement along the base has made wrong. For a given velocity all
 // of this is linear in the offsets and the height, so their means and covariances are exact; velocities are
-// summed over a grid by their probabilities. Where the light hardly moves, or the velocity can be anything,
-// offsets remain as uncertain as they were.
+// summed over a grid by their probabilities. The grid is made finer where the probability is, down to the
+// width that the pairs tell it to; where that would be too many velocities, its steps count as errors. Where
+// the light hardly moves, or the velocity can be anything, offsets remain as uncertain as they were.
 #pragma once
 
 #include <Eigen/Core>
