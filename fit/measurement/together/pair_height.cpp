@@ -109,11 +109,14 @@ std::optional<PairHeight> height_of(const PairOfPictures& pair) {
 
 std::optional<PairHeight> peak_of(const PairOfPictures& pair) {
   const MeanProfiles& found = pair.profiles.profiles;
-  if (!has_clear_profiles(pair) || !std::isfinite(found.peak_above_km)) return std::nullopt;
+  // Of clipped light the brightest is not known.
+  if (!has_clear_profiles(pair) || pair.is_peak_cut || !std::isfinite(found.peak_above_km))
+    return std::nullopt;
   PairHeight peak;
   peak.km = pair.clocks.border_km + found.peak_above_km;
   peak.error_km = std::hypot(pair.clocks.border_error_km, found.peak_above_error_km);
   peak.is_by_profiles = true;
+  peak.doubts = height_of(pair)->doubts;
   return peak;
 }
 

@@ -21,7 +21,8 @@ struct PairHeight {
 /// neither has one.
 std::optional<PairHeight> height_of(const PairOfPictures& pair);
 
-/// The height of the brightest light along the field lines and its standard error; none if that is not clear.
+/// The height of the brightest light along the field lines and its standard error, with the border's doubts;
+/// none if that is not clear, or the brightest light is clipped or hidden in a picture.
 std::optional<PairHeight> peak_of(const PairOfPictures& pair);
 
 /// Whether two of these heights differ by more than three standard deviations: pictures of one aurora do not.

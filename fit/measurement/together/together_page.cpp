@@ -361,8 +361,7 @@ std::string together_json(const TogetherMeasurement& m) {
                 {"peak", nullptr}};
     if (pair.refusal.empty()) {
       one["border"] = height_json(height_of(pair));
-      if (const std::optional<PairHeight> peak = peak_of(pair))
-        one["peak"] = {{"height_km", peak->km}, {"height_error_km", peak->error_km}};
+      one["peak"] = height_json(peak_of(pair));
       const CrossCheck check = cross_check(pair, m.alone[pair.first], m.alone[pair.second]);
       one["cross_check"] = {
           {"points", check.compared}, {"covered", check.covered}, {"sentence", check.sentence}};
@@ -389,19 +388,22 @@ std::string together_json(const TogetherMeasurement& m) {
                                         {"weight", height.weight}});
     if (pair.profiles.is_given()) {
       const ProfileMatch& found = pair.profiles;
-      one["profiles"] = {{"border_km", found.border_km},
-                         {"border_error_km", std::sqrt(found.covariance_km2(0, 0))},
-                         {"level_error_km", found.level_error_km},
-                         {"across_km", found.across_km},
-                         {"across_error_km", std::sqrt(found.covariance_km2(1, 1))},
-                         {"border_km_per_km", found.border_km_per_km},
-                         {"peak_above_km", json_or_null(found.profiles.peak_above_km)},
-                         {"peak_above_error_km", json_or_null(found.profiles.peak_above_error_km)},
-                         {"correlation", found.correlation},
-                         {"alike", found.alike},
-                         {"weight", found.weight},
-                         {"with_clocks_km", json_or_null(pair.clocks.border_km)},
-                         {"with_clocks_error_km", json_or_null(pair.clocks.border_error_km)}};
+      const double peak_or_none_km = pair.is_peak_cut ? sim::kNaN : found.profiles.peak_above_km;
+      one["profiles"] = {
+          {"border_km", found.border_km},
+          {"border_error_km", std::sqrt(found.covariance_km2(0, 0))},
+          {"level_error_km", found.level_error_km},
+          {"across_km", found.across_km},
+          {"across_error_km", std::sqrt(found.covariance_km2(1, 1))},
+          {"border_km_per_km", found.border_km_per_km},
+          {"peak_above_km", json_or_null(peak_or_none_km)},
+          {"peak_above_error_km",
+           pair.is_peak_cut ? Json(nullptr) : json_or_null(found.profiles.peak_above_error_km)},
+          {"correlation", found.correlation},
+          {"alike", found.alike},
+          {"weight", found.weight},
+          {"with_clocks_km", json_or_null(pair.clocks.border_km)},
+          {"with_clocks_error_km", json_or_null(pair.clocks.border_error_km)}};
     }
     json["pairs"].push_back(std::move(one));
   }
