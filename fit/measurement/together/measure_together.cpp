@@ -98,11 +98,11 @@ std::string distance_sentence(const PairHeight& height, const PairOfPictures& pa
                      sim::number_with_error(second.km, second.error_km));
 }
 
-/// What all pictures say of their clocks, by the pairs whose light along the field lines is clear.
+/// What all pictures say of their clocks, by the pairs whose light along the field lines is sound.
 ClockSolution clocks_of(const TogetherMeasurement& m, const TogetherRequest& request) {
   std::vector<MovedPair> moved;
   for (const PairOfPictures& pair : m.pairs)
-    if (pair.refusal.empty() && has_clear_profiles(pair)) moved.push_back(moved_pair(pair));
+    if (has_sound_profiles(pair)) moved.push_back(moved_pair(pair));
   return clock_solution(m.alone.size(), moved, request.clock_error_s, request.drift_km_s);
 }
 
@@ -145,13 +145,12 @@ void conclude(TogetherMeasurement& m) {
     if (m.pairs.size() > 1) said.front() = names + ": " + said.front();
     m.answer.insert(m.answer.end(), said.begin(), said.end());
   }
-  std::vector<PairHeight> clear;
-  for (const PairOfPictures& pair : m.pairs)
-    if (pair.refusal.empty() && has_clear_profiles(pair)) clear.push_back(*height_of(pair));
-  m.has_common_border = clear.size() > 1 && !contradict(clear);
-  if (m.has_common_border)
+  m.common_border = common_border(m.pairs, m.clocks);
+  if (m.common_border) {
     m.answer.push_back(fmt::format("By all pictures together the lower border is {} km high.",
-                                   sim::number_with_error(m.clocks.border_km, m.clocks.border_error_km)));
+                                   sim::number_with_error(m.common_border->km, m.common_border->error_km)));
+    for (const std::string& doubt : m.common_border->doubts) m.answer.push_back("With care: " + doubt + ".");
+  }
   const bool is_contradicted = contradict(good);
   if (is_contradicted)
     m.answer.push_back("With care: the heights of the pairs contradict each other beyond their errors.");

@@ -9,6 +9,7 @@
 // fit/triangulation/clock_offsets.h makes of it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,8 @@ namespace vegard::fit {
 struct TogetherMeasurement {
   std::vector<Measurement> alone;
   std::vector<PairOfPictures> pairs;
-  ClockSolution clocks;  ///< of all pictures, by the pairs whose light along the field lines is clear
-  /// By more than one of these, if they do not contradict each other: the border's height is
-  /// clocks.border_km.
-  bool has_common_border = false;
+  ClockSolution clocks;  ///< of all pictures, by the pairs whose light along the field lines is sound
+  std::optional<PairHeight> common_border;
   Trust trust = Trust::unconstrained;
   std::string word;
   std::vector<std::string> answer;

@@ -37,13 +37,16 @@ std::vector<std::string> doubts_of(const PairHeight& height, const PairOfPicture
   if (pair.is_peak_cut)
     doubts.push_back("the brightest light is clipped or hidden in a picture: the border may be higher");
   if (!pair.borders.is_claimed) doubts.push_back("the traces are not claimed to be aurora");
-  if (!(height.error_km <= kGoodError_km))
-    doubts.push_back(fmt::format("the error is above {:.0f} km", kGoodError_km));
   if (!std::isfinite(pair.apart_s)) doubts.push_back("a time is not known: both are taken for the same");
   if (const ShellHeight* pattern = clear_pattern(pair))
     if (pattern->km + 2.0 * pattern->error_km < height.km - 2.0 * height.error_km)
       doubts.push_back("the light's pattern is lower than its border");
   return doubts;
+}
+
+void doubt_width(PairHeight& height) {
+  height.is_wide = !(height.error_km <= kGoodError_km);
+  if (height.is_wide) height.doubts.push_back(fmt::format("the error is above {:.0f} km", kGoodError_km));
 }
 
 /// Where the second camera sees the border of the first one, if that is at this height.
@@ -96,14 +99,15 @@ std::optional<PairHeight> height_of(const PairOfPictures& pair) {
   PairHeight height;
   const BorderMatch* border = best_border(pair);
   if (has_clear_profiles(pair)) {
-    height = {pair.clocks.border_km, pair.clocks.border_error_km, true, 0, {}};
+    height = {pair.clocks.border_km, pair.clocks.border_error_km, true, 0, {}, false};
   } else if (border && std::isfinite(border->branch.mean.km)) {
-    height = {border->branch.mean.km, border->branch.mean.error_km, false, 0, {}};
+    height = {border->branch.mean.km, border->branch.mean.error_km, false, 0, {}, false};
   } else {
     return std::nullopt;
   }
   if (border) height.points = border->branch.mean.points;
   height.doubts = pair_height::doubts_of(height, pair);
+  pair_height::doubt_width(height);
   return height;
 }
 
@@ -118,6 +122,26 @@ std::optional<PairHeight> peak_of(const PairOfPictures& pair) {
   peak.is_by_profiles = true;
   peak.doubts = height_of(pair)->doubts;
   return peak;
+}
+
+bool has_sound_profiles(const PairOfPictures& pair) {
+  if (!pair.refusal.empty() || !has_clear_profiles(pair)) return false;
+  const std::optional<PairHeight> height = height_of(pair);
+  return height->doubts.size() == (height->is_wide ? 1u : 0u);
+}
+
+std::optional<PairHeight> common_border(const std::vector<PairOfPictures>& pairs,
+                                        const ClockSolution& clocks) {
+  std::vector<PairHeight> sound;
+  for (const PairOfPictures& pair : pairs)
+    if (has_sound_profiles(pair)) sound.push_back(*height_of(pair));
+  if (sound.size() < 2 || contradict(sound)) return std::nullopt;
+  PairHeight border;
+  border.km = clocks.border_km;
+  border.error_km = clocks.border_error_km;
+  border.is_by_profiles = true;
+  pair_height::doubt_width(border);
+  return border;
 }
 
 bool contradict(const std::vector<PairHeight>& heights) {

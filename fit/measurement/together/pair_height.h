@@ -15,6 +15,7 @@ struct PairHeight {
   bool is_by_profiles = false;      ///< by the light along the field lines; else by the borders alone
   int points = 0;                   ///< of the borders' match
   std::vector<std::string> doubts;  ///< parts of sentences; empty: the height is good
+  bool is_wide = false;             ///< the last doubt is the width of the error
 };
 
 /// The height by the light along the field lines where that is clear, else by the borders alone; none if
@@ -24,6 +25,15 @@ std::optional<PairHeight> height_of(const PairOfPictures& pair);
 /// The height of the brightest light along the field lines and its standard error, with the border's doubts;
 /// none if that is not clear, or the brightest light is clipped or hidden in a picture.
 std::optional<PairHeight> peak_of(const PairOfPictures& pair);
+
+/// Whether the light along the field lines gives a height, and nothing speaks against it but the width of its
+/// error.
+bool has_sound_profiles(const PairOfPictures& pair);
+
+/// The height of the border by all sound pairs; none by fewer than two of them, or if they contradict each
+/// other. `clocks`: by the same pairs.
+std::optional<PairHeight> common_border(const std::vector<PairOfPictures>& pairs,
+                                        const ClockSolution& clocks);
 
 /// Whether two of these heights differ by more than three standard deviations: pictures of one aurora do not.
 bool contradict(const std::vector<PairHeight>& heights);

@@ -346,9 +346,7 @@ std::string together_json(const TogetherMeasurement& m) {
     alone["clock_offset_is_told"] = clock.is_told;
     json["pictures"].push_back(std::move(alone));
   }
-  json["border"] = nullptr;
-  if (m.has_common_border)
-    json["border"] = {{"height_km", m.clocks.border_km}, {"height_error_km", m.clocks.border_error_km}};
+  json["border"] = height_json(m.common_border);
   json["pairs"] = Json::array();
   for (const PairOfPictures& pair : m.pairs) {
     Json one = {{"pictures", {pair.first + 1, pair.second + 1}},

@@ -10,7 +10,7 @@
 namespace vegard::fit::measure_together_test {
 namespace {
 
-PairHeight height(double km, double error_km) { return {km, error_km, true, 20, {}}; }
+PairHeight height(double km, double error_km) { return {km, error_km, true, 20, {}, false}; }
 
 TEST(MeasureTogether, DoubtsPairsThatContradictEachOther) {
   EXPECT_FALSE(contradict({}));

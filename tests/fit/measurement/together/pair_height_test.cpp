@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <vector>
+
+#include "sim/base/number/constants.h"
 
 namespace vegard::fit::pair_height_test {
 namespace {
@@ -40,6 +43,44 @@ TEST(PairHeight, DoubtsThePeakAsTheBorder) {
   pair.borders.is_claimed = false;
   EXPECT_EQ(peak_of(pair)->doubts, height_of(pair)->doubts);
   EXPECT_EQ(peak_of(pair)->doubts.size(), 1u);
+}
+
+TEST(PairHeight, ByAllPicturesLeavesOutDoubtedPairs) {
+  std::vector<PairOfPictures> pairs = {clear_pair(103.0, 111.0), clear_pair(104.0, 112.0),
+                                       clear_pair(102.0, 110.0)};
+  ClockSolution clocks;
+  clocks.border_km = 103.0;
+  clocks.border_error_km = 1.5;
+  const std::optional<PairHeight> border = common_border(pairs, clocks);
+  ASSERT_TRUE(border);
+  EXPECT_DOUBLE_EQ(border->km, 103.0);
+  EXPECT_TRUE(border->doubts.empty());
+  // One pair alone is not all of them: unknown times, traces that are not claimed, and clipped light.
+  pairs[1].apart_s = sim::kNaN;
+  EXPECT_TRUE(common_border(pairs, clocks));
+  pairs[2].borders.is_claimed = false;
+  EXPECT_FALSE(common_border(pairs, clocks));
+  pairs[2].borders.is_claimed = true;
+  pairs[2].is_peak_cut = true;
+  EXPECT_FALSE(common_border(pairs, clocks));
+  EXPECT_TRUE(has_sound_profiles(pairs[0]));
+  for (const std::size_t doubted : {1, 2}) EXPECT_FALSE(has_sound_profiles(pairs[doubted]));
+}
+
+TEST(PairHeight, ByAllPicturesTellsOfItsWideError) {
+  std::vector<PairOfPictures> pairs = {clear_pair(103.0, 111.0), clear_pair(104.0, 112.0)};
+  for (PairOfPictures& pair : pairs) pair.clocks.border_error_km = 8.0;
+  ClockSolution clocks;
+  clocks.border_km = 103.0;
+  clocks.border_error_km = 4.0;
+  // Each pair is wide, both together are not.
+  EXPECT_EQ(height_of(pairs[0])->doubts.size(), 1u);
+  EXPECT_TRUE(common_border(pairs, clocks)->doubts.empty());
+  clocks.border_error_km = 6.0;
+  EXPECT_EQ(common_border(pairs, clocks)->doubts.size(), 1u);
+  // Beyond three standard deviations of the difference.
+  pairs[1].clocks.border_km = 140.0;
+  EXPECT_FALSE(common_border(pairs, clocks));
 }
 
 }  // namespace
