@@ -9,6 +9,7 @@
 
 #include "fit/triangulation/light_ranks.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 #include "sim/base/parallel.h"
 
 namespace vegard::fit {
@@ -179,8 +180,7 @@ Eigen::Matrix2d left_out_covariance(const FineGrid& grid) {
   return covariance;
 }
 
-/// Number of independent places in a piece, by what the ranks of the two pictures do not share (as in
-/// shell_correlation.cpp).
+/// Number of independent places in a piece, by what the ranks of the two pictures do not share.
 double independent_places(const std::vector<double>& first, const std::vector<double>& second,
                           std::size_t lines) {
   const std::size_t count = first.size() / lines;
@@ -196,29 +196,7 @@ double independent_places(const std::vector<double>& first, const std::vector<do
   const Eigen::VectorXd differ = ranks_of(a) - ranks_of(b);
   std::vector<double> grid(first.size(), sim::kNaN);
   for (std::size_t i = 0; i < where.size(); ++i) grid[where[i]] = differ[static_cast<Eigen::Index>(i)];
-  const auto lag_of_half = [&](std::size_t stride, std::size_t most) {
-    for (std::size_t lag = 1; lag < most; ++lag) {
-      double product = 0.0, square = 0.0;
-      for (std::size_t i = 0; i + lag * stride < grid.size(); ++i) {
-        if (stride == 1 && i % count + lag >= count) continue;
-        const double here = grid[i], there = grid[i + lag * stride];
-        if (std::isnan(here) || std::isnan(there)) continue;
-        product += here * there;
-        square += 0.5 * (here * here + there * there);
-      }
-      if (product < 0.5 * square) return static_cast<double>(lag);
-    }
-    return static_cast<double>(most);
-  };
-  return static_cast<double>(a.size()) / (2.27 * lag_of_half(1, count) * lag_of_half(count, lines)) /
-         kBorderPieces;
-}
-
-double median_of(std::vector<double> values) {
-  if (values.empty()) return sim::kNaN;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return independent_values(grid, lines, count) / kBorderPieces;
 }
 
 /// The height with the largest likelihood on a rough grid, and the curve for the report.
@@ -360,7 +338,7 @@ ProfileMatch profile_match(const std::vector<ViewPoint>& cameras, const std::vec
   for (const double one : all)
     if (std::isfinite(one)) known.push_back(one);
   if (known.size() < kFewestPieces) return ProfileMatch();
-  match.correlation = median_of(known);
+  match.correlation = sim::median(known);
   match.alike =
       static_cast<double>(std::count_if(known.begin(), known.end(), [](double r) { return r > 0.5; })) /
       static_cast<double>(kBorderPieces);

@@ -6,6 +6,7 @@
 
 #include "fit/triangulation/light_ranks.h"
 #include "sim/base/number/constants.h"
+#include "sim/base/number/quantile.h"
 
 namespace vegard::fit {
 namespace mean_profiles_parts {
@@ -30,12 +31,6 @@ std::vector<std::vector<double>> of_pieces(const CurtainLight& curtain, const Cu
     for (std::size_t k = 0; k < count; ++k)
       means[piece][k] = counts[piece][k] > 0 ? means[piece][k] / counts[piece][k] : sim::kNaN;
   return means;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace mean_profiles_parts
@@ -80,11 +75,11 @@ MeanProfiles mean_profiles(const CurtainLight& curtain, const CurtainSupposition
     differences.push_back(a - b);
   }
   if (peaks.size() < kFewestPeaks) return found;
-  found.peak_above_km = median_of(peaks);
+  found.peak_above_km = sim::median(peaks);
   for (const double one : peaks) off.push_back(std::abs(one - found.peak_above_km));
   // 1.48 median absolute deviations are a standard deviation, of which a median has 1.25 / sqrt(n).
-  const double own = 1.48 * 1.25 * median_of(off) / std::sqrt(static_cast<double>(peaks.size()));
-  found.peak_above_error_km = std::hypot(own, 0.5 * median_of(differences), 0.5 * kStep_km);
+  const double own = 1.48 * 1.25 * sim::median(off) / std::sqrt(static_cast<double>(peaks.size()));
+  found.peak_above_error_km = std::hypot(own, 0.5 * sim::median(differences), 0.5 * kStep_km);
   return found;
 }
 

@@ -134,32 +134,15 @@ double correlation_of(const Patterns& p) {
   return p.first.dot(p.second) / std::sqrt(p.first.squaredNorm() * p.second.squaredNorm());
 }
 
-/// Number of independent places of what the pictures do not share: over the integral of the square of its
-/// autocorrelation (M. S. Bartlett, Journal of the Royal Statistical Society 98, 1935), which for a Gaussian
-/// one that falls to a half at the lags a and b is 2.27 a b.
+/// Number of independent places, by what the pictures do not share.
 double independent_places(const Patterns& p, double correlation, int reach) {
-  const int width = 2 * reach + 1;
+  const std::size_t width = 2 * static_cast<std::size_t>(reach) + 1;
   const Eigen::VectorXd differ = p.second / p.second.norm() - correlation * p.first / p.first.norm();
-  std::vector<double> grid(static_cast<std::size_t>(width) * width, sim::kNaN);
+  std::vector<double> grid(width * width, sim::kNaN);
   for (std::size_t i = 0; i < p.shown.size(); ++i)
-    grid[static_cast<std::size_t>(p.shown[i].row + reach) * width + p.shown[i].column + reach] =
-        differ[static_cast<Eigen::Index>(i)];
-  const auto lag_of_half = [&](int dx, int dy) {
-    for (int lag = 1; lag < reach; ++lag) {
-      double product = 0.0, square = 0.0;
-      for (int y = 0; y + lag * dy < width; ++y)
-        for (int x = 0; x + lag * dx < width; ++x) {
-          const double a = grid[static_cast<std::size_t>(y) * width + x];
-          const double b = grid[static_cast<std::size_t>(y + lag * dy) * width + x + lag * dx];
-          if (std::isnan(a) || std::isnan(b)) continue;
-          product += a * b;
-          square += 0.5 * (a * a + b * b);
-        }
-      if (product < 0.5 * square) return static_cast<double>(lag);
-    }
-    return static_cast<double>(reach);
-  };
-  return std::max(4.0, static_cast<double>(p.shown.size()) / (2.27 * lag_of_half(1, 0) * lag_of_half(0, 1)));
+    grid[static_cast<std::size_t>(p.shown[i].row + reach) * width +
+         static_cast<std::size_t>(p.shown[i].column + reach)] = differ[static_cast<Eigen::Index>(i)];
+  return std::max(4.0, independent_values(grid, width, width));
 }
 
 /// The height of the best correlation near `around_km`; NaN if there is none inside of the reach.
