@@ -24,6 +24,8 @@ namespace together {
 
 namespace fs = std::filesystem;
 
+constexpr double kToldExposures_s = 0.5;  ///< half the difference
+
 /// Refuses what measure() would refuse, and masks that are no files, before the first picture takes its time.
 void check_inputs(const TogetherRequest& request, const MeasureFollower& follower) {
   for (const MeasureRequest& picture : request.pictures) {
@@ -123,6 +125,11 @@ std::vector<std::string> sentences_of(const PairOfPictures& pair, const std::opt
                        ? "The height of the border is not known, it runs along the line between the cameras."
                        : "The height of the border is not known, no border of one picture is in the other.");
   }
+  if (height && pair.exposures_s >= kToldExposures_s)
+    said.push_back(fmt::format(
+        "The exposures differ by {:.0f} s as far as they are known: the errors allow for light that moves "
+        "meanwhile.",
+        2.0 * pair.exposures_s));
   if (const ShellHeight* pattern = clear_pattern(pair))
     said.push_back(fmt::format("The densest light is {} km high (correlation {:.2f}).",
                                sim::number_with_error(pattern->km, pattern->error_km), pattern->correlation));

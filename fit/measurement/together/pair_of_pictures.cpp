@@ -145,6 +145,9 @@ PairOfPictures pair_of(const TogetherRequest& request, const std::vector<Measure
     pair.later_s = *at_b - *at_a;
     pair.apart_s = std::abs(pair.later_s);
   }
+  // Brighter at its beginning or end, the light of a longer exposure is not that of its middle.
+  pair.exposures_s = std::abs(a.middle_after_s.value_or(0.0) - b.middle_after_s.value_or(0.0));
+  pair.smeared_km = request.drift_km_s * pair.exposures_s;
   for (const Measurement* m : {&a, &b})
     if (const std::string lacking = lacking_of(*m); pair.refusal.empty() && !lacking.empty())
       pair.refusal = lacking;
@@ -162,7 +165,8 @@ PairOfPictures pair_of(const TogetherRequest& request, const std::vector<Measure
   const double apart_s = std::isfinite(pair.apart_s) ? pair.apart_s : 0.0;
   pair.cameras.emplace_back(camera_of(a, errors[0], request.clock_error_s, request.earth), request.earth);
   pair.cameras.emplace_back(
-      camera_of(b, errors[1], std::hypot(request.clock_error_s, apart_s), request.earth), request.earth);
+      camera_of(b, errors[1], std::hypot(request.clock_error_s, apart_s, pair.exposures_s), request.earth),
+      request.earth);
   const Eigen::Vector3d base = pair.cameras[1].place_km() - pair.cameras[0].place_km();
   const Eigen::Vector3d enu = east_north_up({a.site->latitude_deg, a.site->longitude_deg, 0.0}) * base;
   pair.base_km = base.norm();
@@ -220,8 +224,11 @@ MovedPair moved_pair(const PairOfPictures& pair) {
   moved.apart_s = pair.later_s;
   moved.border_km = found.border_km;
   moved.across_km = found.across_km;
-  moved.covariance_km2 = found.covariance_km2;
   moved.border_km_per_km = found.border_km_per_km;
+  const double square = pair.smeared_km * pair.smeared_km;
+  moved.covariance_km2 = found.covariance_km2;
+  moved.covariance_km2(0, 0) += square * found.border_km_per_km * found.border_km_per_km;
+  moved.covariance_km2(1, 1) += square;
   moved.along = found.along;
   moved.across = found.across;
   return moved;

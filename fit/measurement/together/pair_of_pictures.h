@@ -35,6 +35,8 @@ struct PairOfPictures {
   double base_km, base_azimuth_deg;  ///< from the first camera to the second; NaN if not known
   double apart_s;                    ///< the middles of the exposures; NaN if a time is not known
   double later_s = 0.0;              ///< the second picture, by the clocks; 0 if a time is not known
+  double exposures_s = 0.0;          ///< half the difference of the exposures; one not known counts as 0
+  double smeared_km = 0.0;           ///< standard deviation of the light's movement in that time
   double shared_share;               ///< of the first picture's sky, at 110 km
   BorderMatches borders;
   bool is_peak_cut = false;  ///< the brightest light above a compared border is clipped or hidden

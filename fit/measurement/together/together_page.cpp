@@ -354,6 +354,7 @@ std::string together_json(const TogetherMeasurement& m) {
                 {"base_km", json_or_null(pair.base_km)},
                 {"base_azimuth_deg", json_or_null(pair.base_azimuth_deg)},
                 {"apart_s", json_or_null(pair.apart_s)},
+                {"exposures_differ_s", 2.0 * pair.exposures_s},
                 {"shared_share", json_or_null(pair.shared_share)},
                 {"border", nullptr},
                 {"peak", nullptr}};

@@ -83,5 +83,20 @@ TEST(PairHeight, ByAllPicturesTellsOfItsWideError) {
   EXPECT_FALSE(common_border(pairs, clocks));
 }
 
+TEST(PairHeight, IsWiderWhereExposuresDiffer) {
+  PairOfPictures pair = clear_pair(103.0, 111.0);
+  pair.profiles.border_km_per_km = 1.5;
+  EXPECT_DOUBLE_EQ(moved_pair(pair).covariance_km2(0, 0), 4.0);
+  TogetherRequest request;
+  request.drift_km_s = 0.5;
+  std::vector<Measurement> alone(2);
+  alone[0].middle_after_s = 1.0;
+  alone[1].middle_after_s = 5.0;
+  pair.smeared_km = pair_of(request, alone, 0, 1).smeared_km;
+  EXPECT_DOUBLE_EQ(pair.smeared_km, 0.5 * 4.0);
+  EXPECT_DOUBLE_EQ(moved_pair(pair).covariance_km2(0, 0), 4.0 + 9.0);
+  EXPECT_DOUBLE_EQ(moved_pair(pair).covariance_km2(1, 1), 1.0 + 4.0);
+}
+
 }  // namespace
 }  // namespace vegard::fit::pair_height_test
