@@ -95,19 +95,28 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-/// `"a" or "b"` as `"a", "b"`, `0 to 1` as `0…1`; nothing of a switch, whose default says that it is one.
+/// Numbers alone, `0 to 1` as `0…1`: the default of a switch says that it is one, and choices follow theirs.
 std::string limits_of_page(const sim::ParameterRow& row) {
-  const std::string limits = sim::limits_text(row);
-  if (limits == "true or false") return "";
-  if (limits.find('"') != std::string::npos) return replaced(limits, "\" or \"", "\", \"");
-  return replaced(limits, " to ", "…");
+  if (row.kind == sim::ParameterKind::boolean || row.kind == sim::ParameterKind::text) return "";
+  return replaced(sim::limits_text(row), " to ", "…");
+}
+
+/// `|"b"|"c"` of a choice whose default is "a".
+std::string other_choices(const sim::ParameterRow& row) {
+  std::string text;
+  for (const std::string& choice : row.choices) {
+    const std::string word = "\"" + choice + "\"";
+    if (word != row.default_text) text += "|" + word;
+  }
+  return text;
 }
 
 /// The unit as the ends of keys have it: "km_s" for "km s⁻¹", "mw_m2" for "mW m⁻²".
 std::string unit_in_keys(const std::string& unit) {
   static const std::vector<std::pair<std::string, std::string>> kSpellings = {
-      {"⁻¹", ""}, {"⁻²", "2"}, {"⁻³", "3"}, {"²", "2"}, {"µ", "u"}, {" ", "_"}, {"/", "_"}};
+      {"⁻¹", ""}, {"⁻²", "2"}, {"⁻³", "3"}, {"²", "2"}, {"³", "3"}, {"µ", "u"}, {" ", "_"}, {"/", "_"}};
   if (unit == "R") return "rayleigh";
+  if (unit == "Da") return "dalton";
   if (unit == "kR") return "kilorayleigh";
   std::string text = unit;
   for (const auto& [from, to] : kSpellings) text = replaced(text, from, to);
@@ -116,8 +125,9 @@ std::string unit_in_keys(const std::string& unit) {
 
 /// The unit, where the key does not end with it.
 std::string unit_that_key_lacks(const std::string& key, const std::string& unit) {
-  const std::string end = "_" + unit_in_keys(unit);
-  const bool has_it = key.size() > end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
+  const std::string words = "_" + key, end = "_" + unit_in_keys(unit);
+  const bool has_it =
+      words.size() >= end.size() && words.compare(words.size() - end.size(), end.size(), end) == 0;
   return has_it ? "" : unit;
 }
 
@@ -139,7 +149,8 @@ std::string entries_of_page(const std::string& table) {
     i = end;
     if (row.table != table) continue;
     const bool is_fixed_vector = names.find(',') != std::string::npos;
-    std::string entry = "- " + code(row.key + "=" + (is_fixed_vector ? "[" + defaults + "]" : defaults));
+    std::string entry =
+        "- " + code(row.key + "=" + (is_fixed_vector ? "[" + defaults + "]" : defaults) + other_choices(row));
     const std::string unit = unit_that_key_lacks(row.key, row.unit);
     if (!unit.empty()) entry += " " + unit;
     std::string range = limits_of_page(row);
@@ -232,12 +243,15 @@ void answer_forms() {
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
-      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: `key=default`, the unit "
-      "where the key does not end with it, and the limits (inclusive). In [brackets] are the limits of a key "
-      "that a fit can vary, linearly unless they say otherwise. A section is a table of the file; those in "
-      "double brackets may occur any number of times, each with its `name`. `--set path=value`, `fit.free` "
-      "and reports use paths: `camera.width`, `sheet.main.energy_kev` (`main`: the sheet's name, which a "
-      "single sheet's path may leave out), `sheet.main.center_km.east`. `3.0` is no integer.\n";
+      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: `key=default`, the "
+      "unit where the key does not end with it, and the limits (inclusive). Of words the default is the "
+      "first. In [brackets] are the limits of a key that a fit can vary, linearly unless they say "
+      "otherwise. A section is a table of the file; those in double brackets may occur any number of "
+      "times, each with its `name`. `--set path=value`, `fit.free` and reports use paths: "
+      "`camera.width`, `sheet.main.energy_kev` (`main`: the sheet's name, which a single sheet's path "
+      "may leave out), `sheet.main.center_km.east`. `3.0` is no integer. Files are relative to the "
+      "scene's; azimuths and bearings are from north to the east; an empty text or list is none unless "
+      "it says otherwise.\n";
   std::string table = "\n";  // no table's name, so that the first row begins a section
   for (const sim::ParameterRow& row : sim::parameter_table()) {
     if (row.table == table) continue;
@@ -248,7 +262,7 @@ std::string parameter_page() {
   }
   text +=
       "\n## Alternative forms\n\n"
-      "Keys of scene files alone, which are turned into others on reading and never come beside them. "
+      "Keys of scene files alone, never beside those that they stand for. "
       "`start_km` needs `end_km`, `focal_length_mm` needs `sensor_width_mm`.\n\n";
   for (const sim::FileKey& key : sim::all_file_keys()) {
     std::string facts = key.type == "a number" || key.type == "a text" ? "" : prose(key.type);
@@ -277,17 +291,22 @@ std::string forms_page() {
   std::string text =
       "# Auroral forms\n\n"
       "What `form` in a `[[sheet]]` sets, by `vegard params --forms`; keys that a form does not name get the "
-      "[sheet's default](parameters.md#sheet), and the sheet's other keys override it. `--set "
-      "sheet.main.form=drapery` sets them again. The forms are those of Baranoski et al. 2000, section 2.3, "
+      "[sheet's default](parameters.md#sheet), and the sheet's other keys override it (`--set "
+      "sheet.main.form=drapery` sets them again). The forms are those of Baranoski et al. 2000, section 2.3, "
       "and [STEVE with its picket fence](steve.md). "
-      "Place, direction, motion and lifetimes are left to the scene, and so is the camera: a corona is a "
-      "rayed band overhead, seen towards the magnetic zenith.\n\n"
-      "A form's light is that of its electrons. `profile = \"form\"` has the source's measured curve in its "
-      "place, by `peak_km`, `lower_km` and `upper_km`, which otherwise have no effect.\n\n";
+      "Place, direction, motion, lifetimes and the camera are left to the scene.\n\n"
+      "A form's light is that of its electrons. With `profile = \"form\"` it is the source's measured curve, "
+      "by `peak_km`, `lower_km` and `upper_km`.\n\n";
   for (const sim::Form& form : sim::forms()) {
     text += fmt::format("- **{}**: {}.", form.name, form.meaning);
+    const auto equal = std::find_if(sim::forms().begin(), sim::forms().end(),
+                                    [&](const sim::Form& other) { return other.values == form.values; });
+    if (equal->name != form.name) {
+      text += fmt::format(" As **{}**.\n", equal->name);
+      continue;
+    }
     for (const auto& [key, value] : form.values)
-      if (!is_default_of_sheet(key, value)) text += fmt::format(" `{}` {},", key, value);
+      if (!is_default_of_sheet(key, value)) text += fmt::format(" `{}={}`,", key, value);
     if (text.back() == ',') text.back() = '.';
     text += "\n";
   }

@@ -20,26 +20,26 @@ std::vector<Declaration> bundle_rows() {
   // clang-format off
   return {
       row("name", &B::name).means("name in paths"),
-      row("count", &B::count).within(1, 100000).means("number of lines"),
+      row("count", &B::count).within(1, 100000).means("how many"),
       row("length", &B::length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("length of a line, in sun.unit_km"),
       row("gradient_deg", &B::gradient_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("angle of a line from the vertical towards the equator, at its foot"),
       row("slope_noise_deg", &B::slope_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a line's slope, in either direction"),
       row("position_noise_deg", &B::position_noise_deg).in("deg").within(0, 90).may_be_free(ParameterScale::linear).means("standard deviation of a foot's place about an even spread"),
       row("density_noise", &B::density_noise).within(0, 5).may_be_free(ParameterScale::linear).means("standard deviation of ln(density) of lines"),
       row("density", &B::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density in the middle of a line at its foot"),
-      row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("length along a line over which density falls to 1 / e"),
+      row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("along a line, to a density of 1 / e"),
       row("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("radius of a line at its foot"),
       row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),
       row("density_falloff", &B::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a line, as of a loop's strand"),
-      row("filaments", &B::filaments).within(0, 10000).means("number of places that feet gather at; 0: none"),
-      row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("gathering of feet: 0 none, 1 complete")
+      row("filaments", &B::filaments).within(0, 10000).means("places that feet gather at"),
+      row("filament_pull", &B::filament_pull).within(0, 1).may_be_free(ParameterScale::linear).means("0 none, 1 complete")
           .inert_if([](const B& b) { return b.filaments == 0; }, "the bundle has no filaments", "give it filaments"),
       row("lowest_latitude_deg", &B::lowest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
       row("highest_latitude_deg", &B::highest_latitude_deg).in("deg").within(-90, 90).means("of feet"),
-      row("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("largest distance of feet from the limb; 90: anywhere"),
+      row("horizon_deg", &B::horizon_deg).in("deg").within(0.1, 90).means("of feet from the limb, at most; 90: anywhere"),
       row("rayleigh", &B::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line"),
-      responding(row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none")),
+      responding(row("temperature_mk", &B::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("for lines that respond to it (docs/lines.md); 0: none")),
   };
   // clang-format on
 }

@@ -31,10 +31,10 @@ std::vector<Declaration> chromosphere_rows() {
       seen(row("name", &C::name).means("name in paths")),
       seen(row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km")),
       seen(row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it")),
-      seen(row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves (ω)")
+      seen(row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude of each octave over the last (ω)")
           .inert_if([](const C& c) { return c.octaves == 1; }, "the turbulence has one octave", "give it more octaves")),
       seen(row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence")),
-      seen(row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("length of the largest waves: size of the granules")),
+      seen(row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("largest waves: size of the granules")),
       seen(row("shift", &C::shift).as(ParameterRole::granule_shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves")),
       seen(row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude (1 - exp(-(x - coverage) sharpness)))")
           .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
@@ -42,13 +42,13 @@ std::vector<Declaration> chromosphere_rows() {
           .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
       seen(row("amplitude", &C::amplitude).within(0, 1e6).may_be_free(ParameterScale::logarithmic).means("density that the cutoff approaches")
           .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
-      seen(row("biasmap", &C::biasmap).names_file().means("equirectangular picture, north up, relative to the scene's file; empty: none")),
-      seen(row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("density added where biasmap is white")
+      seen(row("biasmap", &C::biasmap).names_file().means("equirectangular picture, north up")),
+      seen(row("peak", &C::peak).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("added density where biasmap is white")
           .inert_if([](const C& c) { return c.biasmap.empty(); }, "the chromosphere has no map", "name a biasmap")),
       seen(row("cutoff", &C::cutoff).means("false: the density is the turbulence as it is")),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
-          .means("light of density 1 per unit of path and line; empty: dark"),
-      row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("extinction of density 1 per unit of path"),
+          .means("light of density 1 per unit of path and line"),
+      row("extinction", &C::extinction).within(0, 1e6).may_be_free(ParameterScale::linear).means("of density 1 per unit of path"),
       seen(row("step", &C::step).within(1e-3, 1e6).means("step of the march")),
   };
   // clang-format on

@@ -25,12 +25,12 @@ std::vector<Declaration> corona_rows() {
       row("share", &C::share).numbered().within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
       row("power", &C::power).numbered().within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms")
           .inert_if(has_no_share, "its share is 0", "give it a share"),
-      row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("ratio of the density over the poles to that over the equator (sin² of latitude between)"),
+      row("polar", &C::polar).within(0, 10).may_be_free(ParameterScale::linear).means("density over the poles over that over the equator (sin² of latitude between)"),
       row("reach", &C::reach).within(1.001, 1000).means("its end, in radii of the photosphere"),
       row("light", &C::light).one_of<CoronaLight>({{"density", CoronaLight::density}, {"square", CoronaLight::square}, {"scattered", CoronaLight::scattered}}).means("light as density, as its square (collisions), or scattered from the photosphere (Thomson)"),
       row("rayleigh", &C::rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("light of density 1 per unit of path and line; scattered light: at the photosphere"),
-      responding(row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("temperature for lines with a response to it (docs/lines.md); 0: none")),
+      responding(row("temperature_mk", &C::temperature_mk).in("MK").within(0, 100).may_be_free(ParameterScale::logarithmic).means("for lines that respond to it (docs/lines.md); 0: none")),
   };
   // clang-format on
 }

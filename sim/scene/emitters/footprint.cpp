@@ -54,9 +54,9 @@ std::vector<Declaration> footprint_rows() {
       row("model", &F::model).one_of<FootprintModel>({{"volume", FootprintModel::volume}, {"curtain", FootprintModel::curtain}})
           .means("light with a thickness, or thin upright walls (a cheap preview)"),
       row("source", &F::source).one_of<FootprintSource>({{"spline", FootprintSource::spline}, {"image", FootprintSource::image}, {"cube", FootprintSource::cube}, {"sheets", FootprintSource::sheets}, {"noise", FootprintSource::noise}, {"precipitation", FootprintSource::precipitation}})
-          .means("origin of the footprint: a curve, a picture, six faces of a cube, the scene's sheets (then not drawn as beams), fractal noise, or a map by vegard map"),
+          .means("a curve, a picture, faces of a cube, the scene's sheets (then not drawn as beams), fractal noise, or a map by vegard map"),
       row("fall", &F::fall).one_of<FootprintFall>({{"field", FootprintFall::field}, {"vertical", FootprintFall::vertical}})
-          .means("along the scene's field or straight down (as always of a shell in a uniform field)"),
+          .means("along the field or straight down (as always of a shell in a uniform field)"),
       not_of_source(row("center_km", &F::center_km)).as(ParameterRole::footprint_centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("middle of a box, of the feet at 110 km altitude"),
       row("size_km", &F::size_km).of({"east", "north"}).in("km").within(1, 6000)
@@ -65,59 +65,59 @@ std::vector<Declaration> footprint_rows() {
       row("face_cells", &F::face_cells).within(16, 8192)
           .means("cells along an edge of each cube face of a shell"),
       of_still_spline(row("east_km", &F::east_km)).called("east of point").as(ParameterRole::footprint_east).numbered().in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
-          .means("points of a box's spline, east of its middle"),
+          .means("points of a box's spline, from its middle"),
       of_still_spline(row("north_km", &F::north_km)).called("north of point").as(ParameterRole::footprint_north).numbered().in("km").within(-6000, 6000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       row("latitude_deg", &F::latitude_deg).numbered().in("deg").within(-90, 90)
-          .means("points of a shell's spline: geographic latitude"),
+          .means("points of a shell's spline"),
       row("longitude_deg", &F::longitude_deg).numbered().in("deg").within(-360, 720)
-          .means("the same: longitude, east positive"),
-      row("closed", &F::closed).means("the spline's last point is followed by its first"),
+          .means("their longitudes, to the east"),
+      row("closed", &F::closed).means("the last point is followed by the first"),
       of_still_spline(row("width_km", &F::width_km)).in("km").within(0.01, 1000).may_be_free(ParameterScale::logarithmic)
-          .means("standard deviation of the Gaussian across the spline"),
+          .means("Gaussian across the spline: standard deviation"),
       row("image", &F::image).names_file()
-          .means("picture, relative to the scene's file: north up for a box, equirectangular for a shell, \"NAME_{face}.png\" for a cube (docs/volumes.md)"),
+          .means("picture: north up for a box, equirectangular for a shell, \"NAME_{face}.png\" for a cube (docs/volumes.md)"),
       row("image_gamma", &F::image_gamma).within(0.1, 10).means("exponent from the picture's value to the energy flux"),
       row("energy_image", &F::energy_image).names_file().means("picture of the energy, of the same extent; empty: uniform"),
       row("energy_ratio", &F::energy_ratio).within(0.01, 100)
-          .means("ratio of the energy at white to energy_kev at black of energy_image, logarithmic between"),
+          .means("energy at white over energy_kev at black of energy_image, logarithmic between"),
       of_spline(row("point_energy", &F::point_energy)).called("energy of point").numbered().within(0.05, 20).may_be_free(ParameterScale::logarithmic)
-          .means("energy at the spline's points relative to energy_kev; empty: 1"),
+          .means("at the spline's points, relative to energy_kev; empty: 1"),
       of_still_spline(row("point_flux", &F::point_flux)).called("energy flux of point").numbered().within(0, 1000).may_be_free(ParameterScale::linear)
-          .means("energy flux at the spline's points relative to energy_flux_mw_m2; empty: 1"),
+          .means("at the spline's points, relative to energy_flux_mw_m2; empty: 1"),
       row("file", &F::file).names_file()
-          .means("for \"precipitation\": FITS map by vegard map, relative to the scene's file (docs/volumes.md)"),
+          .means("for \"precipitation\": FITS map by vegard map (docs/volumes.md)"),
       row("noise_scale_km", &F::noise_scale_km).in("km").within(1, 5000).means("largest waves of a noise footprint"),
       row("noise_octaves", &F::noise_octaves).within(1, 10).means("its octaves"),
-      row("noise_coverage", &F::noise_coverage).within(0, 1).means("roughly the share of the box that shines"),
+      row("noise_coverage", &F::noise_coverage).within(0, 1).means("share of the box that shines, roughly"),
       row("noise_lifetime_s", &F::noise_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("lifetime of the noise; 0: unlimited"),
+          .means("0: unlimited"),
       row("flow_turns", &F::flow_turns).within(0, 10)
-          .means("winding by a plane incompressible flow, in turns of its fastest part; 0: none"),
+          .means("winding by a plane flow, in turns of its fastest part; 0: none"),
       row("flow_turns_per_s", &F::flow_turns_per_s).in("s⁻¹").within(0, 10)
           .means("change of flow_turns per second, within 0 to 10 turns"),
       row("flow_sense", &F::flow_sense).one_of<FlowSense>({{"spiral", FlowSense::spiral}, {"charge", FlowSense::charge}})
-          .means("sense of winding: counter-clockwise seen along the field (as spirals), or against it (as a charged sheet)"),
-      row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("length of the ripples that the flow starts from"),
-      row("flow_ripple", &F::flow_ripple).within(0, 10).means("strength of the ripples relative to the footprint's own shear"),
+          .means("counter-clockwise seen along the field (as spirals), or against it (as a charged sheet)"),
+      row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("ripples that the flow starts from"),
+      row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength relative to the footprint's own shear"),
       row("drift_km_s", &F::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
-          .means("velocity of a box; of a shell its speed to the east at the equator"),
+          .means("velocity; of a shell its speed to the east at the equator"),
       row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
-          .means("emission lines of the electrons, or two colours between two altitudes"),
+          .means("emission lines, or two colours between two altitudes"),
       row("low_colour", &F::low_colour).of({"r", "g", "b"}).within(0, 1).means("colour at low_km, linear, of the sensor's primaries"),
       row("high_colour", &F::high_colour).of({"r", "g", "b"}).within(0, 1).means("colour at high_km"),
       row("low_km", &F::low_km).in("km").within(80, 640).means("altitude of low_colour and below"),
       row("high_km", &F::high_km).in("km").within(80, 640).means("altitude of high_colour and above"),
       not_of_source(Row("footprint", "energy_kev", &Scene::footprints, &F::energy_kev)).as(ParameterRole::footprint_energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy of the electrons, as a sheet's"),
+          .means("characteristic energy, as a sheet's"),
       not_of_source(row("energy_flux_mw_m2", &F::energy_flux_mw_m2)).as(ParameterRole::footprint_energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
-          .means("energy flux Q at the spline, or where the picture is white"),
+          .means("energy flux at the spline, or where the picture is white"),
       row("profile", &F::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"layer", ProfileKind::layer}})
-          .means("light against altitude: of a spectrum of electrons, a form, or the layers of [[line]]"),
+          .means("height profile: of electrons, a form, or the layers of [[line]]"),
       row("energy_spread", &F::energy_spread).within(0.01, 1).means("for \"gaussian\", as a sheet's"),
       row("peak_km", &F::peak_km).called("peak altitude").in("km").within(81, 600).means("for \"form\": altitude of the peak"),
-      row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("for \"form\": distance below the peak where the light is a tenth"),
-      row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("for \"form\": distance above the peak where the light is a tenth"),
+      row("lower_km", &F::lower_km).called("extent below the peak").in("km").within(0.5, 100).means("from the peak down to a tenth of the light"),
+      row("upper_km", &F::upper_km).called("extent above the peak").in("km").within(0.5, 500).means("from the peak up to a tenth of the light"),
       row("top_km", &F::top_km).in("km").within(100, 640).means("top of the light"),
   };
   // clang-format on

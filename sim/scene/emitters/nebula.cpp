@@ -69,16 +69,16 @@ std::vector<Declaration> nebula_rows() {
   return {
       row("name", &N::name).means("name in paths"),
       row("method", &N::method).one_of<NebulaMethod>({{"physical", NebulaMethod::physical}, {"literal", NebulaMethod::literal}})
-          .means("emission and absorption in rayleighs; or the source's literal march, in colours only"),
-      row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east"),
-      row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon"),
-      row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("distance of its middle; below bound the camera is inside"),
+          .means("in rayleighs; or the source's literal march, in colours only"),
+      row("azimuth_deg", &N::azimuth_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("azimuth of its middle"),
+      row("elevation_deg", &N::elevation_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("elevation of its middle"),
+      row("distance_pc", &N::distance_pc).in("pc").within(0, 1e7).may_be_free(ParameterScale::logarithmic).means("of its middle; below bound the camera is inside"),
       row("unit_pc", &N::unit_pc).in("pc").within(1e-6, 1e6).may_be_free(ParameterScale::logarithmic).means("unit of all its lengths"),
-      row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation as seen by the observer"),
+      row("position_angle_deg", &N::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise, as the observer sees it"),
       row("bound", &N::bound).within(0.01, 1000).means("radius of the sphere that holds it; the source's is √8"),
-      row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("distance over which density falls from 1 to 0 outside a surface (h of the source)"),
+      row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("distance outside a surface at which density is 0 (h of the source)"),
       row("step", &N::step).within(1e-4, 1).means("step of the march; the literal march has its own"),
-      row("gas", &N::gas).means("node of the gas that shines by lines (and of the literal march); empty: none"),
+      row("gas", &N::gas).means("node of the gas that shines (and of the literal march); empty: none"),
       row("glow", &N::glow).means("node of a second light; empty: none"),
       row("dust", &N::dust).means("node of what absorbs; empty: none"),
       of_gas(row("inner_rayleigh", &N::inner_rayleigh)).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
@@ -86,18 +86,18 @@ std::vector<Declaration> nebula_rows() {
       of_gas(row("outer_rayleigh", &N::outer_rayleigh)).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("the same far out"),
       row("glow_rayleigh", &N::glow_rayleigh).called("glow").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
-          .means("light of the glow of density 1 per unit of path and line")
+          .means("the same of the glow")
           .inert_if([](const N& n) { return n.glow.empty(); }, "the nebula has no glow", "name the node of its glow"),
       of_gas(row("inner_radius", &N::inner_radius)).within(0, 1000).may_be_free(ParameterScale::linear).means("up to this radius inner_rayleigh holds"),
       of_gas(row("outer_radius", &N::outer_radius)).within(1e-6, 1000).may_be_free(ParameterScale::linear).means("from this radius on outer_rayleigh holds"),
       of_light(row("density_power", &N::density_power)).within(0.1, 4).may_be_free(ParameterScale::linear).means("exponent from density to light: 2 for recombination"),
       of_light(row("brightness", &N::brightness)).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on all its light"),
-      of_dust(row("dust_depth", &N::dust_depth)).within(0, 1e6).may_be_free(ParameterScale::linear).means("optical depth of dust of density 1 per unit of path at 550 nm"),
+      of_dust(row("dust_depth", &N::dust_depth)).within(0, 1e6).may_be_free(ParameterScale::linear).means("of dust of density 1 per unit of path at 550 nm"),
       of_dust(row("dust_exponent", &N::dust_exponent)).within(-4, 8).may_be_free(ParameterScale::linear).means("optical depth goes as wavelength to minus this power")
           .inert_if([](const N& n, const Scene& scene) { return n.dust_depth == 0.0 && !frees(scene, "nebula." + n.name + ".dust_depth"); }, "its dust has no depth", "give it a dust_depth"),
       row("colour_a", &N::colour_a).of({"r", "g", "b"}).within(0, 100).means("of the literal march: light's colour at the middle"),
       row("literal_colour", &N::literal_colour).one_of<LiteralColour>({{"two", LiteralColour::two}, {"white", LiteralColour::white}})
-          .means("light of the literal march: from colour_a to colour_b, or white as in the source"),
+          .means("of the literal march: from colour_a to colour_b, or white as in the source"),
       row("colour_b", &N::colour_b).of({"r", "g", "b"}).within(0, 100).means("of the literal march: colour at distance 1"),
   };
   // clang-format on
@@ -108,25 +108,25 @@ std::vector<Declaration> node_rows() {
   const std::vector<K> noise = {K::filaments, K::turbulence, K::warp};
   // clang-format off
   return {
-      node("name", &Node::name).means("name for other nodes, nebulae and paths"),
+      node("name", &Node::name).means("for other nodes, nebulae and paths"),
       node("kind", &Node::kind)
           .one_of<NodeKind>({{"sphere", NodeKind::sphere}, {"shell", NodeKind::shell}, {"lobes", NodeKind::lobes}, {"torus", NodeKind::torus}, {"tube", NodeKind::tube}, {"slab", NodeKind::slab}, {"filaments", NodeKind::filaments}, {"turbulence", NodeKind::turbulence}, {"warp", NodeKind::warp}, {"union", NodeKind::unite}, {"intersection", NodeKind::intersect}, {"difference", NodeKind::subtract}, {"scale", NodeKind::scale}, {"rotate", NodeKind::rotate}, {"move", NodeKind::move}})
           .means("what it is: docs/nebulae.md"),
-      node("of", &Node::of).means("names of the nodes that it works on, separated by commas"),
+      node("of", &Node::of).means("nodes that it works on, separated by commas"),
       node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
-          .means("middle of a shape: to the right, up and towards the observer"),
+          .means("middle of a shape, to the right, up and towards the observer"),
       node("angles_deg", &Node::angles_deg).of({"right", "up", "near"}).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("rotation about these axes, one after the other"),
       node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("stretch along these axes, before any rotation"),
       number_of({K::sphere, K::shell, K::torus, K::tube, K::lobes}, "radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
-      number_of({K::shell, K::slab, K::lobes, K::torus}, "thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("thickness of a shell's, slab's or lobes' walls or of a torus's ring"),
+      number_of({K::shell, K::slab, K::lobes, K::torus}, "thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("of the walls of a shell, slab or lobes, or of a torus's ring"),
       number_of({K::lobes, K::tube}, "length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("half-length of lobes or a tube"),
-      number_of({K::lobes}, "waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("radius of lobes in the middle"),
-      number_of(noise, "amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("amplitude of filaments, turbulence and warp"),
-      number_of(noise, "frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("frequency of the noise's largest waves, per unit of length"),
+      number_of({K::lobes}, "waist", &Node::waist).within(0, 1000).may_be_free(ParameterScale::linear).means("of lobes in the middle"),
+      number_of(noise, "amplitude", &Node::amplitude).within(-100, 100).may_be_free(ParameterScale::linear).means("of filaments, turbulence and warp"),
+      number_of(noise, "frequency", &Node::frequency).within(1e-3, 1e3).may_be_free(ParameterScale::logarithmic).means("of the noise's largest waves, per unit of length"),
       number_of(noise, "gain", &Node::gain).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude ratio of successive octaves"),
-      number_of({K::unite, K::intersect, K::subtract}, "blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding length of a union, intersection or difference; 0: sharp"),
+      number_of({K::unite, K::intersect, K::subtract}, "blend", &Node::blend).within(0, 100).may_be_free(ParameterScale::linear).means("rounding of a union, intersection or difference; 0: sharp"),
       node("octaves", &Node::octaves).within(1, 12).means("of noise"),
       node("seed", &Node::seed).within(0, 1e9).means("seed of its noise, with the scene's"),
   };

@@ -49,22 +49,22 @@ std::vector<Declaration> sun_rows() {
   // clang-format off
   return {
       row("shown", &Sun::shown).means("whether the Sun and all on it are in the scene"),
-      row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("direction of its middle, from north to the east")
+      row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("azimuth of its middle")
           .not_free_if(why_place_unknown),
-      row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("direction of its middle above the horizon")
+      row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("elevation of its middle")
           .not_free_if(why_place_unknown),
       row("distance_km", &Sun::distance_km).in("km").within(1, 1e12).may_be_free(ParameterScale::logarithmic).means("distance of its middle")
           .not_free_if(why_place_unknown),
-      row("position_angle_deg", &Sun::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("anticlockwise rotation of its north pole as seen by the observer (P)")
+      row("position_angle_deg", &Sun::position_angle_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("of its north pole, anticlockwise (P)")
           .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::alike_about_axis; }, same_from_all_sides, "set something on it"),
-      row("latitude_deg", &Sun::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic latitude of the middle of its disc (B0)")
+      row("latitude_deg", &Sun::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic, of its disc's middle (B0)")
           .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::alike_about_axis; }, same_from_all_sides, "set something on it"),
-      row("longitude_deg", &Sun::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("heliographic longitude of the middle of its disc (L0), westwards")
+      row("longitude_deg", &Sun::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("heliographic, of its disc's middle, westwards (L0)")
           .inert_if([](const Sun&, const Scene& scene) { return least_alike(scene) < OnSun::uneven; }, same_from_all_sides, "set something on it"),
       row("unit_km", &Sun::unit_km).in("km").within(1e-3, 1e9).means("unit of all lengths on the Sun"),
       row("radius", &Sun::radius).within(1e-3, 1e9).means("radius of the photosphere"),
       row("photosphere_rayleigh", &Sun::photosphere_rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
-          .means("light at the middle of the disc, per line; empty: dark")
+          .means("at the disc's middle, per line; empty: dark")
           .not_free_if(why_light_unknown),
       row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)²; 0: uniform")
           .not_free_if(why_light_unknown)
@@ -73,9 +73,9 @@ std::vector<Declaration> sun_rows() {
           .not_free_if(why_light_unknown)
           .inert_if(is_photosphere_unseen, "the photosphere is dark", "give it sun.photosphere_rayleigh"),
       row("rotation", &Sun::rotation).one_of<SolarRotation>({{"none", SolarRotation::none}, {"rigid", SolarRotation::rigid}, {"differential", SolarRotation::differential}})
-          .means("rotation with the scene's clock (docs/corona/time.md): none; at Carrington's rate; or slower towards the poles"),
+          .means("with the scene's clock (docs/corona/time.md): none; at Carrington's rate; or slower towards the poles"),
       row("rotation_frame", &Sun::rotation_frame).one_of<RotationFrame>({{"synodic", RotationFrame::synodic}, {"sidereal", RotationFrame::sidereal}})
-          .means("frame of that rotation: as seen from the Earth, or from the stars"),
+          .means("as seen from the Earth, or from the stars"),
   };
   // clang-format on
 }

@@ -44,31 +44,31 @@ std::vector<Declaration> volume_rows() {
   // clang-format off
   return {
       row("name", &Volume::name).means("name in paths"),
-      row("file", &Volume::file).names_file().means("OpenVDB file (grids emission_5577, density …) or pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`), relative to the scene's file"),
+      row("file", &Volume::file).names_file().means("OpenVDB (grids emission_5577, density …) or pbrt volumegrid (`.pbrt`, `.volumegrid`, `.txt`)"),
       row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
-          .means("frame of the file: the ground, in km, or the Sun, in sun.unit_km"),
+          .means("axes of the file: the ground, in km, or the Sun, in sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
           .means("shift; on the Sun along x, y and z")
           .not_free_if(is_moved_against_lamp, {"the volume is moved against its lamp, by which the derivative is not known", "a lamp far off", "leave shift_km out of fit.free"}),
       row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on its light"),
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
-          .means("extinction of density 1 of the grid \"density\"; 0: none"),
+          .means("of density 1 of the grid \"density\"; 0: none"),
       row("density_rayleigh", &Volume::density_rayleigh).by_line().in("R").within(0, 1e12).may_be_free(ParameterScale::linear)
-          .means("light of density 1 per line and km (on the Sun: sun.unit_km), instead of emission grids; empty: none"),
-      row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in edges of a voxel"),
-      lit(row("albedo", &Volume::albedo)).within(0, 1).may_be_free(ParameterScale::linear).means("share of scattering, once, in the extinction; 0: none"),
-      scattered(row("asymmetry", &Volume::asymmetry)).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of the scattering angle (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),
+          .means("light of density 1 per line and km (on the Sun: sun.unit_km), instead of emission grids"),
+      row("step_voxels", &Volume::step_voxels).within(0.05, 8).means("step of the march, in voxels"),
+      lit(row("albedo", &Volume::albedo)).within(0, 1).may_be_free(ParameterScale::linear).means("share of scattering in the extinction"),
+      scattered(row("asymmetry", &Volume::asymmetry)).within(-0.99, 0.99).may_be_free(ParameterScale::linear).means("mean cosine of scattering (g of Henyey and Greenstein): 0 to all sides, above 0 forwards"),
       scattered(row("lamp_kind", &Volume::lamp)).one_of<VolumeLamp>({{"none", VolumeLamp::none}, {"direction", VolumeLamp::direction}, {"point", VolumeLamp::point}, {"sun", VolumeLamp::sun}})
-          .means("lamp: none, parallel light, a point, or the scene's Sun"),
-      scattered(row("lamp_azimuth_deg", &Volume::lamp_azimuth_deg)).in("deg").within(-720, 720).means("direction of parallel light, from north to the east; on the Sun heliographic longitude")
+          .means("none, parallel light, a point, or the scene's Sun"),
+      scattered(row("lamp_azimuth_deg", &Volume::lamp_azimuth_deg)).in("deg").within(-720, 720).means("of parallel light; on the Sun heliographic longitude")
           .inert_if([](const Volume& v) { return v.lamp != VolumeLamp::direction; }, other_kind, "leave it out"),
-      scattered(row("lamp_elevation_deg", &Volume::lamp_elevation_deg)).in("deg").within(-90, 90).means("the same above the horizon; on the Sun heliographic latitude")
+      scattered(row("lamp_elevation_deg", &Volume::lamp_elevation_deg)).in("deg").within(-90, 90).means("of parallel light; on the Sun heliographic latitude")
           .inert_if([](const Volume& v) { return v.lamp != VolumeLamp::direction; }, other_kind, "leave it out"),
       scattered(row("lamp_km", &Volume::lamp_km)).of({"east", "north", "up"}).in("km").within(-1e9, 1e9)
           .means("place of a point; on the Sun x, y and z of its frame")
           .inert_if([](const Volume& v) { return v.lamp != VolumeLamp::point; }, other_kind, "leave it out"),
       scattered(row("lamp_flux", &Volume::lamp_flux)).by_line().in("10⁶ cm⁻² s⁻¹").within(0, 1e18)
-          .means("photons of the lamp per line: of parallel light, or of a point at 1 km (sun.unit_km on the Sun)")
+          .means("photons per line: of parallel light, or of a point at 1 km (sun.unit_km on the Sun)")
           .inert_if([](const Volume& v) { return v.lamp == VolumeLamp::sun; }, other_kind, "leave it out"),
   };
   // clang-format on

@@ -10,23 +10,23 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "roi_px", &Scene::fit, &Fit::roi_px).of({"x", "y", "width", "height"}).in("px").within(0, 65535)
           .means("region of interest; all zero: the whole image"),
       Row("fit", "bands", &Scene::fit, &Fit::bands).within(1, 65535)
-          .means("equal column strips of the region of interest"),
+          .means("equal column strips of the region"),
       Row("fit", "average_rows", &Scene::fit, &Fit::average_rows).within(0, 65535)
-          .means("rows to which larger photographs are averaged; 0: never"),
+          .means("to which larger photographs are averaged; 0: never"),
       Row("fit", "band_brightness", &Scene::fit, &Fit::band_brightness)
-          .means("whether each band has its own brightness"),
+          .means("each band has its own brightness"),
       Row("fit", "white_balance_known", &Scene::fit, &Fit::white_balance_known)
-          .means("false: each channel has its own gain, and colour does not constrain the energy"),
+          .means("false: each channel has its own gain"),
       Row("fit", "sky_terms", &Scene::fit, &Fit::sky_terms).within(1, 3)
           .means("terms of the sky per channel: 1 level, 2 gradient, 3 curvature"),
       Row("fit", "band_sky", &Scene::fit, &Fit::band_sky)
-          .means("whether each band has its own sky, else one sky down the picture"),
+          .means("each band has its own sky"),
       Row("fit", "decoding", &Scene::fit, &Fit::decoding).of_all_photos("give the entry a decoding").rule(decoding_complaint).names_table()
-          .means("photograph to linear light: auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor, unknown or unknown:2 (docs/fitting.md)"),
+          .means("auto, srgb, srgb:EXPONENT, linear, gamma:2.2, curve:FILE.csv, sensor, unknown or unknown:2 (docs/fitting.md)"),
       Row("fit", "model_error", &Scene::fit, &Fit::model_error).within(0, 1)
           .means("unmodelled structure, as a fraction of the local brightness"),
       Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).of_all_photos().within(0, 1e4)
-          .means("inverse standard deviation of the second differences of ln(spline_rate); 0: most probable for each line"),
+          .means("of second differences of ln(spline_rate), an inverse standard deviation; 0: most probable"),
       Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
           .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2 to 31.4; 0: none"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).of_all_photos().within(0, 1000000)
@@ -42,7 +42,7 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "search_smoothing", &Scene::fit, &Fit::search_smoothing).of_all_photos().within(0, 0.5)
           .means("smoothing of profiles in the search, relative to the region's height"),
       Row("fit", "model", &Scene::fit, &Fit::model).one_of<FitModel>({{"expected", FitModel::expected}, {"draws", FitModel::draws}})
-          .means("picture that is compared: the mean over random beams, or one draw (as always with folds, curls, undulating borders)"),
+          .means("the mean over random beams is compared, or one draw (as always with folds, curls, undulating borders)"),
   };
   for (const StatisticFacts& facts : kStatistics)
     rows.push_back(Row("fit", facts.name + std::string("_weight"),
@@ -50,7 +50,7 @@ std::vector<Declaration> fit_rows() {
                        .within(0, 100).means(facts.meaning));
   const std::vector<Declaration> others = {
       Row("fit", "profile_along", &Scene::fit, &Fit::profile_along).one_of<ProfileAlong>({{"columns", ProfileAlong::columns}, {"elevation", ProfileAlong::elevation}, {"field", ProfileAlong::field}, {"loop", ProfileAlong::loop}, {"limb", ProfileAlong::limb}})
-          .means("direction of profiles: columns, elevation, field lines, across a loop, or away from the Sun's limb"),
+          .means("of profiles: columns, elevation, field lines, across a loop, or away from the Sun's limb"),
       Row("fit", "guide_x_px", &Scene::fit, &Fit::guide_x_px).numbered().in("px").within(-1e5, 1e5)
           .means("for profiles across a loop: points along it, from the left edge"),
       Row("fit", "guide_y_px", &Scene::fit, &Fit::guide_y_px).numbered().in("px").within(-1e5, 1e5)
@@ -72,7 +72,7 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "loss", &Scene::fit, &Fit::loss).one_of<ResidualLoss>({{"none", ResidualLoss::none}, {"huber", ResidualLoss::huber}, {"cauchy", ResidualLoss::cauchy}})
           .means("robust loss for residuals beyond loss_sigma"),
       Row("fit", "loss_sigma", &Scene::fit, &Fit::loss_sigma).within(0.1, 100)
-          .means("standard deviations beyond which a residual counts less"),
+          .means("standard deviations"),
   };
   // clang-format on
   rows.insert(rows.end(), others.begin(), others.end());

@@ -110,11 +110,11 @@ std::vector<Declaration> sheet_rows() {
   return {
       row("name", &Sheet::name).means("name in paths"),
       row("form", &Sheet::form).one_of(form_names()).presets(values_of_form)
-          .means("preset of the sheet's other keys, which override it (docs/forms.md)"),
+          .means("preset of other keys, which override it (docs/forms.md)"),
       of_sine(row("center_km", &Sheet::center_km)).as(ParameterRole::centre).of({"east", "north"}).in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
-          .means("middle between start and end, of the feet at 110 km altitude"),
+          .means("middle of the feet, at 110 km altitude"),
       of_sine(row("bearing_deg", &Sheet::bearing_deg)).as(ParameterRole::bearing).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
-          .means("direction from start to end, from north to the east"),
+          .means("direction from start to end"),
       of_sine(row("length_km", &Sheet::length_km)).as(ParameterRole::length).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
       of_sine(row("thickness_km", &Sheet::thickness_km)).called("amplitude").as(ParameterRole::amplitude).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
@@ -126,9 +126,9 @@ std::vector<Declaration> sheet_rows() {
       of_sine(row("phase_shift_rad", &Sheet::phase_shift_rad)).in("rad").within(-2 * pi, 2 * pi).may_be_free(ParameterScale::linear)
           .means("phase from the first layer to the last"),
       row("course", &Sheet::course).one_of<SheetCourse>({{"sine", SheetCourse::sine}, {"curve", SheetCourse::curve}})
-          .means("course of the layers: a sine about the line from start to end, or a smooth curve through east_km, north_km"),
+          .means("a sine about the line from start to end, or a smooth curve through east_km, north_km"),
       row("east_km", &Sheet::east_km).called("east of point").as(ParameterRole::curve_east).numbered().in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
-          .means("points of the course \"curve\" in order, at 110 km altitude"),
+          .means("points of the curve in order, at 110 km altitude"),
       row("north_km", &Sheet::north_km).called("north of point").as(ParameterRole::curve_north).numbered().in("km").within(-3000, 3000).may_be_free(ParameterScale::linear)
           .means("the same to the north"),
       row("point_brightness", &Sheet::point_brightness).called("brightness of point").as(ParameterRole::curve_brightness).numbered().within(1e-6, 1e4).may_be_free(ParameterScale::logarithmic)
@@ -137,13 +137,13 @@ std::vector<Declaration> sheet_rows() {
           .means("energy at the curve's points; empty: energy_kev"),
       row("point_width_km", &Sheet::point_width_km).called("layer width of point").numbered().in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("width at the curve's points; empty: width_km"),
-      row("layers", &Sheet::layers).within(1, 100).means("number of sine curves in the sheet; with the course \"curve\" they coincide"),
+      row("layers", &Sheet::layers).within(1, 100).means("parallel sine curves; of a \"curve\" they coincide"),
       but_of_points(row("width_km", &Sheet::width_km), &Sheet::point_width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
           .means("electron beams in each layer; sets beams_per_km to 0"),
       of_energy(Row("energy_kev", &Sheet::energy_kev)).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
-          .means("characteristic energy E0 of Maxwellian electrons or protons (mean energy 2 E0); else the central energy"),
+          .means("characteristic energy E0 of a Maxwellian (mean energy 2 E0); else the central energy"),
       of_profile(ProfileKind::gaussian, "set profile to \"gaussian\"", row("energy_spread", &Sheet::energy_spread)).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
           .means("relative standard deviation of a Gaussian energy"),
       Row("energy_flux_mw_m2", &Sheet::energy_flux_mw_m2).as(ParameterRole::energy_flux).in("mW m⁻²").within(0, 10000).may_be_free(ParameterScale::logarithmic)
@@ -152,7 +152,7 @@ std::vector<Declaration> sheet_rows() {
           .inert_if([](const Sheet& s) { return s.brightness_kilorayleigh > 0.0; }, {"the sheet's brightness is given, so its energy flux has no effect", affects_light, "leave it out of fit.free, or brightness_kilorayleigh (and ibc) out of the sheet"})
           .inert_if(is_as_given, {"the sheet is as bright as line_kilorayleigh says, so {key} has no effect", affects_light, "leave it out of fit.free; line_kilorayleigh is the light"}),
       row("path_spread", &Sheet::path_spread).within(0, 1)
-          .means("largest random shortening of a beam, as a fraction of its path"),
+          .means("largest random shortening of a path, as a fraction"),
       row("loss_cone_deg", &Sheet::loss_cone_deg).called("pitch angle").as(ParameterRole::loss_cone).in("deg").within(0, 30).may_be_free(ParameterScale::linear)
           .means("pitch angle at the lower end of the path"),
       row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
@@ -160,10 +160,10 @@ std::vector<Declaration> sheet_rows() {
       row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
           .means("pitch angle by the paper's equation (4): αD − Δα(1 − t), αD·t·Δα (literal), t·Δα or αD"),
       row("path_step", &Sheet::path_step).within(1e-5, 0.5)
-          .means("largest step between deflections, as a fraction of the path"),
+          .means("largest step, as a fraction of the path"),
       row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
       row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
-          .means("random shift of the beams, as a fraction of their spacing"),
+          .means("random shift of the beams, as a fraction of the spacing"),
       row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
           .means("beam positions: stratified, a jittered walk, or the paper's walk"),
       row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
@@ -171,53 +171,53 @@ std::vector<Declaration> sheet_rows() {
       row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
           .means("path_step as given, or from the electrons' mean energy"),
       row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
-          .means("half of path_step with a random start; or random up to path_step, as in the paper"),
+          .means("half of path_step from a random start, or random up to path_step (the paper's)"),
       row("points_per_px", &Sheet::points_per_px).in("px⁻¹").within(0, 1000)
           .means("least deflection points per pixel and layer, by up to 16 times the beams; 0: off"),
-      row("arcs", &Sheet::arcs).within(1, 64).means("number of equal sheets side by side, centred on center_km"),
+      row("arcs", &Sheet::arcs).within(1, 64).means("equal sheets side by side, centred on center_km"),
       of_sine(row("arc_spacing_km", &Sheet::arc_spacing_km)).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
           .means("distance between them (10 to 100 in nature)")
           .inert_if([](const Sheet& s) { return s.arcs == 1; }, {"the sheet is a single arc, so the spacing of arcs has no effect", affects_light, "leave it out of fit.free, or set arcs"}),
       row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
       row("profile", &Sheet::profile).one_of<ProfileKind>({{"maxwellian", ProfileKind::maxwellian}, {"mono", ProfileKind::mono}, {"gaussian", ProfileKind::gaussian}, {"form", ProfileKind::form}, {"file", ProfileKind::file}, {"spline", ProfileKind::spline}, {"layer", ProfileKind::layer}, {"line", ProfileKind::line}, {"proton", ProfileKind::proton}})
-          .means("height profile: of electrons with a Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; the layers of [[line]]; line_nm alone, of no electrons, as high as a form; or of Maxwellian protons"),
+          .means("height profile: of electrons of Maxwellian, single or Gaussian energy; the form's measured curve; profile_file; free for each line; layers of [[line]]; line_nm alone, as high as a form; or of Maxwellian protons"),
       row("profile_file", &Sheet::profile_file).names_table()
-          .means("for \"file\": CSV of altitude_km and photons cm⁻³ s⁻¹ per line, relative to the scene's file"),
+          .means("for \"file\": CSV of altitude_km and photons cm⁻³ s⁻¹ per line"),
       of_heights(row("peak_km", &Sheet::peak_km)).called("peak altitude").as(ParameterRole::form_peak).in("km").within(85, 400).may_be_free(ParameterScale::linear)
-          .means("altitude of the brightest light of \"form\" or \"line\""),
+          .means("for \"form\" and \"line\": altitude of the peak"),
       of_heights(row("lower_km", &Sheet::lower_km)).called("extent below the peak").as(ParameterRole::form_lower).in("km").within(0.5, 100).may_be_free(ParameterScale::logarithmic)
-          .means("for \"form\" and \"line\": distance below the peak where the light is a tenth"),
+          .means("from the peak down to a tenth of the light"),
       of_heights(row("upper_km", &Sheet::upper_km)).called("extent above the peak").as(ParameterRole::form_upper).in("km").within(1, 500).may_be_free(ParameterScale::logarithmic)
-          .means("for \"form\" and \"line\": distance above the peak where the light is a tenth"),
+          .means("from the peak up to a tenth of the light"),
       row("line_nm", &Sheet::line_nm).inert_if([](const Sheet& s) { return !is_as_given(s); }, "the sheet's profile is {profile}", "set the profile to \"line\" or \"proton\"").in("nm").within(10, 30000)
-          .means("for \"line\": the line or continuum that shines, one of emission.lines; for \"proton\": the line that line_kilorayleigh is of"),
+          .means("for \"line\": the one of emission.lines that shines; for \"proton\": that line_kilorayleigh is of"),
       row("line_kilorayleigh", &Sheet::line_kilorayleigh).inert_if([](const Sheet& s) { return !is_as_given(s); }, "the sheet's profile is {profile}", "set the profile to \"line\" or \"proton\"").called("brightness").as(ParameterRole::line_brightness).in("kR").within(0, 1e6).may_be_free(ParameterScale::logarithmic)
-          .means("for \"line\" and \"proton\": its brightness along the field, at its peak across a layer"),
+          .means("its brightness along the field, at its peak across a layer"),
       row("spline_bottom_km", &Sheet::spline_bottom_km).in("km").within(80, 630)
-          .means("lowest altitude of a free-form profile, dark"),
+          .means("where a free-form profile begins, dark"),
       row("spline_top_km", &Sheet::spline_top_km).in("km").within(90, 640)
-          .means("highest altitude of a free-form profile, dark"),
+          .means("where it ends, dark"),
       row("spline_knots", &Sheet::spline_knots).within(4, 64)
-          .means("knots of a free-form profile per line, denser at low altitude"),
+          .means("knots per line, denser at low altitude"),
       of_profile(ProfileKind::spline, "set the profile to \"spline\"", row("spline_rate", &Sheet::spline_rate)).as(ParameterRole::profile_coefficient).by_line("<line>_<n>", spline_rate_component, spline_knots)
           .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
-          .means("coefficients of a free-form profile by line from the bottom up (sheet.main.spline_rate.5577_3); empty: one broad layer"),
+          .means("coefficients by line from the bottom up (sheet.main.spline_rate.5577_3); empty: one broad layer"),
       row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between folds (about 20 in nature); 0: none"),
       row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
-          .means("random shift of the folds, as a fraction of their spacing"),
+          .means("random shift, as a fraction of the spacing"),
       row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
           .means("length of the sine that a fold replaces, at most the spacing"),
       of_sine(row("fold_stage", &Sheet::fold_stage)).within(0, 1).may_be_free(ParameterScale::linear)
           .means("shape of a fold: 0 a ripple, 0.5 an overhang, 1 a horseshoe")
           .inert_if([](const Sheet& s) { return s.fold_spacing_km == 0.0; }, {"the sheet has no folds, so their stage has no effect", affects_light, "leave it out of fit.free, or set fold_spacing_km"}),
       row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
-          .means("largest random reduction of fold_stage, as a fraction"),
+          .means("largest random reduction of the stage, as a fraction"),
       row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed of the folds from start to end (0 to 5 in nature)"),
+          .means("speed from start to end (0 to 5 in nature)"),
       row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("lifetime of a fold (above 1 in nature); 0: unlimited"),
+          .means("above 1 in nature; 0: unlimited"),
       row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between curls (2 to 10 in nature); 0: none"),
       row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
@@ -226,9 +226,9 @@ std::vector<Declaration> sheet_rows() {
       row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
           .means("relative concentration of beams at a curl's centre"),
       row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed of the curls from start to end (0 to 8 in nature, at most 90)"),
+          .means("speed from start to end (0 to 8 in nature, at most 90)"),
       row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("lifetime of a curl (0.25 to 0.75 in nature); 0: unlimited"),
+          .means("0.25 to 0.75 in nature; 0: unlimited"),
       row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
           .means("mean distance between spirals (125 to 175 in nature); 0: none"),
       row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
@@ -236,37 +236,37 @@ std::vector<Declaration> sheet_rows() {
       row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
           .means("winding angle at a spiral's centre, counter-clockwise along the field"),
       row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed of the spirals from start to end (4 on average in nature)"),
+          .means("speed from start to end (4 on average in nature)"),
       row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("lifetime of a spiral, which winds up and unwinds; 0: unlimited"),
+          .means("from winding up to unwinding; 0: unlimited"),
       row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
           .means("standard deviation of ln(light) of rays; 0: none"),
       row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
-          .means("full width at half maximum of the rays' autocorrelation (1 or less in nature)"),
+          .means("full width at half maximum of the autocorrelation (1 or less in nature)"),
       row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
           .means("standard deviation of ln(height) of rays above the peak"),
       row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed of the rays from start to end"),
-      row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a ray; 0: unlimited"),
+          .means("speed from start to end"),
+      row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
       row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
-          .means("full width at half maximum of the patches' autocorrelation; 0: none"),
+          .means("full width at half maximum of the autocorrelation; 0: none"),
       row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
           .means("standard deviation of ln(light) of patches"),
-      row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("lifetime of a patch; 0: unlimited"),
+      row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
       row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
-          .means("amplitude of the lower border's undulation; 0: even"),
+          .means("undulation of the lower border; 0: even"),
       row("border_scale_km", &Sheet::border_scale_km).in("km").within(0.1, 1000)
-          .means("length of the lower border's longest waves"),
+          .means("its longest waves"),
       row("border_octaves", &Sheet::border_octaves).within(1, 8)
-          .means("octaves of the lower border's waves, each half as long and high"),
+          .means("octaves, each half as long and high"),
       row("border_lifetime_s", &Sheet::border_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("lifetime of the lower border's shape; 0: unlimited"),
+          .means("0: unlimited"),
       row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
-          .means("what undulates: the altitude of the light; or, literally, a beam's start, which cuts light off"),
+          .means("what undulates: the light's altitude; or, literally, a beam's start, which cuts light off"),
       row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity of the sheet (in nature 0.1 to 0.2 north–south, 10 east–west)"),
       row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed of the sine from start to end"),
+          .means("speed of the wave from start to end"),
   };
   // clang-format on
 }

@@ -23,21 +23,20 @@ struct StatisticFacts {
 
 /// In the order of their kinds, of their keys and of their residuals.
 inline constexpr std::array kStatistics = {
-    StatisticFacts{StatisticKind::profile, "profile", "weight of intensity profiles in chi2; 0: not used",
-                   1.0, false, nullptr},
-    StatisticFacts{StatisticKind::colour, "colour",
-                   "weight of colour profiles, ln(red / green) and ln(blue / green)", 0.0, false,
+    StatisticFacts{StatisticKind::profile, "profile", "of intensity profiles in chi2; 0: not used", 1.0,
+                   false, nullptr},
+    StatisticFacts{StatisticKind::colour, "colour", "of ln(red / green) and ln(blue / green)", 0.0, false,
                    "colours of an aurora's heights mean nothing"},
-    StatisticFacts{StatisticKind::horizontal, "horizontal", "weight of intensity profiles across the picture",
-                   0.0, false, "strips along the picture's rows mean nothing"},
-    StatisticFacts{StatisticKind::border, "border", "weight of the lower border from band to band", 0.0,
-                   false, "lower borders, sought down the columns, mean nothing"},
-    StatisticFacts{StatisticKind::image, "image", "weight of a picture of low resolution", 0.0, false,
+    StatisticFacts{StatisticKind::horizontal, "horizontal", "of intensity profiles across the picture", 0.0,
+                   false, "strips along the picture's rows mean nothing"},
+    StatisticFacts{StatisticKind::border, "border", "of the lower border from band to band", 0.0, false,
+                   "lower borders, sought down the columns, mean nothing"},
+    StatisticFacts{StatisticKind::image, "image", "of a picture of low resolution", 0.0, false,
                    "cells with gains of the picture's columns mean nothing"},
-    StatisticFacts{StatisticKind::texture, "texture", "weight of the autocovariance along the arc", 0.0, true,
+    StatisticFacts{StatisticKind::texture, "texture", "of the autocovariance along the arc", 0.0, true,
                    "texture along the picture's rows means nothing"},
     StatisticFacts{StatisticKind::granulation, "granulation",
-                   "weight of the angular power spectrum of the Sun's disc", 0.0, true, nullptr},
+                   "of the angular power spectrum of the Sun's disc", 0.0, true, nullptr},
 };
 
 constexpr const StatisticFacts& facts_of(StatisticKind kind) {

@@ -72,7 +72,7 @@ AlternativeForm one_number(const FileKey& key, double min, double max, const std
 std::vector<AlternativeForm> declare_forms() {
   const std::string point = "two numbers (east, north)";
   return {
-      {{{"sheet", "start_km", "km", "start of the sheet, of the feet at 110 km altitude", point},
+      {{{"sheet", "start_km", "km", "start of the sheet's feet, at 110 km altitude", point},
         {"sheet", "end_km", "km", "its end", point}},
        {"east", "north"},
        -5000.0,
@@ -81,9 +81,8 @@ std::vector<AlternativeForm> declare_forms() {
        convert_ends},
       one_number({"sheet", "ibc", "", "international brightness coefficient: 10^(ibc - 1) kR", "a number"},
                  1.0, 4.0, "brightness_kilorayleigh", convert_ibc),
-      one_number(
-          {"sheet", "mean_collisions", "", "mean number of deflections on a path, 2 / path_step", "a number"},
-          4.0, 200000.0, "path_step", convert_mean_collisions),
+      one_number({"sheet", "mean_collisions", "", "deflections on a path (mean), 2 / path_step", "a number"},
+                 4.0, 200000.0, "path_step", convert_mean_collisions),
       one_number({"sheet", "field_ratio", "",
                   "field at the electrons' source over that at 100 km: sin² of the loss cone", "a number"},
                  0.0, 0.24, "loss_cone_deg", convert_field_ratio),
@@ -91,7 +90,7 @@ std::vector<AlternativeForm> declare_forms() {
           {"sheet", "points_between_folds", "", "beams of a layer from one fold to the next", "a number"},
           1.0, 10000000.0, "fold_spacing_km", convert_points_between_folds),
       {{{"camera", "focal_length_mm", "mm", "true focal length of the lens", "a number"},
-        {"camera", "sensor_width_mm", "mm", "width of the image on the sensor", "a number"}},
+        {"camera", "sensor_width_mm", "mm", "of the image on the sensor", "a number"}},
        {},
        0.01,
        100000.0,
@@ -125,25 +124,18 @@ const AlternativeForm* find_alternative_form(const std::string& key) {
 std::vector<FileKey> all_file_keys() {
   std::vector<FileKey> keys;
   for (const AlternativeForm& form : alternative_forms()) {
-    for (FileKey key : form.keys) {
-      key.meaning += " (instead of " + form.replaces_text() + ")";
-      keys.push_back(std::move(key));
-    }
+    for (const FileKey& key : form.keys) keys.push_back(key);
+    keys[keys.size() - form.keys.size()].meaning += " (instead of " + form.replaces_text() + ")";
   }
   keys.push_back({"sheet", curve_file_key, "",
-                  "curtains.csv of vegard map, relative to the scene's file (instead of east_km, north_km "
-                  "and the point_ keys)",
-                  "a text"});
+                  "curtains.csv of vegard map (instead of east_km, north_km and the point_ keys)", "a text"});
   keys.push_back({"sheet", curve_number_key, "", "number of its curtain, from 1", "a whole number"});
-  keys.push_back(
-      {"", key_table, "", "what moves, for vegard animate and render", "tables [[key]] with the keys below"});
+  keys.push_back({"", key_table, "", "what moves, for vegard animate and render", "tables [[key]]"});
   for (const KeyframeKey& key : keyframe_keys())
     keys.push_back({key_table, key.key, key.unit, key.meaning, key.type});
   const std::string table = free_table, entry = free_table + ("." + std::string(free_key));
-  keys.push_back(
-      {table, free_key, "", "what is fitted", "an array of paths and of tables with the keys below"});
-  keys.push_back(
-      {entry, free_path_key, "", "path of the parameter; of a vector: all its components", "a text"});
+  keys.push_back({table, free_key, "", "what is fitted", "an array of paths and tables"});
+  keys.push_back({entry, free_path_key, "", "of a vector all components", "a text"});
   for (const FreeNumberKey& key : free_number_keys()) {
     keys.push_back({entry, key.key, "", key.meaning, "a number"});
   }
@@ -151,15 +143,13 @@ std::vector<FileKey> all_file_keys() {
   for (const FreePriorKey& key : free_prior_keys()) {
     keys.push_back({entry + "." + free_prior_key, key.key, "", key.meaning, "a number"});
   }
-  keys.push_back({entry + "." + free_prior_key, prior_law_key, "",
-                  "distribution of the prior; uniform: only min and max", prior_law_type});
   keys.push_back(
-      {table, tied_key, "", "what follows from what is fitted", "an array of tables with the keys below"});
+      {entry + "." + free_prior_key, prior_law_key, "", "uniform: only min and max", prior_law_type});
+  keys.push_back({table, tied_key, "", "what follows from what is fitted", "an array of tables"});
   for (const TiedKey& key : tied_keys())
     keys.push_back({table + "." + tied_key, key.key, "", key.meaning, key.type});
   const std::string photo = table + "." + photo_key;
-  keys.push_back({table, photo_key, "", "photographs that are fitted together",
-                  "tables [[fit.photo]] with the keys below"});
+  keys.push_back({table, photo_key, "", "what is fitted together", "tables [[fit.photo]]"});
   for (const PhotoTextKey& key : photo_text_keys()) {
     keys.push_back({photo, key.key, "", key.meaning, "a text"});
   }

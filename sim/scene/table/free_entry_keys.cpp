@@ -43,9 +43,9 @@ std::string word_of_law(PriorLaw law) { return word_in(kLaws, law); }
 
 const std::vector<FreeNumberKey>& free_number_keys() {
   static const std::vector<FreeNumberKey> keys = {
-      {"start", "start of the search; default the scene's value", &FreeParameter::start},
-      {"min", "lower limit of the search; default the parameter's", &FreeParameter::min},
-      {"max", "upper limit of the search; default the parameter's", &FreeParameter::max},
+      {"start", "default the scene's value", &FreeParameter::start},
+      {"min", "lower limit; default the parameter's", &FreeParameter::min},
+      {"max", "upper limit; default the parameter's", &FreeParameter::max},
   };
   return keys;
 }
@@ -53,36 +53,36 @@ const std::vector<FreeNumberKey>& free_number_keys() {
 const std::vector<FreeTextKey>& free_text_keys() {
   static const std::vector<FreeTextKey> keys = {
       plain_text<&FreeParameter::name>("name",
-                                       "name for expressions; entries of one name are one number; without a "
-                                       "path (but with start, min, max): used only in expressions",
+                                       "for expressions; entries of one name are one number; without a path "
+                                       "(but with start, min, max) used only there",
                                        "a text"),
-      {"scale", "scale of the search; default the parameter's", "\"linear\" or \"logarithmic\"",
+      {"scale", "default the parameter's", "\"linear\" or \"logarithmic\"",
        [](FreeParameter& free, const std::string& text) {
          const std::optional<FreeScale> scale = kind_of(kScales, text);
          if (scale) free.scale = *scale;
          return scale.has_value();
        },
        [](const FreeParameter& free) { return word_in(kScales, free.scale); }},
-      plain_text<&FreeParameter::photo>("photo", "the only photograph that it belongs to; default all",
-                                        "a name of fit.photos"),
+      plain_text<&FreeParameter::photo>("photo", "the only photograph that has it; default all",
+                                        "a name of fit.photo"),
   };
   return keys;
 }
 
 const std::vector<FreePriorKey>& free_prior_keys() {
   static const std::vector<FreePriorKey> keys = {
-      {"mean", "centre of the prior (log-normal: its median)", &Prior::mean},
-      {"sigma", "standard deviation of the prior, above 0 (log-normal: of the logarithm)", &Prior::sigma},
+      {"mean", "centre (log-normal: median)", &Prior::mean},
+      {"sigma", "standard deviation, above 0 (log-normal: of the logarithm)", &Prior::sigma},
   };
   return keys;
 }
 
 const std::vector<TiedKey>& tied_keys() {
   static const std::vector<TiedKey> keys = {
-      {"path", "path of the parameter that follows from others", "a text", true, &TiedParameter::path},
+      {"path", "what follows from others", "a text", true, &TiedParameter::path},
       {"equals", "expression: numbers, paths, names of fit.free, + - * / ^, parentheses and functions",
        "an expression", true, &TiedParameter::equals},
-      {"photo", "the only photograph with it; default all", "a name of fit.photos", false,
+      {"photo", "the only photograph that has it; default all", "a name of fit.photo", false,
        &TiedParameter::photo},
   };
   return keys;
@@ -96,8 +96,8 @@ ParameterScale scale_of(const FreeParameter& free, const ParameterRow* row) {
 
 const std::vector<PhotoTextKey>& photo_text_keys() {
   static const std::vector<PhotoTextKey> keys = {
-      {"name", "name in fit.free and results; default the file's name without its ending", &PhotoEntry::name},
-      {"file", "photograph, relative to the scene's file", &PhotoEntry::file},
+      {"name", "in fit.free and results; default the file's name without its ending", &PhotoEntry::name},
+      {"file", "the photograph", &PhotoEntry::file},
       {"mask", "mask of the same size: white = use; default all", &PhotoEntry::mask},
       {"decoding", "decoding; default fit.decoding", &PhotoEntry::decoding},
   };

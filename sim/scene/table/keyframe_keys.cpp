@@ -16,9 +16,9 @@ constexpr std::array<std::pair<KeyEase, const char*>, 5> kEases = {{{KeyEase::mo
 
 const std::vector<KeyframeKey>& keyframe_keys() {
   static const std::vector<KeyframeKey> keys = {
-      {key_time, "s", "instant on the scene's clock; the keys of a path in order of time", "a number"},
-      {key_path_word, "", "what moves: a number or a vector of the scene", "a text"},
-      {key_value, "", "its value then; of a vector: one for each component", "a number or an array of them"},
+      {key_time, "s", "on the scene's clock; the keys of a path in order", "a number"},
+      {key_path_word, "", "of a number or a vector of the scene", "a text"},
+      {key_value, "", "its value then; of a vector one for each component", "a number or an array of them"},
       {key_ease, "", "the way on to the next key; default \"monotone\"", ease_type()},
   };
   return keys;
