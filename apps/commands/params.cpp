@@ -154,7 +154,9 @@ std::string entries_of_page(const std::string& table) {
     const std::string unit = unit_that_key_lacks(row.key, row.unit);
     if (!unit.empty()) entry += " " + unit;
     std::string range = limits_of_page(row);
-    if (const std::string scale = scale_word(row); row.can_be_free && !scale.empty()) range += ", " + scale;
+    if (const std::string scale = scale_word(row); row.can_be_free && !scale.empty())
+      range =
+          row.scale == sim::ParameterScale::angle ? scale : range + ", " + scale;  // its limits mean nothing
     if (is_fixed_vector) range = names + (range.empty() ? "" : "; " + range);
     if (!range.empty()) entry += row.can_be_free ? " [" + prose(range) + "]" : " (" + prose(range) + ")";
     if (row.meaning == std::string(kMeaningOfNames)) {  // the page says it once

@@ -279,19 +279,17 @@ void answer_lines() {
 std::string line_page() {
   std::string text =
       "# Emission lines\n\n"
-      "The lines that a scene can have (`emission.lines`, up to eight), by `vegard lines --markdown`: "
-      "species, transition, lifetime, and light: a column of the [emission "
-      "tables](file_formats.md#emission-tables), or a ratio of photons to another column. Electrons do not "
-      "excite the lines of [nebulae](nebulae.md), the Sun and [STEVE](steve.md). A filter of some nm also "
-      "passes what a line is "
-      "*blended with*, which is not added to it.\n\n";
+      "The lines that `emission.lines` can have (up to eight), by `vegard lines --markdown`: species, "
+      "transition, lifetime, and light: a column of the [emission tables](file_formats.md#emission-tables), "
+      "or a ratio of photons to one; of [nebulae](nebulae.md), the Sun or [STEVE](steve.md) without "
+      "electrons. A filter of some nm also passes what a line is *blended with*.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     text += fmt::format("- {:.1f} nm:", line.wavelength_nm);
     if (line.species != std::string("*")) text += fmt::format(" {}", line.species);
     text += fmt::format(" {}", line.transition);
     if (line.lifetime_s != 0.0) text += ", " + lifetime_text(line.lifetime_s);
     if (const auto response = sim::temperature_response(line.wavelength_nm))
-      text += fmt::format("; of the Sun, p = {:.2f} ({:.2g} MK), w = {:.2f}", response->peak_log_k,
+      text += fmt::format("; of the Sun, p {:.2f} ({:.2g} MK), w {:.2f}", response->peak_log_k,
                           megakelvin(*response), response->width_log_k);
     else
       text += "; " + column_text(line);
@@ -304,12 +302,12 @@ std::string line_page() {
       text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
                           line.table_column, line.ratio_source);
   text +=
-      "\nA line with a ratio has the height profile of its column: for the first positive bands, which need "
-      "less energy and are quenched below 90 km, an approximation.\n";
+      "\nA line with a ratio has the heights of its column: 670.5 nm, which needs less energy and is "
+      "quenched "
+      "below 90 km, only nearly.\n";
   text +=
       "\n## Lines and bands under one wavelength\n\n"
-      "A camera's colour is that of all of them. `vegard lines --csv` has every share. A `[[line]]` with a "
-      "`spectrum_file` is a continuum of your own.\n\n";
+      "`vegard lines --csv` has every share.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
     text += fmt::format("- **{:.1f} nm**: {}", line.wavelength_nm, line.components_source);
@@ -324,10 +322,8 @@ std::string line_page() {
   }
   text +=
       "\n## Bands of the Sun\n\n"
-      "At the temperature T (K) a loop, bundle, ejection or corona with a `temperature_mk` gives exp(-1/2 "
-      "((log10 T - p) / w)²) of what such a line gives at its peak; white light has no such response. Eyes "
-      "see the visible lines alone: `sensor.response = \"grey\"` counts all photons alike. Sources of the "
-      "peaks:\n\n";
+      "At the temperature T (K) of `temperature_mk` such a line has exp(-1/2 ((log10 T - p) / w)²) of its "
+      "peak. `sensor.response = \"grey\"` shows what eyes do not see. Sources of the peaks:\n\n";
   std::vector<std::pair<std::string, std::string>> lines_of_source;  // in the order of their first lines
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     const auto response = sim::temperature_response(line.wavelength_nm);
@@ -343,9 +339,8 @@ std::string line_page() {
   for (const auto& [nm, source] : lines_of_source) text += fmt::format("- {} nm: {}\n", nm, source);
   text +=
       "\n## Quenching\n\n"
-      "The share of the slow lines' light that collisions leave, and their lifetimes, against altitude "
-      "(`vegard lines --quenching quenching.svg`; [sources](physics.md#the-physical-blur)). The others are "
-      "prompt.\n\n"
+      "The share of the slow lines' light that collisions leave, and their lifetimes (`vegard lines "
+      "--quenching quenching.svg`; [sources](physics.md#the-physical-blur)).\n\n"
       "![Quenching of the slow lines](pictures/quenching.svg)\n";
   return text;
 }

@@ -17,11 +17,10 @@ constexpr const char* kSulphurSource =
     "2006, figure 5.8): from 1.45 in thin gas to 0.44 in dense";
 constexpr const char* kStarlightSource =
     "photons by Planck's law at 15 000 K, a B star's, times λ^-1.3, about as small grains scatter "
-    "(ESTIMATED, the exponent to 0.5); every 10 nm, and nothing beyond 400 and 700 nm";
+    "(ESTIMATED, the exponent to 0.5); every 10 nm";
 constexpr const char* kSynchrotronSource =
     "a power law with energy per frequency as ν^-0.43, the Crab's (Véron-Cetty and Woltjer 1993, A&A 270, "
-    "370, freed of reddening): photons per wavelength as λ^-0.57; every 10 nm, and nothing beyond 400 and "
-    "700 nm";
+    "370, freed of reddening): photons per wavelength as λ^-0.57; every 10 nm";
 
 /// Bands of a continuum, with photons per wavelength in these proportions.
 template <class Photons>

@@ -10,7 +10,7 @@ constexpr double kWhiteNm = 560.0;
 
 constexpr const char* kWhiteSource =
     "photons by Planck's law at 5772 K, the Sun's effective temperature (IAU 2015, resolution B3), which "
-    "free electrons scatter alike at all wavelengths; every 10 nm, and nothing beyond 400 and 700 nm";
+    "free electrons scatter alike at all wavelengths; every 10 nm";
 
 std::vector<LineComponent> white_light() {
   constexpr double kTemperatureK = 5772.0, kSecondRadiationConstantNmK = 1.438776877e7;

@@ -8,7 +8,7 @@ constexpr double kSteveNm = 610.0, kSteveFirstNm = 400.0, kSteveLastNm = 800.0, 
 constexpr const char* kSteveSource =
     "as many photons per wavelength everywhere (ESTIMATED, to a half): spectra of STEVE are a continuum over "
     "all 400 to 800 nm of the spectrograph, without lines of its own (Gillies et al. 2019, "
-    "doi:10.1029/2019GL083272; Liang et al. 2019, doi:10.1029/2019GL085639); every 10 nm, and nothing beyond";
+    "doi:10.1029/2019GL083272; Liang et al. 2019, doi:10.1029/2019GL085639); every 10 nm";
 
 std::vector<LineComponent> steve_continuum() {
   std::vector<LineComponent> bands;
