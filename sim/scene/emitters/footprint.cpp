@@ -95,7 +95,7 @@ std::vector<Declaration> footprint_rows() {
       row("flow_turns", &F::flow_turns).within(0, 10)
           .means("winding by a plane flow, in turns of its fastest part; 0: none"),
       row("flow_turns_per_s", &F::flow_turns_per_s).in("s⁻¹").within(0, 10)
-          .means("change of flow_turns per second, within 0 to 10 turns"),
+          .means("change of flow_turns per second, within 0–10 turns"),
       row("flow_sense", &F::flow_sense).one_of<FlowSense>({{"spiral", FlowSense::spiral}, {"charge", FlowSense::charge}})
           .means("counter-clockwise seen along the field (as spirals), or against it (as a charged sheet)"),
       row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("ripples that the flow starts from"),

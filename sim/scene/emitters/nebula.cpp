@@ -78,9 +78,9 @@ std::vector<Declaration> nebula_rows() {
       row("bound", &N::bound).within(0.01, 1000).means("radius of the sphere that holds it; the source's is √8"),
       row("edge", &N::edge).within(1e-6, 100).may_be_free(ParameterScale::logarithmic).means("distance outside a surface at which density is 0 (h of the source)"),
       row("step", &N::step).within(1e-4, 1).means("step of the march; the literal march has its own"),
-      row("gas", &N::gas).means("node of the gas that shines (and of the literal march); empty: none"),
-      row("glow", &N::glow).means("node of a second light; empty: none"),
-      row("dust", &N::dust).means("node of what absorbs; empty: none"),
+      row("gas", &N::gas).means("node of the gas that shines (and of the literal march)"),
+      row("glow", &N::glow).means("node of a second light"),
+      row("dust", &N::dust).means("node of what absorbs"),
       of_gas(row("inner_rayleigh", &N::inner_rayleigh)).called("inner light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)
           .means("light of the gas of density 1 per unit of path and line, near the middle"),
       of_gas(row("outer_rayleigh", &N::outer_rayleigh)).called("outer light").by_line().in("R").within(0, 1e9).may_be_free(ParameterScale::linear)

@@ -28,7 +28,7 @@ std::vector<Declaration> fit_rows() {
       Row("fit", "profile_smoothness", &Scene::fit, &Fit::profile_smoothness).of_all_photos().within(0, 1e4)
           .means("of second differences of ln(spline_rate), an inverse standard deviation; 0: most probable"),
       Row("fit", "ratio_spread", &Scene::fit, &Fit::ratio_spread).within(0, 10)
-          .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2 to 31.4; 0: none"),
+          .means("prior: standard deviation of ln(λ/(2w)) outside the paper's 5.2–31.4; 0: none"),
       Row("fit", "scan_points", &Scene::fit, &Fit::scan_points).of_all_photos().within(0, 1000000)
           .means("wavelengths tried before; 0: one descent from the start"),
       Row("fit", "scan_descents", &Scene::fit, &Fit::scan_descents).of_all_photos().within(0, 10000)

@@ -118,7 +118,7 @@ std::vector<Declaration> sheet_rows() {
       of_sine(row("length_km", &Sheet::length_km)).as(ParameterRole::length).in("km").within(0.1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("distance from start to end"),
       of_sine(row("thickness_km", &Sheet::thickness_km)).called("amplitude").as(ParameterRole::amplitude).in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
-          .means("amplitude of the sine (1 to 10 in nature)"),
+          .means("amplitude of the sine (1–10 in nature)"),
       of_sine(row("wavelength_km", &Sheet::wavelength_km)).as(ParameterRole::wavelength).in("km").within(1, 5000).may_be_free(ParameterScale::logarithmic)
           .means("wavelength of the sine"),
       of_sine(row("phase_rad", &Sheet::phase_rad)).as(ParameterRole::phase).in("rad").within(-8 * pi, 8 * pi).may_be_free(ParameterScale::angle)
@@ -176,7 +176,7 @@ std::vector<Declaration> sheet_rows() {
           .means("least deflection points per pixel and layer, by up to 16 times the beams; 0: off"),
       row("arcs", &Sheet::arcs).within(1, 64).means("equal sheets side by side, centred on center_km"),
       of_sine(row("arc_spacing_km", &Sheet::arc_spacing_km)).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
-          .means("distance between them (10 to 100 in nature)")
+          .means("distance between them (10–100 in nature)")
           .inert_if([](const Sheet& s) { return s.arcs == 1; }, {"the sheet is a single arc, so the spacing of arcs has no effect", affects_light, "leave it out of fit.free, or set arcs"}),
       row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
@@ -215,24 +215,24 @@ std::vector<Declaration> sheet_rows() {
       row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("largest random reduction of the stage, as a fraction"),
       row("fold_speed_km_s", &Sheet::fold_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed from start to end (0 to 5 in nature)"),
+          .means("speed from start to end (0–5 in nature)"),
       row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("above 1 in nature; 0: unlimited"),
       row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
-          .means("mean distance between curls (2 to 10 in nature); 0: none"),
+          .means("mean distance between curls (2–10 in nature); 0: none"),
       row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
       row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
           .means("winding angle at a curl's centre, counter-clockwise against the field"),
       row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
           .means("relative concentration of beams at a curl's centre"),
       row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
-          .means("speed from start to end (0 to 8 in nature, at most 90)"),
+          .means("speed from start to end (0–8 in nature, at most 90)"),
       row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
-          .means("0.25 to 0.75 in nature; 0: unlimited"),
+          .means("0.25–0.75 in nature; 0: unlimited"),
       row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
-          .means("mean distance between spirals (125 to 175 in nature); 0: none"),
+          .means("mean distance between spirals (125–175 in nature); 0: none"),
       row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
-          .means("radius of a spiral, at most the spacing; its diameter is 25 to 75 in nature"),
+          .means("radius of a spiral, at most the spacing; its diameter is 25–75 in nature"),
       row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
           .means("winding angle at a spiral's centre, counter-clockwise along the field"),
       row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
@@ -264,7 +264,7 @@ std::vector<Declaration> sheet_rows() {
       row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
           .means("what undulates: the light's altitude; or, literally, a beam's start, which cuts light off"),
       row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
-          .means("velocity of the sheet (in nature 0.1 to 0.2 north–south, 10 east–west)"),
+          .means("velocity of the sheet (in nature 0.1–0.2 north–south, 10 east–west)"),
       row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the wave from start to end"),
   };

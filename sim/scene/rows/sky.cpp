@@ -49,7 +49,7 @@ std::vector<Declaration> sky_rows() {
       Row("ground", "shown", &Scene::ground, &Ground::shown)
           .means("a matt grey ground below the horizon, lit by the sky"),
       Row("ground", "albedo", &Scene::ground, &Ground::albedo).within(0, 1)
-          .means("fresh snow 0.8 to 0.9, bare ground 0.2"),
+          .means("fresh snow 0.8–0.9, bare ground 0.2"),
 
       Row("composite", "background", &Scene::composite, &Composite::background).names_file()
           .means("picture behind the aurora"),
@@ -102,12 +102,12 @@ std::vector<Declaration> night_sky_rows() {
       Row("light_pollution", "azimuth_deg", &Scene::light_pollution, &LightPollution::azimuth_deg).in("deg").within(-720, 720)
           .means("of the town, from north to the east"),
       Row("light_pollution", "height_deg", &Scene::light_pollution, &LightPollution::height_deg).in("deg").within(0.5, 90)
-          .means("elevation at which its glow is 1 / e"),
+          .means("elevation at which its glow is 1/e"),
       Row("light_pollution", "spread_deg", &Scene::light_pollution, &LightPollution::spread_deg).in("deg").within(1, 1000)
           .means("standard deviation of its glow in azimuth"),
       Row("light_pollution", "colour_temperature_k", &Scene::light_pollution, &LightPollution::colour_temperature_k).in("K")
           .within(1000, 20000)
-          .means("of its lamps: sodium 2000, white 3000 to 5000"),
+          .means("of its lamps: sodium 2000, white 3000–5000"),
   };
   // clang-format on
 }

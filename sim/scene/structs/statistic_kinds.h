@@ -25,7 +25,7 @@ struct StatisticFacts {
 inline constexpr std::array kStatistics = {
     StatisticFacts{StatisticKind::profile, "profile", "of intensity profiles in chi2; 0: not used", 1.0,
                    false, nullptr},
-    StatisticFacts{StatisticKind::colour, "colour", "of ln(red / green) and ln(blue / green)", 0.0, false,
+    StatisticFacts{StatisticKind::colour, "colour", "of ln(red/green) and ln(blue/green)", 0.0, false,
                    "colours of an aurora's heights mean nothing"},
     StatisticFacts{StatisticKind::horizontal, "horizontal", "of intensity profiles across the picture", 0.0,
                    false, "strips along the picture's rows mean nothing"},
