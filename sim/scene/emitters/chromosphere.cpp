@@ -29,14 +29,14 @@ std::vector<Declaration> chromosphere_rows() {
   // clang-format off
   return {
       seen(row("name", &C::name).means("name in paths")),
-      seen(row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("radius of the sphere below it, in sun.unit_km")),
-      seen(row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("radius of the sphere above it")),
+      seen(row("innerradius", &C::innerradius).called("inner radius").within(1e-3, 1e9).means("of the sphere below it, in sun.unit_km")),
+      seen(row("outerradius", &C::outerradius).called("outer radius").within(1e-3, 1e9).means("of the sphere above it")),
       seen(row("roughness", &C::roughness).within(0, 1).may_be_free(ParameterScale::linear).means("amplitude of each octave over the last (ω)")
           .inert_if([](const C& c) { return c.octaves == 1; }, "the turbulence has one octave", "give it more octaves")),
       seen(row("octaves", &C::octaves).within(1, 12).means("octaves of its turbulence")),
       seen(row("scale", &C::scale).called("size of the granules").as(ParameterRole::granule_size).within(1e-3, 1e6).may_be_free(ParameterScale::logarithmic).means("largest waves: size of the granules")),
       seen(row("shift", &C::shift).as(ParameterRole::granule_shift).of({"x", "y", "z"}).within(-1e6, 1e6).may_be_free(ParameterScale::linear).means("of the turbulence, in lengths of its largest waves")),
-      seen(row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude (1 - exp(-(x - coverage) sharpness)))")
+      seen(row("coverage", &C::coverage).within(-1, 10).may_be_free(ParameterScale::linear).means("threshold of the cutoff F(x) = max(0, amplitude·(1−exp(−(x−coverage)·sharpness)))")
           .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),
       seen(row("sharpness", &C::sharpness).within(0, 1000).may_be_free(ParameterScale::logarithmic).means("rate at which the cutoff approaches its amplitude")
           .inert_if([](const C& c) { return !c.cutoff; }, "the chromosphere has no cutoff", "set cutoff = true")),

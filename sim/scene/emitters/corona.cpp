@@ -21,7 +21,7 @@ std::vector<Declaration> corona_rows() {
   // clang-format off
   return {
       row("name", &C::name).means("name in paths"),
-      row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density at the photosphere if shares add up to 1: density (Σ share (r / R)^-power)"),
+      row("density", &C::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density·Σshare·(r/R)^-power"),
       row("share", &C::share).numbered().within(0, 1e6).may_be_free(ParameterScale::linear).means("of the falloff's terms"),
       row("power", &C::power).numbered().within(0, 100).may_be_free(ParameterScale::linear).means("of the falloff's terms")
           .inert_if(has_no_share, "its share is 0", "give it a share"),

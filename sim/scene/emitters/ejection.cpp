@@ -31,7 +31,7 @@ std::vector<Declaration> ejection_rows() {
           .inert_if(is_new, "the ejection is of age 0", "give it an age_s"),
       row("start_height", &E::start_height).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("of its front at age 0, in sun.unit_km"),
       row("age_s", &E::age_s).in("s").within(0, 1e9).may_be_free(ParameterScale::linear).means("age at time 0"),
-      row("aspect", &E::aspect).within(1e-3, 0.9).may_be_free(ParameterScale::linear).means("radius of a rope at its top or thickness of a shell, relative to the front's height"),
+      row("aspect", &E::aspect).within(1e-3, 0.9).may_be_free(ParameterScale::linear).means("a rope's radius at its top or a shell's thickness, over the front's height"),
       row("turns", &E::turns).within(-100, 100).may_be_free(ParameterScale::linear).means("of a strand about the rope's axis")
           .inert_if(is_shell, "the ejection is a shell", "set kind = \"rope\""),
       row("strands", &E::strands).within(1, 10000).means("of a rope"),

@@ -29,7 +29,7 @@ std::vector<Declaration> loop_rows() {
       row("latitude_deg", &L::latitude_deg).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("heliographic, of the middle between its feet"),
       row("longitude_deg", &L::longitude_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("the same, growing to the west"),
       row("bearing_deg", &L::bearing_deg).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("of the second foot, from solar north to the west"),
-      row("height", &L::height).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("height of its top over the middle between the feet, in sun.unit_km"),
+      row("height", &L::height).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("of its top over the middle between the feet, in sun.unit_km"),
       row("width", &L::width).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("from foot to foot"),
       row("sharpness", &L::sharpness).within(-2, 1).may_be_free(ParameterScale::linear).means("0: round; 1: pointed; below 0: leaning outwards"),
       row("skew", &L::skew).within(-1e9, 1e9).may_be_free(ParameterScale::linear).means("shift of the two control points across the loop's plane, to opposite sides"),
@@ -40,7 +40,7 @@ std::vector<Declaration> loop_rows() {
       row("spread", &L::spread).within(0, 1e9).may_be_free(ParameterScale::linear).means("largest distance of strands from its middle plane")
           .inert_if([](const L& l) { return l.strands == 1; }, "the loop is a single strand", "give it more strands"),
       row("strand_radius", &L::strand_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("radius of a strand"),
-      row("density_falloff", &L::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a strand, q = distance / strand_radius < 1: (1 - q²)², 1 - q, or exp(-4.5 q²)"),
+      row("density_falloff", &L::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a strand, q = distance/strand_radius < 1: (1−q²)², 1−q, exp(−4.5q²)"),
       row("height_falloff", &L::height_falloff).one_of<HeightFalloff>({{"none", HeightFalloff::none}, {"grow", HeightFalloff::grow}, {"fade", HeightFalloff::fade}, {"logarithmic", HeightFalloff::logarithmic}, {"inverse-square", HeightFalloff::inverse_square}}).means("density against height: linear (growing or fading), logarithmic, or inverse square"),
       row("falloff_least", &L::falloff_least).within(0, 1).may_be_free(ParameterScale::linear).means("smallest over largest density of the height falloff")
           .inert_if([](const L& l) { return l.height_falloff == HeightFalloff::none; }, "the loop's light does not fall off along it", "name a height_falloff"),

@@ -114,11 +114,11 @@ std::vector<Declaration> node_rows() {
           .means("what it is: docs/nebulae.md"),
       node("of", &Node::of).means("nodes that it works on, separated by commas"),
       node("center", &Node::center).of({"right", "up", "near"}).within(-1000, 1000).may_be_free(ParameterScale::linear)
-          .means("middle of a shape, to the right, up and towards the observer"),
+          .means("middle of a shape"),
       node("angles_deg", &Node::angles_deg).of({"right", "up", "near"}).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
           .means("rotation about these axes, one after the other"),
       node("stretch", &Node::stretch).of({"right", "up", "near"}).within(0.01, 100).may_be_free(ParameterScale::logarithmic)
-          .means("stretch along these axes, before any rotation"),
+          .means("along these axes, before any rotation"),
       number_of({K::sphere, K::shell, K::torus, K::tube, K::lobes}, "radius", &Node::radius).within(0, 1000).may_be_free(ParameterScale::linear).means("of a sphere, shell, torus, tube; the largest of lobes"),
       number_of({K::shell, K::slab, K::lobes, K::torus}, "thickness", &Node::thickness).within(1e-6, 1000).may_be_free(ParameterScale::logarithmic).means("of the walls of a shell, slab or lobes, or of a torus's ring"),
       number_of({K::lobes, K::tube}, "length", &Node::length).within(0, 1000).may_be_free(ParameterScale::linear).means("half-length of lobes or a tube"),

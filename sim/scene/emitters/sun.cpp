@@ -48,7 +48,7 @@ std::vector<Declaration> sun_rows() {
   const char* const same_from_all_sides = "what shines on the Sun is alike all round";
   // clang-format off
   return {
-      row("shown", &Sun::shown).means("whether the Sun and all on it are in the scene"),
+      row("shown", &Sun::shown).means("the Sun and all on it are in the scene"),
       row("azimuth_deg", &Sun::azimuth_deg).as(ParameterRole::sun_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle).means("azimuth of its middle")
           .not_free_if(why_place_unknown),
       row("elevation_deg", &Sun::elevation_deg).as(ParameterRole::sun_elevation).in("deg").within(-90, 90).may_be_free(ParameterScale::linear).means("elevation of its middle")
@@ -66,7 +66,7 @@ std::vector<Declaration> sun_rows() {
       row("photosphere_rayleigh", &Sun::photosphere_rayleigh).by_line().in("R").within(0, 1e18).may_be_free(ParameterScale::linear)
           .means("at the disc's middle, per line; empty: dark")
           .not_free_if(why_light_unknown),
-      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1 - u (1 - μ) - v (1 - μ)²; 0: uniform")
+      row("limb_darkening", &Sun::limb_darkening).within(0, 1).may_be_free(ParameterScale::linear).means("u of the law 1−u(1−μ)−v(1−μ)²; 0: uniform")
           .not_free_if(why_light_unknown)
           .inert_if(is_photosphere_unseen, "the photosphere is dark", "give it sun.photosphere_rayleigh"),
       row("limb_darkening_square", &Sun::limb_darkening_square).within(-1, 1).may_be_free(ParameterScale::linear).means("v of that law")

@@ -48,7 +48,7 @@ std::vector<Declaration> volume_rows() {
       row("frame", &Volume::frame).one_of<VolumeFrame>({{"site", VolumeFrame::site}, {"sun", VolumeFrame::sun}})
           .means("axes of the file: the ground, in km, or the Sun, in sun.unit_km"),
       row("shift_km", &Volume::shift_km).of({"east", "north", "up"}).in("km").within(-1e5, 1e5).may_be_free(ParameterScale::linear)
-          .means("shift; on the Sun along x, y and z")
+          .means("on the Sun along x, y and z")
           .not_free_if(is_moved_against_lamp, {"the volume is moved against its lamp, by which the derivative is not known", "a lamp far off", "leave shift_km out of fit.free"}),
       row("gain", &Volume::gain).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("factor on its light"),
       row("extinction_per_km", &Volume::extinction_per_km).in("km⁻¹").within(0, 1e6).may_be_free(ParameterScale::linear)
@@ -65,7 +65,7 @@ std::vector<Declaration> volume_rows() {
       scattered(row("lamp_elevation_deg", &Volume::lamp_elevation_deg)).in("deg").within(-90, 90).means("of parallel light; on the Sun heliographic latitude")
           .inert_if([](const Volume& v) { return v.lamp != VolumeLamp::direction; }, other_kind, "leave it out"),
       scattered(row("lamp_km", &Volume::lamp_km)).of({"east", "north", "up"}).in("km").within(-1e9, 1e9)
-          .means("place of a point; on the Sun x, y and z of its frame")
+          .means("of a point; on the Sun x, y, z of its frame")
           .inert_if([](const Volume& v) { return v.lamp != VolumeLamp::point; }, other_kind, "leave it out"),
       scattered(row("lamp_flux", &Volume::lamp_flux)).by_line().in("10⁶ cm⁻² s⁻¹").within(0, 1e18)
           .means("photons per line: of parallel light, or of a point at 1 km (sun.unit_km on the Sun)")

@@ -79,11 +79,11 @@ Row<March> row(const char* key, Value March::*value) {
 std::vector<Declaration> march_rows() {
   // clang-format off
   return {
-      row("step_km", &March::step_km).in("km").within(0.01, 100).means("step along a ray through aurora by its footprint"),
+      row("step_km", &March::step_km).in("km").within(0.01, 100).means("along a ray through aurora by its footprint"),
       row("step_cells", &March::step_cells).within(0.1, 100).means("largest step across a footprint, in its cells"),
       row("skip", &March::skip).means("skip empty space"),
       row("ghosts", &March::ghosts).one_of<GhostRule>({{"span", GhostRule::span}, {"literal", GhostRule::literal}})
-          .means("rays from the camera; or both ways with the source's rule, which loses the near half of the Earth"),
+          .means("rays from the camera; or both ways (the source's rule), losing the near half of the Earth"),
       row("depth", &March::depth).names_file().means("depth picture of the camera's size"),
       row("depth_is", &March::depth_is).one_of<DepthMeaning>({{"distance", DepthMeaning::distance}, {"forward", DepthMeaning::forward}, {"log", DepthMeaning::log}})
           .means("depth along the ray, along the camera's axis, or its logarithm (as the source)"),
@@ -141,12 +141,12 @@ std::vector<Declaration> light_rows() {
           .inert_if(is_physical, "the blur is physical", "set blur.model to \"angle\"")
           .inert_if([](const Blur& blur) { return blur.widths == BlurWidths::paper; }, "the widths of the blur are the paper's", "set blur.widths to \"given\""),
       Row("blur", "kernel", &Scene::blur, &Blur::kernel).one_of<BlurKernelKind>({{"full", BlurKernelKind::full}, {"paper", BlurKernelKind::paper}})
-          .means("blur by angle: a full Gaussian, or truncated as in the paper")
+          .means("a full Gaussian, or truncated (the paper)")
           .noted_if(is_physical, "the blur is physical, so kernel has no effect"),
       Row("blur", "model", &Scene::blur, &Blur::model).one_of<BlurModel>({{"angle", BlurModel::angle}, {"physical", BlurModel::physical}})
           .means("width_deg everywhere; or the diffusion of excited atoms in their lifetimes"),
       Row("blur", "order", &Scene::blur, &Blur::order).one_of<BlurOrder>({{"lines", BlurOrder::lines}, {"rgb", BlurOrder::rgb}})
-          .means("what is blurred by angle: each line; or, as in the paper, red, green and blue of beams"),
+          .means("blurred by angle: each line; or (the paper) red, green and blue of beams"),
       Row("blur", "widths", &Scene::blur, &Blur::widths).one_of<BlurWidths>({{"given", BlurWidths::given}, {"paper", BlurWidths::paper}})
           .means("width_deg; or the paper's pixels (docs/physics.md)"),
       Row("blur", "wind_m_s", &Scene::blur, &Blur::wind_m_s).of({"east", "north"}).in("m s⁻¹").within(-2000, 2000)

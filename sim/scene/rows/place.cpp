@@ -94,7 +94,7 @@ std::vector<Declaration> place_rows() {
           .means("lens"),
       Row("camera", "cube_layout", &Scene::camera, &Camera::cube_layout)
           .one_of<CubeLayout>({{"cross", CubeLayout::cross}, {"strip", CubeLayout::strip}, {"grid", CubeLayout::grid}})
-          .means("layout of a cube's faces: 4 × 3, 6 × 1 or 3 × 2"),
+          .means("faces: 4×3, 6×1 or 3×2"),
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
       of_scale(Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg), is_no_pinhole, "this lens has camera.focal_px").called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)

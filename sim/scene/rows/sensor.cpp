@@ -77,11 +77,11 @@ std::vector<Declaration> sensor_rows() {
       Row("sensor", "bits", &Scene::sensor, &Sensor::bits).within(8, 16)
           .means("of the analogue-digital converter"),
       Row("sensor", "mosaic", &Scene::sensor, &Sensor::mosaic).one_of<MosaicPattern>({{"rggb", MosaicPattern::rggb}, {"bggr", MosaicPattern::bggr}, {"grbg", MosaicPattern::grbg}, {"gbrg", MosaicPattern::gbrg}, {"none", MosaicPattern::none}})
-          .means("of the upper left 2 × 2 pixels; none: all colours in every pixel"),
+          .means("of the upper left 2×2 pixels; none: all colours in every pixel"),
       Row("sensor", "vignetting_cos_power", &Scene::sensor, &Sensor::vignetting_cos_power).within(0, 16)
           .means("4: a simple lens; 0: none"),
       Row("sensor", "vignetting", &Scene::sensor, &Sensor::vignetting).of({"r2", "r4", "r6"}).within(-10, 10)
-          .means("factor 1 + r2·r² + r4·r⁴ + r6·r⁶, r = 1 in the corners"),
+          .means("factor 1+r2·r²+r4·r⁴+r6·r⁶, r = 1 in the corners"),
       Row("sensor", "tone", &Scene::sensor, &Sensor::tone).one_of<ToneKind>({{"srgb", ToneKind::srgb}, {"linear", ToneKind::linear}, {"gamma", ToneKind::gamma}, {"file", ToneKind::file}, {"filmic", ToneKind::filmic}})
           .means("curve of display files; `filmic`: highlights roll off and keep their hue"),
       Row("sensor", "gamma", &Scene::sensor, &Sensor::gamma).within(0.2, 5)

@@ -141,7 +141,7 @@ std::vector<Declaration> sheet_rows() {
       but_of_points(row("width_km", &Sheet::width_km), &Sheet::point_width_km).called("layer width").in("km").within(0.01, 100).may_be_free(ParameterScale::logarithmic)
           .means("standard deviation of a layer's Gaussian cross-section"),
       row("beams", &Sheet::beams).within(1, 10000000).then(count_beams)
-          .means("electron beams in each layer; sets beams_per_km to 0"),
+          .means("in each layer; sets beams_per_km to 0"),
       of_energy(Row("energy_kev", &Sheet::energy_kev)).as(ParameterRole::energy).in("keV").within(0.1, 20).may_be_free(ParameterScale::logarithmic)
           .means("characteristic energy E0 of a Maxwellian (mean energy 2 E0); else the central energy"),
       of_profile(ProfileKind::gaussian, "set profile to \"gaussian\"", row("energy_spread", &Sheet::energy_spread)).as(ParameterRole::energy_spread).within(0.01, 1).may_be_free(ParameterScale::logarithmic)
@@ -158,16 +158,16 @@ std::vector<Declaration> sheet_rows() {
       row("pitch_step_rad", &Sheet::pitch_step_rad).as(ParameterRole::pitch_step).in("rad").within(0, 0.5).may_be_free(ParameterScale::linear)
           .means("decrease of the pitch angle to the upper end"),
       row("pitch_law", &Sheet::pitch_law).one_of<PitchLaw>({{"reduced", PitchLaw::reduced}, {"product", PitchLaw::product}, {"increment", PitchLaw::increment}, {"constant", PitchLaw::constant}})
-          .means("pitch angle by the paper's equation (4): αD − Δα(1 − t), αD·t·Δα (literal), t·Δα or αD"),
+          .means("the paper's equation (4): αD−Δα(1−t), αD·t·Δα (literal), t·Δα or αD"),
       row("path_step", &Sheet::path_step).within(1e-5, 0.5)
           .means("largest step, as a fraction of the path"),
-      row("top_km", &Sheet::top_km).in("km").within(150, 640).means("altitude at which a beam starts"),
+      row("top_km", &Sheet::top_km).in("km").within(150, 640).means("where beams start"),
       row("spacing_jitter", &Sheet::spacing_jitter).within(0, 0.999)
           .means("random shift of the beams, as a fraction of the spacing"),
       row("spacing_rule", &Sheet::spacing_rule).one_of<SpacingRule>({{"stratified", SpacingRule::stratified}, {"tied", SpacingRule::tied}, {"literal", SpacingRule::literal}})
           .means("beam positions: stratified, a jittered walk, or the paper's walk"),
       row("beams_per_km", &Sheet::beams_per_km).in("km⁻¹").within(0, 100000)
-          .means("beams per kilometre of each layer; 0: use beams"),
+          .means("in each layer; 0: use beams"),
       row("step_rule", &Sheet::step_rule).one_of<PathStepRule>({{"given", PathStepRule::given}, {"energy", PathStepRule::energy}})
           .means("path_step as given, or from the electrons' mean energy"),
       row("path_rule", &Sheet::path_rule).one_of<PathRule>({{"even", PathRule::even}, {"random", PathRule::random}})
@@ -176,7 +176,7 @@ std::vector<Declaration> sheet_rows() {
           .means("least deflection points per pixel and layer, by up to 16 times the beams; 0: off"),
       row("arcs", &Sheet::arcs).within(1, 64).means("equal sheets side by side, centred on center_km"),
       of_sine(row("arc_spacing_km", &Sheet::arc_spacing_km)).called("spacing of the arcs").in("km").within(0.1, 1000).may_be_free(ParameterScale::logarithmic)
-          .means("distance between them (10–100 in nature)")
+          .means("between them (10–100 in nature)")
           .inert_if([](const Sheet& s) { return s.arcs == 1; }, {"the sheet is a single arc, so the spacing of arcs has no effect", affects_light, "leave it out of fit.free, or set arcs"}),
       row("brightness_kilorayleigh", &Sheet::brightness_kilorayleigh).in("kR").within(0, 1e6)
           .means("peak brightness of 557.7 nm along the field; 0: use the energy flux"),
@@ -204,13 +204,13 @@ std::vector<Declaration> sheet_rows() {
           .in("cm⁻³ s⁻¹ per mW m⁻²").within(1e-12, 1e6).may_be_free(ParameterScale::logarithmic)
           .means("coefficients by line from the bottom up (sheet.main.spline_rate.5577_3); empty: one broad layer"),
       row("fold_spacing_km", &Sheet::fold_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
-          .means("mean distance between folds (about 20 in nature); 0: none"),
+          .means("mean (about 20 in nature); 0: none"),
       row("fold_spacing_jitter", &Sheet::fold_spacing_jitter).within(0, 1)
           .means("random shift, as a fraction of the spacing"),
       row("fold_length_km", &Sheet::fold_length_km).in("km").within(0.01, 1000)
-          .means("length of the sine that a fold replaces, at most the spacing"),
+          .means("of the sine that a fold replaces, at most the spacing"),
       of_sine(row("fold_stage", &Sheet::fold_stage)).within(0, 1).may_be_free(ParameterScale::linear)
-          .means("shape of a fold: 0 a ripple, 0.5 an overhang, 1 a horseshoe")
+          .means("0 a ripple, 0.5 an overhang, 1 a horseshoe")
           .inert_if([](const Sheet& s) { return s.fold_spacing_km == 0.0; }, {"the sheet has no folds, so their stage has no effect", affects_light, "leave it out of fit.free, or set fold_spacing_km"}),
       row("fold_stage_spread", &Sheet::fold_stage_spread).within(0, 1)
           .means("largest random reduction of the stage, as a fraction"),
@@ -219,39 +219,39 @@ std::vector<Declaration> sheet_rows() {
       row("fold_lifetime_s", &Sheet::fold_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("above 1 in nature; 0: unlimited"),
       row("curl_spacing_km", &Sheet::curl_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
-          .means("mean distance between curls (2–10 in nature); 0: none"),
-      row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("radius of a curl, at most the spacing"),
+          .means("mean (2–10 in nature); 0: none"),
+      row("curl_radius_km", &Sheet::curl_radius_km).in("km").within(0.01, 100).means("at most the spacing"),
       row("curl_turn_rad", &Sheet::curl_turn_rad).in("rad").within(-100, 100)
-          .means("winding angle at a curl's centre, counter-clockwise against the field"),
+          .means("winding at the centre, counter-clockwise against the field"),
       row("curl_gather", &Sheet::curl_gather).within(0, 0.95)
-          .means("relative concentration of beams at a curl's centre"),
+          .means("concentration of beams at the centre"),
       row("curl_speed_km_s", &Sheet::curl_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed from start to end (0–8 in nature, at most 90)"),
       row("curl_lifetime_s", &Sheet::curl_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("0.25–0.75 in nature; 0: unlimited"),
       row("spiral_spacing_km", &Sheet::spiral_spacing_km).in("km").within(0, 5000).rule(none_or_some_complaint)
-          .means("mean distance between spirals (125–175 in nature); 0: none"),
+          .means("mean (125–175 in nature); 0: none"),
       row("spiral_radius_km", &Sheet::spiral_radius_km).in("km").within(1, 1000)
-          .means("radius of a spiral, at most the spacing; its diameter is 25–75 in nature"),
+          .means("at most the spacing; diameter 25–75 in nature"),
       row("spiral_turn_rad", &Sheet::spiral_turn_rad).in("rad").within(-100, 100)
-          .means("winding angle at a spiral's centre, counter-clockwise along the field"),
+          .means("winding at the centre, counter-clockwise along the field"),
       row("spiral_speed_km_s", &Sheet::spiral_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed from start to end (4 on average in nature)"),
       row("spiral_lifetime_s", &Sheet::spiral_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint)
           .means("from winding up to unwinding; 0: unlimited"),
       row("ray_contrast", &Sheet::ray_contrast).within(0, 3)
-          .means("standard deviation of ln(light) of rays; 0: none"),
+          .means("standard deviation of ln(light); 0: none"),
       row("ray_width_km", &Sheet::ray_width_km).in("km").within(0.01, 100)
           .means("full width at half maximum of the autocorrelation (1 or less in nature)"),
       row("ray_length_contrast", &Sheet::ray_length_contrast).within(0, 2)
-          .means("standard deviation of ln(height) of rays above the peak"),
+          .means("standard deviation of ln(height) above the peak"),
       row("ray_speed_km_s", &Sheet::ray_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed from start to end"),
       row("ray_lifetime_s", &Sheet::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
       row("patch_size_km", &Sheet::patch_size_km).in("km").within(0, 1000).rule(none_or_some_complaint)
           .means("full width at half maximum of the autocorrelation; 0: none"),
       row("patch_contrast", &Sheet::patch_contrast).within(0, 3)
-          .means("standard deviation of ln(light) of patches"),
+          .means("standard deviation of ln(light)"),
       row("patch_lifetime_s", &Sheet::patch_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
       row("border_amplitude_km", &Sheet::border_amplitude_km).in("km").within(0, 100)
           .means("undulation of the lower border; 0: even"),
@@ -264,7 +264,7 @@ std::vector<Declaration> sheet_rows() {
       row("border_rule", &Sheet::border_rule).one_of<BorderRule>({{"light", BorderRule::light}, {"start", BorderRule::start}})
           .means("what undulates: the light's altitude; or, literally, a beam's start, which cuts light off"),
       row("drift_km_s", &Sheet::drift_km_s).as(ParameterRole::drift).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
-          .means("velocity of the sheet (in nature 0.1–0.2 north–south, 10 east–west)"),
+          .means("velocity (in nature 0.1–0.2 north–south, 10 east–west)"),
       row("sine_speed_km_s", &Sheet::sine_speed_km_s).in("km s⁻¹").within(-100, 100)
           .means("speed of the wave from start to end"),
   };

@@ -79,7 +79,7 @@ std::vector<AlternativeForm> declare_forms() {
        5000.0,
        {"center_km", "bearing_deg", "length_km"},
        convert_ends},
-      one_number({"sheet", "ibc", "", "international brightness coefficient: 10^(ibc - 1) kR", "a number"},
+      one_number({"sheet", "ibc", "", "international brightness coefficient: 10^(ibc−1) kR", "a number"},
                  1.0, 4.0, "brightness_kilorayleigh", convert_ibc),
       one_number({"sheet", "mean_collisions", "", "deflections on a path (mean), 2 / path_step", "a number"},
                  4.0, 200000.0, "path_step", convert_mean_collisions),

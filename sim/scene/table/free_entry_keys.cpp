@@ -80,7 +80,7 @@ const std::vector<FreePriorKey>& free_prior_keys() {
 const std::vector<TiedKey>& tied_keys() {
   static const std::vector<TiedKey> keys = {
       {"path", "what follows from others", "a text", true, &TiedParameter::path},
-      {"equals", "expression: numbers, paths, names of fit.free, + - * / ^, parentheses and functions",
+      {"equals", "numbers, paths, names of fit.free, +-*/^, parentheses, functions",
        "an expression", true, &TiedParameter::equals},
       {"photo", "the only photograph that has it; default all", "a name of fit.photo", false,
        &TiedParameter::photo},
