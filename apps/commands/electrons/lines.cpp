@@ -239,9 +239,6 @@ std::string column_text(const sim::EmissionLine& line) {
   return fmt::format("{:.4g} × {}", line.ratio, line.table_column);
 }
 
-/// Lines of more components have them only in the CSV.
-constexpr std::size_t kMaxPrintedShares = 5;
-
 std::string line_listing() {
   std::string text;
   for (const sim::EmissionLine& line : sim::emission_lines()) {
@@ -299,8 +296,7 @@ std::string line_page() {
   text += "\n## Where the ratios come from\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines())
     if (line.ratio_source[0] != '\0')
-      text += fmt::format("- **{:.1f} nm**, {:.4g} × {}: {}.\n", line.wavelength_nm, line.ratio,
-                          line.table_column, line.ratio_source);
+      text += fmt::format("- **{:.1f} nm**: {}.\n", line.wavelength_nm, line.ratio_source);
   text +=
       "\nA line with a ratio has the heights of its column: 670.5 nm, which needs less energy and is "
       "quenched "
@@ -310,15 +306,7 @@ std::string line_page() {
       "`vegard lines --csv` has every share.\n\n";
   for (const sim::EmissionLine& line : sim::emission_lines()) {
     if (line.components.size() < 2) continue;
-    text += fmt::format("- **{:.1f} nm**: {}", line.wavelength_nm, line.components_source);
-    if (line.components.size() <= kMaxPrintedShares) {
-      std::string shares;
-      for (const sim::LineComponent& band : line.components)
-        shares += fmt::format("{}{:.1f}: {:.2f}", shares.empty() ? "" : ", ", band.wavelength_nm,
-                              100.0 * band.share);
-      text += ". Shares of the photons (nm: %): " + shares;
-    }
-    text += ".\n";
+    text += fmt::format("- **{:.1f} nm**: {}.\n", line.wavelength_nm, line.components_source);
   }
   text +=
       "\n## Bands of the Sun\n\n"

@@ -80,8 +80,8 @@ const std::vector<FreePriorKey>& free_prior_keys() {
 const std::vector<TiedKey>& tied_keys() {
   static const std::vector<TiedKey> keys = {
       {"path", "what follows from others", "a text", true, &TiedParameter::path},
-      {"equals", "numbers, paths, names of fit.free, +-*/^, parentheses, functions",
-       "an expression", true, &TiedParameter::equals},
+      {"equals", "numbers, paths, names of fit.free, +-*/^, parentheses, functions", "an expression", true,
+       &TiedParameter::equals},
       {"photo", "the only photograph that has it; default all", "a name of fit.photo", false,
        &TiedParameter::photo},
   };
