@@ -245,11 +245,10 @@ void answer_forms() {
 std::string parameter_page() {
   std::string text =
       "# Parameters\n\n"
-      "Every key that a scene (a TOML file) can have, by `vegard params --markdown`: `key=default`, the "
-      "unit where the key does not end with it, and the limits (inclusive). Of words the default is the "
-      "first. In [brackets] are the limits of a key that a fit can vary, linearly unless they say "
-      "otherwise. A section is a table of the file; those in double brackets may occur any number of "
-      "times, each with its `name`. `--set path=value`, `fit.free` and reports use paths: "
+      "Every key of a scene (a TOML file), by `vegard params --markdown`: `key=default` (of words the "
+      "first), the unit where the key does not end with it, and the limits (inclusive), in [brackets] if "
+      "a fit can vary the key, linearly unless they say otherwise. Tables in double brackets may occur "
+      "any number of times, each with its `name`. `--set path=value`, `fit.free` and reports use paths: "
       "`camera.width`, `sheet.main.energy_kev` (`main`: the sheet's name, which a single sheet's path "
       "may leave out), `sheet.main.center_km.east`. `3.0` is no integer. Files are relative to the "
       "scene's; azimuths and bearings are from north to the east; an empty text or list is none unless "
