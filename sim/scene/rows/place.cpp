@@ -98,7 +98,7 @@ std::vector<Declaration> place_rows() {
       Row("camera", "width", &Scene::camera, &Camera::width).in("px").within(1, 65535).means("width of the image"),
       Row("camera", "height", &Scene::camera, &Camera::height).in("px").within(1, 65535).means("height of the image"),
       of_scale(Row("camera", "hfov_deg", &Scene::camera, &Camera::hfov_deg), is_no_pinhole, "this lens has camera.focal_px").called("field of view").as(ParameterRole::field_of_view).in("deg").within(0.1, 170).may_be_free(ParameterScale::linear)
-          .means("field of view of a pinhole without distortion, across"),
+          .means("horizontal field of view of a pinhole, without distortion"),
       of_scale(Row("camera", "focal_px", &Scene::camera, &Camera::focal_px), is_pinhole, "a pinhole has camera.hfov_deg").as(ParameterRole::focal_length).in("px").within(1, 1e6).may_be_free(ParameterScale::linear)
           .means("of other lenses: pixels per radian on the axis"),
       Row("camera", "azimuth_deg", &Scene::camera, &Camera::azimuth_deg).as(ParameterRole::camera_azimuth).in("deg").within(-720, 720).may_be_free(ParameterScale::angle)
