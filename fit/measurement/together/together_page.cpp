@@ -10,6 +10,7 @@
 #include "fit/measurement/together/measure_together.h"
 #include "fit/report/plot/plot.h"
 #include "fit/report/report_style.h"
+#include "fit/triangulation/map_marks.h"
 #include "fit/triangulation/shared_view.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/number/constants.h"
@@ -23,8 +24,6 @@ using Json = nlohmann::ordered_json;
 using sim::html_text;
 
 constexpr double kOutlineHeight_km = 110.0;
-
-Json json_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 /// East and north of a camera, in km on the ground.
 class LocalPlane {
@@ -338,8 +337,8 @@ std::string together_json(const TogetherMeasurement& m) {
     Json alone = {{"photo", one.photo}, {"trust", trust_name(one.trust)}, {"answer", one.answer}};
     if (one.main_border)
       alone["main_border"] = {{"azimuth_deg", one.main_border->azimuth_deg},
-                              {"distance_km", json_or_null(one.main_border->distance_km)},
-                              {"distance_error_km", json_or_null(one.main_border->distance_error_km)}};
+                              {"distance_km", number_or_null(one.main_border->distance_km)},
+                              {"distance_error_km", number_or_null(one.main_border->distance_error_km)}};
     const ClockOffset& clock = m.clocks.offsets[i];
     alone["clock_offset_s"] = std::round(1e3 * clock.s) / 1e3 + 0.0;  // no negative zero
     alone["clock_offset_error_s"] = clock.error_s;
@@ -351,11 +350,11 @@ std::string together_json(const TogetherMeasurement& m) {
   for (const PairOfPictures& pair : m.pairs) {
     Json one = {{"pictures", {pair.first + 1, pair.second + 1}},
                 {"refusal", pair.refusal.empty() ? Json(nullptr) : Json(pair.refusal)},
-                {"base_km", json_or_null(pair.base_km)},
-                {"base_azimuth_deg", json_or_null(pair.base_azimuth_deg)},
-                {"apart_s", json_or_null(pair.apart_s)},
+                {"base_km", number_or_null(pair.base_km)},
+                {"base_azimuth_deg", number_or_null(pair.base_azimuth_deg)},
+                {"apart_s", number_or_null(pair.apart_s)},
                 {"exposures_differ_s", 2.0 * pair.exposures_s},
-                {"shared_share", json_or_null(pair.shared_share)},
+                {"shared_share", number_or_null(pair.shared_share)},
                 {"border", nullptr},
                 {"peak", nullptr}};
     if (pair.refusal.empty()) {
@@ -369,11 +368,11 @@ std::string together_json(const TogetherMeasurement& m) {
     for (const BorderMatch& match : pair.borders.matches) {
       const MeanHeight& mean = match.branch.mean;
       one["borders"].push_back({{"traces", {match.first_trace + 1, match.second_trace + 1}},
-                                {"height_km", json_or_null(mean.km)},
-                                {"height_error_km", json_or_null(mean.error_km)},
-                                {"common_error_km", json_or_null(mean.common_error_km)},
+                                {"height_km", number_or_null(mean.km)},
+                                {"height_error_km", number_or_null(mean.error_km)},
+                                {"common_error_km", number_or_null(mean.common_error_km)},
                                 {"level_error_km", match.level_error_km},
-                                {"scatter_km", json_or_null(mean.scatter_km)},
+                                {"scatter_km", number_or_null(mean.scatter_km)},
                                 {"points", mean.points},
                                 {"share", match.branch.share},
                                 {"weight", match.weight}});
@@ -395,14 +394,14 @@ std::string together_json(const TogetherMeasurement& m) {
           {"across_km", found.across_km},
           {"across_error_km", std::sqrt(found.covariance_km2(1, 1))},
           {"border_km_per_km", found.border_km_per_km},
-          {"peak_above_km", json_or_null(peak_or_none_km)},
+          {"peak_above_km", number_or_null(peak_or_none_km)},
           {"peak_above_error_km",
-           pair.is_peak_cut ? Json(nullptr) : json_or_null(found.profiles.peak_above_error_km)},
+           pair.is_peak_cut ? Json(nullptr) : number_or_null(found.profiles.peak_above_error_km)},
           {"correlation", found.correlation},
           {"alike", found.alike},
           {"weight", found.weight},
-          {"with_clocks_km", json_or_null(pair.clocks.border_km)},
-          {"with_clocks_error_km", json_or_null(pair.clocks.border_error_km)}};
+          {"with_clocks_km", number_or_null(pair.clocks.border_km)},
+          {"with_clocks_error_km", number_or_null(pair.clocks.border_error_km)}};
     }
     json["pairs"].push_back(std::move(one));
   }
