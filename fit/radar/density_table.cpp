@@ -88,7 +88,9 @@ std::vector<bool> rows_of_beam(const MadrigalTable& table, const std::string& fi
   std::vector<bool> is_kept(rows, true);
   if (!table.has("beamid")) return is_kept;
   const std::vector<double> beams = table.column("beamid");
-  const std::set<double> all(beams.begin(), beams.end());
+  std::set<double> all;
+  for (const double one : beams)
+    if (std::isfinite(one)) all.insert(one);
   std::vector<std::string> words;
   for (const double one : all) words.push_back(fmt::format("{:g}", one));
   if (all.size() > 1 && !beam)
@@ -97,7 +99,7 @@ std::vector<bool> rows_of_beam(const MadrigalTable& table, const std::string& fi
   if (beam && all.count(*beam) == 0)
     throw sim::unreadable(file, fmt::format("it has no beam {:g}", *beam))
         .expected("one of " + sim::joined(words));
-  for (std::size_t r = 0; r < rows; ++r) is_kept[r] = !beam || beams[r] == *beam;
+  for (std::size_t r = 0; r < rows; ++r) is_kept[r] = std::isfinite(beams[r]) && (!beam || beams[r] == *beam);
   return is_kept;
 }
 
@@ -120,11 +122,12 @@ std::vector<Gate> gates_of_madrigal(const std::string& file, std::optional<doubl
     const double error = !has_log_error                  ? errors[r]
                          : errors[r] >= kLeastLogOfError ? std::pow(kTen, errors[r])
                                                          : std::log(kTen) * errors[r] * per_m3;
-    // Gates without an echo are NaN, or have no error.
-    if (!is_kept[r] || !std::isfinite(altitudes[r]) || !std::isfinite(per_m3) || !(error > 0.0) ||
-        !std::isfinite(error))
+    const double time_s = 0.5 * (begins[r] + ends[r]);
+    // Gates without an echo are NaN, or have no error. Whose time is unknown belongs to no profile.
+    if (!is_kept[r] || !std::isfinite(time_s) || !std::isfinite(altitudes[r]) || !std::isfinite(per_m3) ||
+        !(error > 0.0) || !std::isfinite(error))
       continue;
-    gates.push_back({0.5 * (begins[r] + ends[r]), altitudes[r], kCm3PerM3 * per_m3, kCm3PerM3 * error, 0});
+    gates.push_back({time_s, altitudes[r], kCm3PerM3 * per_m3, kCm3PerM3 * error, 0});
   }
   return gates;
 }
@@ -137,12 +140,26 @@ std::size_t place_of(const std::vector<double>& altitudes, double altitude_km) {
   return static_cast<std::size_t>(after - altitudes.begin());
 }
 
+/// Throws Error(unreadable_input) for numbers that no ionosphere has and no radar measures.
+void require_physical(const Gate& gate, const std::string& file) {
+  constexpr double kMostPerM3 = 1e14, kLeastShare = 1e-4;
+  const double density_m3 = gate.density_cm3 / kCm3PerM3, sigma_m3 = gate.sigma_cm3 / kCm3PerM3;
+  if (std::abs(density_m3) <= kMostPerM3 && sigma_m3 >= kLeastShare * std::abs(density_m3)) return;
+  throw sim::unreadable(file, fmt::format("a density of {:g} m^-3 with the error {:g} m^-3 at {:g} km",
+                                          density_m3, sigma_m3, gate.altitude_km))
+      .line(gate.line)
+      .expected(
+          fmt::format("at most {:g} m^-3, with an error of at least {:g} of it", kMostPerM3, kLeastShare))
+      .hint("in which unit are they?");
+}
+
 DensityTable table_of(std::vector<Gate> gates, const std::string& file, double least_km, double most_km) {
   gates.erase(std::remove_if(gates.begin(), gates.end(),
                              [&](const Gate& gate) {
                                return !(gate.altitude_km >= least_km && gate.altitude_km <= most_km);
                              }),
               gates.end());
+  for (const Gate& gate : gates) require_physical(gate, file);
   DensityTable table;
   table.file = file;
   std::vector<double> altitudes, times;

@@ -3,7 +3,8 @@
 // Read from CSV (columns altitude_km; density_m3 or density_cm3; the same name with _error; time_s of several
 // profiles) and from Madrigal's HDF5 (the table "Data/Table Layout": gdalt in km; ne or nel, m^-3 or its
 // log10; dne or dnel; ut1_unix and ut2_unix; beamid). A dnel of 4 or more is the log10 of the error in m^-3,
-// which no radar has below 10^4; less is the error of the log10.
+// which no radar has below 10^4; less is the error of the log10. Rows of Madrigal without a time or, where
+// there are beams, without a beam are left out.
 #pragma once
 
 #include <optional>
@@ -33,8 +34,8 @@ inline constexpr int kLeastAltitudes = 5;
 
 /// Reads the profiles between two altitudes. `beam`: which of a Madrigal file's. Throws
 /// Error(unreadable_input) for a file without densities in a known unit or without errors, an error that is
-/// not above 0, two densities at one place, fewer than kLeastAltitudes altitudes in each profile, and several
-/// beams none of which is chosen.
+/// not above 0, densities above 1e14 m^-3 or errors below 1e-4 of them, two densities at one place, fewer
+/// than kLeastAltitudes altitudes in each profile, and several beams none of which is chosen.
 DensityTable read_density_table(const std::string& file, double least_km, double most_km,
                                 std::optional<double> beam = {});
 

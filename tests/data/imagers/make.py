@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Writes the files beside it, which tests read: small ones of the formats in which imagers' frames and skymaps are
-published, by writers that have nothing to do with vegard: h5py (rgb.h5, madrigal.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
+published, by writers that have nothing to do with vegard: h5py (rgb.h5, madrigal*.h5, huge*.h5, stack_v73.mat), SciPy (stack.mat), tarfile,
 zlib and gzip (minute.png.tar, minute.pgm.gz, frame.fits.gz), and for CDF, which has no library in Debian, the format's
 description by hand (asi.cdf, asi_packed.cdf; Debian's libjcdf-java reads the same numbers of them). The two .sav are GDL's: gdl -q make_skymap.pro.
 
@@ -66,6 +66,19 @@ def write_madrigal():
     with h5py.File("madrigal.h5", "w") as file:
         file.create_dataset("Data/Table Layout", data=np.array(rows, dtype=names), compression="gzip", chunks=(28,))
         file["Metadata/Experiment Notes"] = np.array([("a note",)], dtype=[("File Notes", "S10")])
+
+
+def write_madrigal_gaps():
+    """Three minutes of one beam. The second minute has no time, and one gate of the third, of another density, no beam."""
+    names = [("beamid", "f8"), ("ut1_unix", "f8"), ("ut2_unix", "f8"), ("gdalt", "f8"), ("nel", "f8"), ("dnel", "f8")]
+    rows = []
+    for minute in range(3):
+        begin = np.nan if minute == 1 else 1206515000.0 + 60 * minute
+        for gate, altitude in enumerate(range(85, 155, 5)):
+            is_lost = gate == 3 and minute == 2
+            rows.append((np.nan if is_lost else 1, begin, begin + 60.0, altitude, 13.0 if is_lost else 11.0 + minute / 10, 0.02))
+    with h5py.File("madrigal_gaps.h5", "w") as file:
+        file.create_dataset("Data/Table Layout", data=np.array(rows, dtype=names), compression="gzip", chunks=(42,))
 
 
 def write_matlab():
@@ -172,6 +185,7 @@ write_minute()
 write_fits()
 write_huge()
 write_madrigal()
+write_madrigal_gaps()
 write_matlab()
 write_tar()
 write_cdf("asi.cdf", False, True)

@@ -26,8 +26,9 @@ TEST(DensityTable, ReadsUnitsAndTimes) {
   EXPECT_FALSE(per_m3.has_times());
   EXPECT_DOUBLE_EQ(per_m3.profiles[0].density_cm3[1], 2e5);
   EXPECT_DOUBLE_EQ(per_m3.profiles[0].sigma_cm3[1], 1e3);
-  EXPECT_DOUBLE_EQ(table_of("altitude_km,density_cm3,density_cm3_error\n" + kRows).profiles[0].density_cm3[1],
-                   2e11);
+  const std::string few = "90,1e5,1e3\n95,2e5,1e3\n100,3e5,1e3\n105,3e5,1e3\n110,2e5,1e3\n";
+  EXPECT_DOUBLE_EQ(table_of("altitude_km,density_cm3,density_cm3_error\n" + few).profiles[0].density_cm3[1],
+                   2e5);
   std::string text = "time_s,altitude_km,density_m3,density_m3_error\n";
   for (const char* time : {"20", "10"})
     for (int i = 0; i < 5; ++i) text += std::string(time) + "," + std::to_string(90 + i) + ",-1e9,5e9\n";
@@ -52,6 +53,10 @@ TEST(DensityTable, RefusesWhatItCannotUse) {
   refused({"it.csv:2", "nan"}, "altitude_km,density_m3,density_m3_error\n90,nan,1\n");
   refused({"4 altitudes", "80 to 150 km", "5"},
           "altitude_km,density_m3,density_m3_error\n" + kRows.substr(kRows.find('\n') + 1));
+  // Densities in m^-3 that are called cm^-3, and relative errors.
+  refused({"it.csv:2", "1e+17 m^-3", "unit"}, "altitude_km,density_cm3,density_cm3_error\n" + kRows);
+  refused({"it.csv:2", "1e+11 m^-3 with the error 0.05", "unit"},
+          "altitude_km,density_m3,density_m3_error\n90,1e11,0.05\n");
   refused({"two densities", "90 km"}, "altitude_km,density_m3,density_m3_error\n90,1,1\n" + kRows);
 }
 
@@ -71,6 +76,21 @@ TEST(DensityTable, ReadsMadrigal) {
   EXPECT_NEAR(first.profiles[1].sigma_cm3[5], std::pow(10.0, 4.2), 0.1);    // dnel 10.2: the error's log10
   // dnel 0.02: the error of the log10.
   EXPECT_NEAR(second.profiles[1].sigma_cm3[5], 0.02 * std::log(10.0) * std::pow(10.0, 5.5), 0.1);
+}
+
+// NaN has no place in an order: rows without a time or a beam are in no profile, and change none.
+TEST(DensityTable, LeavesOutRowsOfMadrigalWithoutTimeOrBeam) {
+  const std::string file = tests::source_folder() + "/tests/data/imagers/madrigal_gaps.h5";
+  for (const std::optional<double> beam : {std::optional<double>(), std::optional<double>(1.0)}) {
+    const DensityTable table = read_density_table(file, 80.0, 150.0, beam);
+    ASSERT_EQ(table.profiles.size(), 2u);
+    EXPECT_EQ(table.profiles[0].time_s, 1206515030.0);
+    EXPECT_EQ(table.profiles[1].time_s, 1206515150.0);
+    EXPECT_EQ(table.profiles[0].measured(), 14);
+    EXPECT_EQ(table.profiles[1].measured(), 13);
+    EXPECT_NEAR(table.profiles[0].density_cm3[3], 1e5, 1.0);
+    EXPECT_TRUE(std::isnan(table.profiles[1].density_cm3[3]));
+  }
 }
 
 }  // namespace
