@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "fit/radar/density_table.h"
@@ -28,10 +29,18 @@ struct DensityInversionOptions {
   double least_kev = 0.0, most_kev = 1e3;  ///< of Q and mean energy, within what the altitudes tell
   int samples = 1200;  ///< more make the ends of intervals less random: 3 % of an interval's width
   int threads = 0;
+  std::function<void(double share)> progress;  ///< from any thread; a share may be smaller than one before
 };
 
-/// No number is known where no electrons explain the density (contradicts()), and of a profile with fewer
-/// than kLeastAltitudes not even chi2.
+/// What is known of a profile's electrons.
+enum class DensityVerdict {
+  explained,
+  contradicted,       ///< no electrons explain the density: no numbers
+  no_electrons,       ///< the density does not show electrons of these energies: upper ends only
+  too_few_altitudes,  ///< fewer than kLeastAltitudes: no numbers, no chi2
+  not_found,          ///< there is no finite chi2, or the samples are not of the whole posterior: no numbers
+};
+
 struct DensitySpectrum {
   /// Number flux cm^-2 s^-1 keV^-1 by bin. NaN where no altitude tells of a bin; where the interval of 68 %
   /// is wider than kKnownFactor only its upper ends are known.
@@ -42,14 +51,18 @@ struct DensitySpectrum {
   /// The smaller of the probabilities of a larger chi2 by chance, and of a larger sum of it and the squares
   /// of the coefficients of physics, so that no unlikely physics explains a density.
   double chance = 1.0;
-  bool contradicts() const { return chance < kLeastChance; }
-  bool has_numbers() const { return std::isfinite(energy_flux_mw_m2.value); }
+  DensityVerdict verdict = DensityVerdict::too_few_altitudes;
+  bool contradicts() const { return verdict == DensityVerdict::contradicted; }
+  bool has_numbers() const { return verdict == DensityVerdict::explained; }
   static constexpr double kLeastChance = 0.0027;
 };
 
 /// The ends of the 68 % interval of a known flux differ by no more; it is known from its neighbours too, so
 /// that less than one error will do.
 inline constexpr double kKnownFactor = 10.0, kLeastSignal = 0.3;
+/// Samples are of the whole posterior if so large a share of steps is accepted, and if the samples' energy
+/// flux and mean energy are not correlated over more of them: a share, or this many.
+inline constexpr double kLeastAcceptance = 0.4, kMostCorrelatedShare = 0.03, kMostCorrelatedSamples = 20.0;
 
 /// The bins whose electrons ionise most inside the altitudes and between the options' energies.
 struct EnergyRange {

@@ -46,6 +46,10 @@ Eigen::MatrixXd draws_in_modes(const DrawnChanges& changes) {
   return eigen.vectors.rightCols(modes);
 }
 
+/// Smaller errors are taken as this share of the density. No balance of ions holds better, and so narrow a
+/// posterior, bent as it is, cannot be sampled.
+constexpr double kLeastRelativeSigma = 0.005;
+
 void put_measurement(const DensityProfile& profile, SpectrumProblem& problem) {
   const auto places = static_cast<Eigen::Index>(profile.density_cm3.size());
   problem.density_cm3.setZero(places);
@@ -54,7 +58,8 @@ void put_measurement(const DensityProfile& profile, SpectrumProblem& problem) {
     const double density = profile.density_cm3[static_cast<std::size_t>(i)];
     if (!std::isfinite(density)) continue;
     problem.density_cm3[i] = density;
-    problem.one_over_sigma[i] = 1.0 / profile.sigma_cm3[static_cast<std::size_t>(i)];
+    problem.one_over_sigma[i] = 1.0 / std::max(profile.sigma_cm3[static_cast<std::size_t>(i)],
+                                               kLeastRelativeSigma * std::abs(density));
   }
 }
 
@@ -141,7 +146,7 @@ SolvedProfile solve_profile(const DensityPhysics& physics, const DensityProfile&
     solved.peak = posterior.peak(solved.peak.at);
     const SpectrumPosterior::Meaning best = posterior.meaning(solved.peak.at);
     solved.flux_mw_m2 = best.flux_mw_m2;
-    if (round + 1 == kRounds) break;
+    if (round + 1 == kRounds || !solved.peak.is_found()) break;
     put_recombination(physics, best.density_cm3, problem);
     if (!settings.has_uncertainty || round >= rounds_of_modes) continue;
     put_modes(best.flux_mw_m2, best.density_cm3);
@@ -177,7 +182,9 @@ ProfileBefore before_next(const DensityPhysics& physics, const SolvedProfile& so
   covariance.leftCols(spectrum) *= kept;
   covariance.diagonal().head(spectrum).array() += 1.0 - kept * kept;
   covariance = 0.5 * (covariance + covariance.transpose()).eval();
-  return {{mean, *sim::cholesky_root(covariance)}, solved.flux_mw_m2, solved.draws_in_modes};
+  const auto root = sim::cholesky_root(covariance);
+  if (!root || !root->allFinite() || !mean.allFinite()) return {};
+  return {{mean, *root}, solved.flux_mw_m2, solved.draws_in_modes};
 }
 
 Eigen::MatrixXd normal_samples(const SpectrumPosterior::Peak& peak, int count, std::uint64_t seed) {

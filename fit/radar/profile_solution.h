@@ -37,13 +37,13 @@ struct SolvedProfile {
 /// The energy flux that makes up for what recombines of a profile, mW m^-2.
 double needed_flux_mw_m2(const DensityPhysics& physics, const DensityProfile& profile);
 
-/// Finds the largest posterior. A `before` without a state: the density before is the profile's own, within a
-/// factor of 1.6, or not in a steady balance.
+/// Finds the largest posterior, if it has one (peak.is_found()). A `before` without a state: the density
+/// before is the profile's own, within a factor of 1.6, or not in a steady balance.
 SolvedProfile solve_profile(const DensityPhysics& physics, const DensityProfile& profile,
                             const ProfileSettings& settings, const ProfileBefore& before);
 
 /// Returns what samples (a column each) of a profile that is not steady tell before the next. `kept`: the
-/// correlation of the spectrum's numbers between the two.
+/// correlation of the spectrum's numbers between the two. Without a state if their covariance has no root.
 ProfileBefore before_next(const DensityPhysics& physics, const SolvedProfile& solved,
                           const Eigen::MatrixXd& samples, double kept);
 

@@ -69,7 +69,8 @@ SpectrumPosterior::SpectrumPosterior(const DensityPhysics& physics, const Spectr
   unknowns_ = problem.state.mean.size();
 }
 
-SpectrumPosterior::Forward SpectrumPosterior::forward(const Eigen::VectorXd& at) const {
+SpectrumPosterior::Forward SpectrumPosterior::forward(const Eigen::VectorXd& at,
+                                                      const Eigen::VectorXd& added_mw_m2) const {
   constexpr double kMostLn = 40.0;
   Forward f;
   f.state = problem_.state.mean + problem_.state.root * at;
@@ -89,6 +90,7 @@ SpectrumPosterior::Forward SpectrumPosterior::forward(const Eigen::VectorXd& at)
             f.shares.array().max(kLeastShare).log() + f.long_process.array() + f.short_process.array())
                .min(kMostLn)
                .exp();
+  if (added_mw_m2.size() > 0) f.flux += added_mw_m2;
   f.pairs = physics_.pairs() * f.flux;
   const Eigen::Index modes = problem_.modes.ln_pairs.cols(), spectrum = kFirst + long_.cols() + short_.cols(),
                      places = f.pairs.size();
@@ -154,8 +156,24 @@ Eigen::VectorXd SpectrumPosterior::backward(const Forward& f, const Eigen::Vecto
 
 SpectrumPosterior::Meaning SpectrumPosterior::meaning(const Eigen::VectorXd& at) const {
   const Forward f = forward(at);
-  const double chi2 = (f.density - problem_.density_cm3).cwiseProduct(problem_.one_over_sigma).squaredNorm();
-  return {f.flux, f.density, f.end, f.state, chi2};
+  return {f.flux, f.density, f.end, f.state, chi2(f)};
+}
+
+double SpectrumPosterior::chi2(const Forward& of) const {
+  return (of.density - problem_.density_cm3).cwiseProduct(problem_.one_over_sigma).squaredNorm();
+}
+
+double SpectrumPosterior::addable_flux_mw_m2(const Eigen::VectorXd& at, const Eigen::VectorXd& shares,
+                                             double rise) const {
+  constexpr double kLeastMwM2 = 1e-9, kMostMwM2 = 1e9;
+  constexpr int kHalvings = 25;  // of ln(flux): to 1e-6
+  const double most = chi2(forward(at)) + rise;
+  double low = std::log(kLeastMwM2), high = std::log(kMostMwM2);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chi2(forward(at, std::exp(middle) * shares)) < most ? low : high) = middle;
+  }
+  return std::exp(high);
 }
 
 Eigen::VectorXd SpectrumPosterior::signal(const Eigen::VectorXd& at) const {
@@ -233,19 +251,24 @@ SpectrumPosterior::Peak SpectrumPosterior::peak(const Eigen::VectorXd& start) co
     least = value;
   }
   const Eigen::MatrixXd rows = jacobian(forward(best.at));
-  const Eigen::MatrixXd normal = rows.transpose() * rows,
-                        covariance =
-                            sim::inverse_of(normal + Eigen::MatrixXd::Identity(unknowns_, unknowns_));
-  best.used_freedom = (covariance * normal).trace();
-  best.root = *sim::cholesky_root(0.5 * (covariance + covariance.transpose()));
-  best.ln_evidence = best.root.diagonal().array().log().sum() - least;
+  // By the root of the inverse covariance, which rounding leaves positive whatever the errors are.
+  const auto inverse_root =
+      sim::cholesky_root(rows.transpose() * rows + Eigen::MatrixXd::Identity(unknowns_, unknowns_));
+  if (!std::isfinite(least) || !inverse_root) return best;
+  const Eigen::MatrixXd root = sim::inverse_of(*inverse_root).transpose();
+  if (!root.allFinite()) return best;
+  best.root = root;
+  best.used_freedom = (rows * root).squaredNorm();
+  best.ln_evidence = -inverse_root->diagonal().array().log().sum() - least;
   return best;
 }
 
-Eigen::MatrixXd SpectrumPosterior::samples(const Peak& peak, int count, std::uint64_t seed) const {
-  constexpr int kWarmUp = 300, kLeaps = 10;
-  constexpr double kWantedAcceptance = 0.8, kAdaptation = 0.05, kLeastStep = 0.02, kMostStep = 0.6;
-  Eigen::MatrixXd all(unknowns_, count);
+SpectrumPosterior::Samples SpectrumPosterior::samples(const Peak& peak, int count, std::uint64_t seed,
+                                                      int stride) const {
+  constexpr int kWarmUp = 300, kFastWarmUp = 100, kLeastLeaps = 10, kMostLeaps = 60;
+  constexpr double kWantedAcceptance = 0.8, kFastAdaptation = 0.2, kAdaptation = 0.05, kLeastStep = 1e-4,
+                   kMostStep = 0.6, kLeastPath = 1.0;
+  Samples all{Eigen::MatrixXd(unknowns_, count)};
   Eigen::VectorXd here = Eigen::VectorXd::Zero(unknowns_), slope;
   const auto energy_at = [&](const Eigen::VectorXd& at, Eigen::VectorXd& gradient) {
     Eigen::VectorXd raw;
@@ -254,7 +277,8 @@ Eigen::MatrixXd SpectrumPosterior::samples(const Peak& peak, int count, std::uin
     return value;
   };
   double value = energy_at(here, slope), step = 0.25;
-  for (int s = 0; s < kWarmUp + count; ++s) {
+  const int steps = kWarmUp + stride * count;
+  for (int s = 0; s < steps; ++s) {
     Eigen::VectorXd momentum(unknowns_);
     for (Eigen::Index i = 0; i < unknowns_; ++i)
       momentum[i] = sim::normal_quantile(sim::uniform(sim::random_words(
@@ -265,7 +289,8 @@ Eigen::MatrixXd SpectrumPosterior::samples(const Peak& peak, int count, std::uin
     const double before = value + 0.5 * momentum.squaredNorm();
     Eigen::VectorXd tried = here, tried_slope = slope;
     double tried_value = value;
-    for (int leap = 0; leap < kLeaps; ++leap) {
+    const int leaps = std::clamp(static_cast<int>(std::ceil(kLeastPath / step)), kLeastLeaps, kMostLeaps);
+    for (int leap = 0; leap < leaps; ++leap) {
       momentum -= 0.5 * length * tried_slope;
       tried += length * momentum;
       tried_value = energy_at(tried, tried_slope);
@@ -278,10 +303,14 @@ Eigen::MatrixXd SpectrumPosterior::samples(const Peak& peak, int count, std::uin
       slope = tried_slope;
       value = tried_value;
     }
-    if (s < kWarmUp)
-      step = std::clamp(step * std::exp(kAdaptation * (chance - kWantedAcceptance)), kLeastStep, kMostStep);
-    else
-      all.col(s - kWarmUp) = peak.at + peak.root * here;
+    if (s < kWarmUp) {
+      const double adaptation = s < kFastWarmUp ? kFastAdaptation : kAdaptation;
+      step = std::clamp(step * std::exp(adaptation * (chance - kWantedAcceptance)), kLeastStep, kMostStep);
+    } else {
+      const int kept = (s - kWarmUp) / stride;
+      if ((s - kWarmUp) % stride == stride - 1) all.at.col(kept) = peak.at + peak.root * here;
+      all.acceptance += chance / (steps - kWarmUp);
+    }
   }
   return all;
 }

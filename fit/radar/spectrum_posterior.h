@@ -78,21 +78,32 @@ class SpectrumPosterior {
 
   struct Peak {
     Eigen::VectorXd at;
-    Eigen::MatrixXd root;       ///< of the covariance in the Gaussian approximation
+    Eigen::MatrixXd root;       ///< of the covariance in the Gaussian approximation; empty where it has none
     double used_freedom = 0.0;  ///< how many numbers the densities determine
     double ln_evidence =
         0.0;  ///< probability of the densities by Laplace's approximation, but for a constant
+    bool is_found() const { return root.size() > 0; }
   };
   /// The largest posterior from several starts, or from the peak of a problem that differs in recombination
   /// and modes alone.
   Peak peak(const Eigen::VectorXd& start = {}) const;
 
-  /// Samples, a column each; a pure function of the peak and `seed`.
-  Eigen::MatrixXd samples(const Peak& peak, int count, std::uint64_t seed) const;
+  struct Samples {
+    Eigen::MatrixXd at;       ///< a column each
+    double acceptance = 0.0;  ///< of the steps
+  };
+  /// A pure function of the peak, which must be found, `seed` and `stride`, of which many steps one is kept.
+  Samples samples(const Peak& peak, int count, std::uint64_t seed, int stride = 1) const;
+
+  /// Returns how much energy flux of a spectrum `shares` (by bin, sum 1) may be added to a point's until chi2
+  /// has risen by `rise`, mW m^-2.
+  double addable_flux_mw_m2(const Eigen::VectorXd& at, const Eigen::VectorXd& shares, double rise) const;
 
  private:
   struct Forward;
-  Forward forward(const Eigen::VectorXd& at) const;
+  /// `added_mw_m2`: to the flux of the bins, or empty.
+  Forward forward(const Eigen::VectorXd& at, const Eigen::VectorXd& added_mw_m2 = {}) const;
+  double chi2(const Forward& of) const;
   /// The gradient of sum_i weight_i N_i by the unknowns of the state.
   Eigen::VectorXd backward(const Forward& from, const Eigen::VectorXd& weight) const;
   /// Ends at a point; returns its energy.

@@ -29,8 +29,19 @@ std::string range_words(const DensityFacts& facts) {
 }
 
 std::string verdict_of(const DensitySpectrum& spectrum) {
-  if (spectrum.contradicts()) return "no electrons explain this density";
-  return spectrum.has_numbers() ? "the density is explained" : "unknown, of too few altitudes";
+  switch (spectrum.verdict) {
+    case DensityVerdict::explained:
+      return "the density is explained";
+    case DensityVerdict::contradicted:
+      return "no electrons explain this density";
+    case DensityVerdict::no_electrons:
+      return "no electrons of these energies are seen";
+    case DensityVerdict::too_few_altitudes:
+      return "unknown, of too few altitudes";
+    case DensityVerdict::not_found:
+      break;
+  }
+  return "unknown, the samples do not converge";
 }
 
 /// The five numbers of an estimate as variables NAME, NAME_68_low ...
@@ -75,18 +86,26 @@ std::string density_text(const InvertedDensities& inverted, const DensityFacts& 
       text += one_number("energy flux (mW m⁻²)", one.energy_flux_mw_m2);
       text += one_number("mean energy (keV)", one.mean_energy_kev);
     }
-    return text + fmt::format("verdict: {} (chi² {:.3g}, {:.1f} degrees of freedom)\n", verdict_of(one),
-                              one.chi2, one.degrees_of_freedom);
+    if (one.verdict == DensityVerdict::no_electrons)
+      text += fmt::format("  energy flux below {:.3g} mW m⁻² (68 %), {:.3g} mW m⁻² (95 %)\n",
+                          one.energy_flux_mw_m2.high68, one.energy_flux_mw_m2.high95);
+    text += "verdict: " + verdict_of(one);
+    if (std::isfinite(one.chi2))
+      text += fmt::format(" (chi² {:.3g}, {:.1f} degrees of freedom)", one.chi2, one.degrees_of_freedom);
+    return text + "\n";
   }
   std::vector<double> flux, energy;
-  std::size_t contradicting = 0;
+  const auto count = [&](DensityVerdict verdict) {
+    return std::count_if(inverted.spectra.begin(), inverted.spectra.end(),
+                         [&](const DensitySpectrum& one) { return one.verdict == verdict; });
+  };
   for (const DensitySpectrum& one : inverted.spectra) {
-    contradicting += one.contradicts() ? 1 : 0;
     if (!one.has_numbers()) continue;
     flux.push_back(one.energy_flux_mw_m2.value);
     energy.push_back(one.mean_energy_kev.value);
   }
-  const std::size_t profiles = inverted.spectra.size(), too_short = profiles - flux.size() - contradicting;
+  const auto profiles = static_cast<std::ptrdiff_t>(inverted.spectra.size());
+  const std::ptrdiff_t too_short = count(DensityVerdict::too_few_altitudes);
   text += fmt::format("{} profiles\n", profiles);
   for (const auto& [name, values] :
        {std::pair{"energy flux (mW m⁻²)", &flux}, {"mean energy (keV)", &energy}}) {
@@ -97,8 +116,13 @@ std::string density_text(const InvertedDensities& inverted, const DensityFacts& 
                         sim::quantile(*values, 0.5));
   }
   if (too_short > 0) text += fmt::format("{} profiles have too few altitudes\n", too_short);
-  return text + fmt::format("verdict: no electrons explain {} of {} densities\n", contradicting,
-                            profiles - too_short);
+  for (const auto& [verdict, words] :
+       {std::pair{DensityVerdict::contradicted, "no electrons explain"},
+        {DensityVerdict::no_electrons, "no electrons of these energies are seen in"},
+        {DensityVerdict::not_found, "the samples do not converge of"}})
+    if (count(verdict) > 0) text += fmt::format("{} {} of the densities\n", words, count(verdict));
+  return text + fmt::format("verdict: electrons explain {} of {} densities\n",
+                            count(DensityVerdict::explained), profiles - too_short);
 }
 
 std::string density_json(const InvertedDensities& inverted, const DensityFacts& facts) {
@@ -277,7 +301,7 @@ Plot density_plot(const InvertedDensities& inverted, const DensityFacts& facts) 
   Plot plot;
   plot.title = one.has_numbers() ? fmt::format("Electrons by density: {:.3g} mW m⁻², mean energy {:.3g} keV",
                                                one.energy_flux_mw_m2.value, one.mean_energy_kev.value)
-                                 : "Electrons by density: none explain it";
+                                 : "Electrons by density: " + verdict_of(one);
   plot.note = range_words(facts) + "; " + facts.balance;
   if (one.has_numbers()) plot.panels.push_back(spectrum);
   plot.panels.push_back(density);
