@@ -37,10 +37,15 @@ expect_stdout "in time"
 [[ $(grep -vc '^#' night.csv) -eq 4 ]] || fail "not a row for each profile"
 expect_exit 0 invert --density sequence.csv --steady --recombination vickrey --atmosphere winter_quiet --altitudes-km 90 140 \
   --energies-kev 2 20 --uncertainty none
-expect_stdout "3 profiles"
+expect_stdout "3 profiles | explain 3 of 3"
 expect_stdout "Vickrey"
 expect_exit 0 invert --density "$SOURCE/tests/data/imagers/madrigal.h5" --beam 1 --json --uncertainty none
 grep -qF '"time_s": 1206515030' "$stdout" || fail "the times of Madrigal"
+
+# Noise.
+awk -F, -v OFS=, 'NR > 1 { $2 = NR % 2 ? 8e9 : -9e9; $3 = 1e10 } 1' density.csv >noise.csv
+expect_exit 0 invert --density noise.csv -o noise.json
+expect_stdout "energy flux below | no electrons of these energies"
 
 # No electrons make a density that halves from one altitude to the next and back.
 awk -F, -v OFS=, 'NR > 1 { $2 = NR % 2 ? 1e11 : 2e11; $3 = 1e9 } 1' density.csv >saw.csv
@@ -71,6 +76,10 @@ refuses 3 "2 beams | --beam" --density "$SOURCE/tests/data/imagers/madrigal.h5"
 refuses 3 "Table Layout" --density "$SOURCE/tests/data/imagers/rgb.h5"
 refuses 2 "--beam" --density density.csv --beam 1
 refuses 2 "--line" --density density.csv --line 427.8=2300±50
+refuses 2 "--spread" --density density.csv --spread 0.3
+refuses 2 "--kappa" --density density.csv --kappa 4
+awk -F, -v OFS=, 'NR > 1 { $3 = 0.05 } 1' density.csv >relative.csv
+refuses 3 "relative.csv:2 | unit" --density relative.csv
 refuses 2 "--altitudes-km" --density density.csv --altitudes-km 120 100
 refuses 2 "--energies-kev" --density density.csv --energies-kev 0.1 0.2
 refuses 2 "--density" --line 427.8=2300±50 --line 630.0=330±15 --steady

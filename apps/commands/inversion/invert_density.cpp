@@ -14,6 +14,8 @@
 #include "apps/options/refusals.h"
 #include "apps/options/standard_streams.h"
 #include "apps/output/plot_file.h"
+#include "apps/output/progress_bar.h"
+#include "apps/output/terminal.h"
 #include "fit/report/columns/density_texts.h"
 #include "sim/base/file/whole_file.h"
 
@@ -35,6 +37,8 @@ void refuse_options_of_lines(const InvertRequest& request) {
   refuse(request.common_physics, "--common-physics");
   refuse(request.soft_kev.has_value(), "--soft-kev");
   refuse(request.spectrum.spectrum != "maxwellian", "--spectrum");
+  refuse(request.spectrum.spread.has_value(), "--spread");
+  refuse(request.spectrum.kappa.has_value(), "--kappa");
   refuse(request.free != InvertRequest{}.free, "--free");
   for (std::size_t k = 0; k < fit::kColumnUnknowns; ++k) refuse(request.held[k].has_value(), kHoldOptions[k]);
 }
@@ -98,6 +102,7 @@ void add_density_options(const Command& command, DensityRequest& request) {
 }
 
 int invert_density(const InvertRequest& request) {
+  end_at_once_when_interrupted();
   const DensityRequest& of = request.density;
   refuse_options_of_lines(request);
   const PlotFormat format = plot_format(request.plot, "--plot");
@@ -124,7 +129,10 @@ int invert_density(const InvertRequest& request) {
   options.threads = request.threads;
   if (!of.energies_kev.empty()) options.least_kev = of.energies_kev[0], options.most_kev = of.energies_kev[1];
   const fit::EnergyRange energies = fit::known_energies(physics, options);
+  ProgressBar bar("inverting densities");
+  options.progress = [&](double share) { bar.update(share); };
   const std::vector<fit::DensitySpectrum> spectra = fit::invert_densities(physics, table, options);
+  bar.finish();
 
   fit::DensityFacts facts;
   facts.tables = request.tables;
