@@ -38,7 +38,7 @@ FitResult refitted(const sim::Scene& truth, const std::vector<std::pair<std::str
   return fit_photo(scene, tests::linear_photo(truth), {});
 }
 
-TEST(LineFit, FindsTheHeightsOfAContinuum) {
+sim::Scene sheet_of_a_continuum() {
   sim::Scene truth = one_sheet();
   sim::change_lines(truth, {557.7, 610.0});
   sim::Sheet& sheet = truth.sheets[0];
@@ -48,6 +48,11 @@ TEST(LineFit, FindsTheHeightsOfAContinuum) {
   sheet.peak_km = 150.0;
   sheet.lower_km = 25.0;
   sheet.upper_km = 50.0;
+  return truth;
+}
+
+TEST(LineFit, FindsTheHeightsOfAContinuum) {
+  const sim::Scene truth = sheet_of_a_continuum();
   const FitResult result = refitted(truth, {{"peak_km", 140.0}, {"lower_km", 30.0}, {"upper_km", 40.0}});
   ASSERT_EQ(result.parameters.size(), 3u);
   const double of_truth[] = {150.0, 25.0, 50.0};
@@ -56,15 +61,7 @@ TEST(LineFit, FindsTheHeightsOfAContinuum) {
 }
 
 TEST(LineFit, SaysNothingOfHeightsThatAreHeld) {
-  sim::Scene truth = one_sheet();
-  sim::change_lines(truth, {557.7, 610.0});
-  sim::Sheet& sheet = truth.sheets[0];
-  sheet.profile = sim::ProfileKind::line;
-  sheet.line_nm = 610.0;
-  sheet.line_kilorayleigh = 10.0;
-  sheet.peak_km = 150.0;
-  sheet.lower_km = 25.0;
-  sheet.upper_km = 50.0;
+  const sim::Scene truth = sheet_of_a_continuum();
   const FitResult result = refitted(truth, {{"line_kilorayleigh", 7.0}});
   EXPECT_NEAR(result.parameters[0].value, 10.0, 0.1);
   int heights = 0;
