@@ -61,9 +61,14 @@ TEST(LineFit, FindsTheHeightsOfAContinuum) {
 }
 
 TEST(LineFit, SaysNothingOfHeightsThatAreHeld) {
-  const sim::Scene truth = sheet_of_a_continuum();
-  const FitResult result = refitted(truth, {{"line_kilorayleigh", 7.0}});
+  sim::Scene truth = sheet_of_a_continuum();
+  // Beside green light of known brightness, since the gains of the bands are solved for.
+  truth.sheets.push_back(truth.sheets[0]);
+  truth.sheets[1].name = "green";
+  truth.sheets[1].line_nm = 557.7;
+  const FitResult result = refitted(truth, {{"sheet.line_kilorayleigh", 7.0}});
   EXPECT_NEAR(result.parameters[0].value, 10.0, 0.1);
+  EXPECT_TRUE(result.parameters[0].sigma);
   int heights = 0;
   for (const DerivedNumber& number : result.derived)
     if (number.unit == "km" && number.name.find("of 610.0 nm") != std::string::npos) {
