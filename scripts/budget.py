@@ -16,7 +16,8 @@ Too much is a target (or group) above its budget times `group_slack`, or a singl
 figure stands for it, and it is said if that is most of them. If the references differ so much that the slowest
 of them would acquit, the machine was too busy to judge. A machine is also busy for seconds only, between two references:
 entries of tests that are too long are run once more, one at a time, and the shorter of their two times counts. That takes at
-most a tenth of the time of all tests: if more of them are too long, that is not for seconds, and only the longest are run.
+most a tenth of the time of all tests: if more of them are too long, that is not for seconds, and only those that are too long by
+themselves, then the longest of the others, are run.
 
 The exit code is 1 if something is above its budget, 77 if there was too little to judge by, 2 for a wrong call. --write
 commits to what is measured, where all tests passed; CONTRIBUTING.md says when that is right.
@@ -199,10 +200,10 @@ class Judge:
         return found
 
 
-def longest_in(limit, seconds):
-    """The names of the longest of these that take no more than the limit together, at least one."""
+def longest_in(limit, seconds, first):
+    """Names of entries that take no more than the limit together, at least one: those in `first`, then the longest."""
     chosen, total = [], 0.0
-    for name in sorted(seconds, key=lambda name: -seconds[name]):
+    for name in sorted(seconds, key=lambda name: (name not in first, -seconds[name])):
         if not chosen or total + seconds[name] <= limit:
             chosen.append(name)
             total += seconds[name]
@@ -241,7 +242,9 @@ def check(kind, groups, budget, folder, repeat):
     if complaints and not acquitted and kind == "tests" and repeat:
         too_long = {unit: groups[group][unit] for group, units in measured.items() for unit, value in units.items()
                     if judge.is_long(group, unit, value)}
-        names = longest_in(AGAIN * sum(sum(units.values()) for units in groups.values()), too_long)
+        alone = {unit for group, units in measured.items() for unit, value in units.items()
+                 if unit in too_long and group in judge.groups and value > judge.allowed(group, unit)}
+        names = longest_in(AGAIN * sum(sum(units.values()) for units in groups.values()), too_long, alone)
         print(f"budget.py: once more, one at a time, {len(names)} of {len(too_long)} that took long: {', '.join(names)}", flush=True)
         measured = shorter(measured, run_again(folder, names, budget[kind]))
         complaints = judge.complaints(measured)
