@@ -20,9 +20,11 @@
 #include "apps/output/animation/movie.h"
 #include "apps/output/progress_bar.h"
 #include "apps/output/terminal.h"
+#include "fit/map/sequence/frame_check.h"
 #include "fit/measurement/sky_light.h"
 #include "fit/photo/filter_stack.h"
 #include "fit/photo/photo.h"
+#include "fit/photo/photo_metadata.h"
 #include "fit/report/map_run.h"
 #include "fit/report/map_sequence/map_sequence_run.h"
 #include "fit/search/file_journal.h"
@@ -98,7 +100,7 @@ bool encoded_film(const std::vector<std::string>& pictures, const std::string& m
   }
 }
 
-int tell_sequence(const MapRequest& options, const fit::MapSequenceRun& run) {
+int tell_sequence(const MapRequest& options, const fit::MapSequenceRun& run, const fit::CameraWatch& camera) {
   bool all_good = true;
   for (const fit::MappedFrame& frame : run.frames()) all_good = all_good && frame.is_good;
   for (const fit::CurtainTrack& track : run.tracks()) {
@@ -110,6 +112,7 @@ int tell_sequence(const MapRequest& options, const fit::MapSequenceRun& run) {
         words(first.distance_km).c_str(), words(last.distance_km).c_str(), words(first.energy_kev).c_str(),
         words(last.energy_kev).c_str());
   }
+  for (const std::string& words : camera.words()) say("%s\n", words.c_str());
   answer_with(sim::input_bytes(options.out + "/map_sequence.json", "a sequence of maps"));
   json_answer()["report"] = options.out + "/report.html";
   say("%s\n", (options.out + "/report.html").c_str());
@@ -143,13 +146,15 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
   fit::MapSequenceRunFacts facts;
   facts.command = command;
   std::vector<std::string> sums;
+  fit::FrameCheck check(scene);
+  std::vector<char> sky;  // pixels that the mask leaves
   for (std::size_t i = 0; i < pictures.files.size(); ++i) {
     // All of them now, not after hours.
     const fit::Photo read = frame_of(options, scene, pictures.files[i]);
-    if (read.linear.width != scene.camera.width || read.linear.height != scene.camera.height)
-      throw sim::unreadable(read.file_name,
-                            "has " + sim::size_text(read.linear.width, read.linear.height) + " pixels")
-          .expected("those of the camera, " + sim::size_text(scene.camera.width, scene.camera.height));
+    const double time_s = pictures.times.seconds[i] - pictures.times.seconds.front();
+    if (sky.empty() && !options.photo.mask.empty()) sky = fit::pixels_left_by(options.photo.mask, read);
+    check.add(read, options.no_metadata ? sim::PictureMetadata() : fit::photo_metadata(pictures.files[i]),
+              time_s, sky);
     for (const fit::InputFile& input : fit::inputs_of(options.scene.file, scene_sha256, read))
       if (std::none_of(facts.inputs.begin(), facts.inputs.end(), [&](const fit::InputFile& known) {
             return known.role == input.role && known.name == input.name;
@@ -157,8 +162,9 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
         facts.inputs.push_back(input);
     sums.push_back(read.sha256);
     frames.names.push_back(fit::stem_of_picture(pictures.files[i]));
-    frames.time_s.push_back(pictures.times.seconds[i] - pictures.times.seconds.front());
+    frames.time_s.push_back(time_s);
   }
+  facts.camera = check.camera();
   frames.read = [&](std::size_t i) { return frame_of(options, scene, pictures.files[i]); };
   fit::MapOptions map_options = map_options_of(options);
   fit::JournalSubject subject = fit::subject_of_map(map_options, scene, {frames.read(0)});
@@ -186,7 +192,7 @@ int run_map_sequence(const MapRequest& options, const std::string& command) {
   map_options.progress = {};
   run.write(options.out, options.overwrite, facts, encoded_film);
   journal.remove();
-  return tell_sequence(options, run);
+  return tell_sequence(options, run, check.camera());
 }
 
 int run_map(const MapRequest& options, const std::string& command) {

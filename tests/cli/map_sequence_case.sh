@@ -48,4 +48,19 @@ expect_exit 2 map "$SCENES/map.toml" "${small[@]}" --sequence frames/*.png --out
 expect_stderr "fit.free"
 expect_exit 2 map "$SCENES/map.toml" "${small[@]}" --sequence frames/0000.png --out none
 expect_stderr "two pictures"
+
+# The stars tell whether the camera stood still.
+larger=(--set camera.width=300 --set camera.height=200)
+starry=(--set site.longitude_deg=20 --set stars.shown=true --set 'stars.source="catalogue"' --set stars.gain=20)
+sky() {
+  expect_exit 0 render "$SCENES/map_light.toml" "${larger[@]}" "${starry[@]}" \
+    --set "site.time_utc=\"2021-01-10T20:00:$2Z\"" -o "sky_$1.png" "${@:3}"
+}
+sky 0 00
+sky 1 10
+sky 2 20 --set camera.azimuth_deg=2
+sky 3 30 --set camera.azimuth_deg=2
+expect_exit 3 map "$SCENES/map.toml" "${larger[@]}" --sequence sky_?.png --step 10 --out none
+expect_one_message
+expect_stderr "sky_2.png: the camera was turned by 2"
 [[ ! -e none && ! -e none.part ]] || fail "something was left of a sequence that was refused"

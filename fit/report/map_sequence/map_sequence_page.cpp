@@ -119,6 +119,8 @@ std::string MapSequenceRun::page(const MapSequenceRunFacts& facts, bool has_film
     html += fmt::format("<p>In {} frame{}: {}.</p>\n", count, count == 1 ? "" : "s", sim::html_text(doubt));
   for (const FrameWithoutMap& f : facts.sequence.without_map)
     html += "<p>" + sim::html_text(names_[f.number]) + " has no map: " + sim::html_text(f.reason) + ".</p>\n";
+  for (const std::string& said : facts.camera ? facts.camera->words() : std::vector<std::string>())
+    html += "<p>" + sim::html_text(said) + "</p>\n";
   html += "</section>\n";
   if (!found.empty())
     html += "<section><h2>Curtains</h2>\n" + table_of_tracks(found, time_s_) +

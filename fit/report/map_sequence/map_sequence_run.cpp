@@ -219,6 +219,13 @@ std::string MapSequenceRun::json(const MapSequenceRunFacts& facts) const {
   json["without_map"] = nlohmann::ordered_json::array();
   for (const FrameWithoutMap& f : facts.sequence.without_map)
     json["without_map"].push_back({{"name", names_[f.number]}, {"reason", f.reason}});
+  if (facts.camera) {
+    json["frames_by_stars_of_a_still_camera"] = facts.camera->told() > 0 ? facts.camera->told() + 1 : 0;
+    if (facts.camera->drift()) json["camera_drift_deg"] = facts.camera->drift()->angle_deg;
+    json["other_star_brightness"] = nlohmann::ordered_json::array();
+    for (const CameraWatch::OtherBrightness& other : facts.camera->other_brightness())
+      json["other_star_brightness"].push_back({{"name", other.name}, {"factor", other.brightness}});
+  }
   json["tracks"] = nlohmann::ordered_json::array();
   for (const CurtainTrack& t : tracks())
     json["tracks"].push_back({{"track", t.number},

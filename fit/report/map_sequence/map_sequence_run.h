@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "fit/map/precipitation_planes.h"
 #include "fit/map/sequence/curtain_tracks.h"
 #include "fit/map/sequence/map_sequence.h"
+#include "fit/photo/pointing/joint/still_camera.h"
 
 namespace vegard::fit {
 
@@ -37,6 +39,7 @@ struct MapSequenceRunFacts {
   std::string command;
   std::vector<InputFile> inputs;
   MapSequenceFacts sequence;
+  std::optional<CameraWatch> camera;  ///< what the stars say of it; none: it was not asked
 };
 
 /// Collects the frames, and writes them.
