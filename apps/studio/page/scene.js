@@ -123,15 +123,16 @@ export async function scene_view(name, files, changed) {
 
   // Saving; the fit is of the file, so that changes must be saved first.
   const to = element("input", { value: name.replace(/\.toml$/, "") + "_changed.toml" });
+  const kept = element("p", { role: "status" });  // its own: pictures that are drawn meanwhile have another
   const save = element("button", { click: async () => {
     try {
       const saved = await tell("save", { scene: name, changes: [...changes].map(([path, value]) => `${path}=${value}`), to: to.value });
-      status.textContent = `Saved as ${saved.name}.`;
-      status.className = "";
+      kept.textContent = `Saved as ${saved.name}.`;
+      kept.className = "";
       await changed();
     } catch (error) {
-      status.textContent = error.message;
-      status.className = "bad";
+      kept.textContent = error.message;
+      kept.className = "bad";
     }
   } }, "Save");
   const undo = element("button", { click: () => {
@@ -153,7 +154,7 @@ export async function scene_view(name, files, changed) {
     element("div", { class: "two" },
       element("div", {}, element("div", { class: "picture" }, image, wiped), status, shown,
         element("div", { class: "row" }, undo, field("Beside", beside), field("Wipe", wipe)),
-        element("div", { class: "row" }, field("Save as", to), save),
+        element("div", { class: "row" }, field("Save as", to), save), kept,
         element("p", {}, "The free numbers of a fit are those of fit.free in the scene."), fit.panel, live.panel),
       element("div", {}, field("Parameters", search), list)));
 }
