@@ -7,6 +7,7 @@ Its console is without errors, nothing is loaded but from the studio, and its te
 at 400 and 1600 px, light and dark.
 """
 
+import json
 import pathlib
 import shutil
 import signal
@@ -46,6 +47,35 @@ class Page:
         if not is_right:
             self.broken += 1
             print(f"FAILED: {what}", file=sys.stderr)
+
+    def press(self, key, times=1, shift=False):
+        """A key, as a keyboard does."""
+        code = {"Tab": 9, "Enter": 13, "Backspace": 8, "Escape": 27, " ": 32, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}.get(key, 0)
+        text = {"Enter": {"text": "\r"}, " ": {"text": " "}}.get(key, {"text": key} if len(key) == 1 else {})
+        for _ in range(times):
+            for kind, more in (("keyDown", text), ("keyUp", {})):
+                self.browser.call("Input.dispatchKeyEvent", type=kind, key=key, windowsVirtualKeyCode=code, modifiers=8 if shift else 0, **more)
+
+    def tab_to(self, expression, what):
+        """By the keyboard alone, to where the expression is true of the element in focus."""
+        for _ in range(200):
+            if self.browser.value(f"(element => {expression})(document.activeElement)"):
+                return
+            self.press("Tab")
+        sys.exit(f"FAILED: the keyboard does not reach {what}")
+
+    def mouse(self, layer, places, button="none"):
+        """Moves the mouse over places in the units of a layer (SVG); with a button from the first place to the last with it
+        pressed, or clicks if there is one."""
+        self.browser.value(f"{layer}.scrollIntoView({{ block: 'center' }}), 0")
+        at = self.browser.value(f"""(() => {{ const layer = {layer}; return {json.dumps(places)}.map(([x, y]) => {{
+          const point = new DOMPoint(x, y).matrixTransform(layer.getScreenCTM()); return [point.x, point.y]; }}); }})()""")
+        for i, (x, y) in enumerate(at):
+            self.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y, button=button if i else "none", buttons=int(button != "none" and i > 0))
+            if button != "none" and i == 0:
+                self.browser.call("Input.dispatchMouseEvent", type="mousePressed", x=x, y=y, button=button, buttons=1, clickCount=1)
+        if button != "none":
+            self.browser.call("Input.dispatchMouseEvent", type="mouseReleased", x=at[-1][0], y=at[-1][1], button=button, clickCount=1)
 
     def look(self, what, screenshots):
         """All widths and schemes of what is in view now."""
@@ -128,13 +158,8 @@ def keyboard(page):
     """Tab and Enter alone open a file."""
     page.browser.value("location.hash = '', document.body.focus(), 0")
     page.wait("document.querySelector('#view h2')?.textContent.includes('Drop')", "the first page")
-    for _ in range(12):
-        for kind in ("keyDown", "keyUp"):
-            page.browser.call("Input.dispatchKeyEvent", type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9)
-        if page.browser.value("document.activeElement.textContent") == "small.toml":
-            break
-    for kind in ("keyDown", "keyUp"):
-        page.browser.call("Input.dispatchKeyEvent", type=kind, key="Enter", code="Enter", text="\r", windowsVirtualKeyCode=13)
+    page.tab_to("element.textContent === 'small.toml'", "a scene")
+    page.press("Enter")
     page.wait("location.hash === '#small.toml'", "the keyboard opens a scene")
 
 

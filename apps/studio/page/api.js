@@ -17,6 +17,13 @@ export const upload = async file => answer_of(await fetch(`upload?name=${encodeU
 /// The address of a file of the folder.
 export const address = name => "file/" + name.split("/").map(encodeURIComponent).join("/");
 
+/// The rows of a table (CSV) of the folder, by their columns' names. Only a last column may hold commas.
+export async function table_of(name) {
+  const text = await (await fetch(address(name))).text();
+  const [head, ...rows] = text.trim().split(/\r?\n/).filter(line => !line.startsWith("#")).map(line => line.split(","));
+  return rows.map(row => Object.fromEntries(head.map((column, i) => [column, row[i]])));
+}
+
 /// The command line that does the same, to be copied.
 export const command_line = words => ["vegard", ...words]
   .map(word => /^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`).join(" ");

@@ -12,6 +12,26 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/// The same of SVG, without listeners.
+export function svg(tag, attributes = {}, ...children) {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+/// Where a layer over a picture has a mouse event: in the picture's pixels.
+export function picture_place(layer, event) {
+  const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(layer.getScreenCTM().inverse());
+  return [x, y];
+}
+
+/// Chooses a name of a choice(), which is added to it if it is new.
+export function choose(select, name) {
+  if (![...select.options].some(option => option.value === name)) select.append(element("option", { value: name }, name));
+  select.value = name;
+}
+
 export function field(words, input) { return element("label", {}, words, input); }
 
 export function choice(names, none) {

@@ -1,6 +1,8 @@
-// A photograph: what its file says, its measurement with what that says meanwhile, the stars that were found, the report.
+// A photograph: what its file says, its measurement with what that says meanwhile, a mask by hand, the stars that were found,
+// the report.
 import { address, run } from "./api.js";
-import { choice, command_panel, element, field, report_frame } from "./parts.js";
+import { mask_editor } from "./mask.js";
+import { choice, choose, command_panel, element, field, report_frame } from "./parts.js";
 import { star_editor } from "./stars.js";
 
 const kShown = /\.(jpe?g|png|webp|avif)$/i;  // others a browser does not know
@@ -55,21 +57,32 @@ export function photo_view(name, files, changed) {
   async function calibrated(asked, exit_code) {
     await changed();
     if (exit_code !== 0 && exit_code !== 5) return;
-    const camera = asked[asked.indexOf("-o") + 1];
-    if (![...inputs.camera.options].some(option => option.value === camera)) inputs.camera.append(element("option", { value: camera }, camera));
-    inputs.camera.value = camera;
+    choose(inputs.camera, asked[asked.indexOf("-o") + 1]);
     measure.show();
+  }
+  const mask = element("div");
+  async function edit_mask() {
+    if (image === null) return;
+    await image.decode().catch(() => {});
+    const editor = mask_editor({ photo: name, picture, image, others: photographs, made: async made => {
+      choose(inputs.mask, made);
+      inputs.mask.dispatchEvent(new Event("input", { bubbles: true }));
+      await changed();
+    } });
+    inputs.mask.addEventListener("input", () => editor.show(kShown.test(inputs.mask.value) ? inputs.mask.value : ""));
+    mask.replaceChildren(editor.panel);
   }
   const stars = element("div");
   async function edit_stars(run_name) {
     if (image === null) return;
     await image.decode().catch(() => {});
-    const said = option => ({ "--time": inputs.time, "--site": inputs.site })[option].value.trim();
+    const said = option => ({ "--time": inputs.time, "--site": inputs.site, "--mask": inputs.mask })[option].value.trim();
     stars.replaceChildren(await star_editor({ photo: name, picture, image, run_name, said, calibrated }));
   }
+  edit_mask();
   const earlier = inputs.out.value;
   if (files.some(file => file.kind === "run" && file.name === earlier)) show_run(earlier);
   else edit_stars("");
 
-  return element("article", {}, element("h2", {}, name), picture, facts, fields, measure.panel, stars, report);
+  return element("article", {}, element("h2", {}, name), picture, facts, fields, measure.panel, mask, stars, report);
 }

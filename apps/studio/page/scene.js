@@ -120,6 +120,8 @@ export async function scene_view(name, files, changed) {
     wiped.style.clipPath = `inset(0 0 0 ${wipe.value}%)`;
   }
   beside.addEventListener("change", () => { show_wipe(); fit.show(); });
+  const mask = choice(photographs, "none");
+  mask.addEventListener("change", () => fit.show());
 
   // Saving; the fit is of the file, so that changes must be saved first.
   const to = element("input", { value: name.replace(/\.toml$/, "") + "_changed.toml" });
@@ -143,7 +145,7 @@ export async function scene_view(name, files, changed) {
   } }, "Undo");
   const fit = command_panel("Fit to the photograph", () => {
     const photo = beside.value || "PHOTO";
-    return ["fit", name, ...changed_words(), "--photo", photo, "--out", `runs/${photo.replace(/^.*\//, "").replace(/\.[^.]*$/, "")}_fitted`];
+    return ["fit", name, ...changed_words(), "--photo", photo, ...(mask.value ? ["--mask", mask.value] : []), "--out", `runs/${photo.replace(/^.*\//, "").replace(/\.[^.]*$/, "")}_fitted`];
   }, () => changed());
 
   const live = live_panel(name, changed_words);
@@ -153,7 +155,7 @@ export async function scene_view(name, files, changed) {
   return element("article", {}, element("h2", {}, name),
     element("div", { class: "two" },
       element("div", {}, element("div", { class: "picture" }, image, wiped), status, shown,
-        element("div", { class: "row" }, undo, field("Beside", beside), field("Wipe", wipe)),
+        element("div", { class: "row" }, undo, field("Beside", beside), field("Wipe", wipe), field("Mask of the fit", mask)),
         element("div", { class: "row" }, field("Save as", to), save), kept,
         element("p", {}, "The free numbers of a fit are those of fit.free in the scene."), fit.panel, live.panel),
       element("div", {}, field("Parameters", search), list)));

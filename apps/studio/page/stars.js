@@ -1,40 +1,26 @@
 // Stars over a photograph: those that were recognised, and those that are added or dropped by hand. A click on a circle
 // drops its star or takes it back; a click beside them adds a star, by its name among the nearest of the catalogue.
-import { address, ask, upload } from "./api.js";
-import { command_panel, element, field } from "./parts.js";
+import { address, ask, table_of, upload } from "./api.js";
+import { command_panel, element, field, picture_place, svg } from "./parts.js";
 
 const kNamed = 2.5;     // the faintest magnitude with a name in the picture; others have theirs under the mouse
 const kOffered = 8;     // stars near a click
-const kSvg = "http://www.w3.org/2000/svg";
-
-/// The rows of a table in CSV, by their column names.
-function table(text) {
-  const [head, ...rows] = text.trim().split(/\r?\n/).filter(line => !line.startsWith("#")).map(line => line.split(","));
-  return rows.map(row => Object.fromEntries(head.map((name, i) => [name, row[i]])));
-}
-
-function svg(tag, attributes) {
-  const made = document.createElementNS(kSvg, tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  return made;
-}
 
 /// The stars of a run's table; none if it has none.
 async function stars_of(run_name) {
   if (!run_name || !(await ask("files")).some(file => file.name === run_name && file.has_stars)) return [];
-  const answer = await fetch(address(run_name + "/stars.csv"));
-  return table(await answer.text()).map(star => ({ name: star.star ?? star.name, magnitude: Number(star.magnitude), x: Number(star.x_px), y: Number(star.y_px),
+  return (await table_of(run_name + "/stars.csv")).map(star => ({ name: star.star ?? star.name, magnitude: Number(star.magnitude), x: Number(star.x_px), y: Number(star.y_px),
     is_used: star.used === undefined || star.used === "1", is_mine: false }));
 }
 
 /// An editor of the stars in a photograph. `picture` is the element around its image; `said(option)` are the words of the
-/// user for time and site, which are else those of the run's camera; `calibrated` is called as command_panel() does.
+/// user for time, site and mask; time and site are else those of the run's camera; `calibrated` is called as command_panel() does.
 export async function star_editor({ photo, picture, image, run_name, said, calibrated }) {
   const { naturalWidth: width, naturalHeight: height } = image, radius = Math.max(4, width / 150);
   const recognised = await stars_of(run_name), stars = [...recognised];
   const sky = recognised.length > 0 ? await ask(`sky?camera=${encodeURIComponent(run_name + "/camera.toml")}`).catch(() => null) : null;
-  picture.querySelector("svg")?.remove();
-  const layer = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Stars that were recognised or added" });
+  picture.querySelector("svg.stars")?.remove();
+  const layer = svg("svg", { class: "stars", viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Stars that were recognised or added" });
   picture.append(layer);
   const chooser = element("div", { class: "row", role: "group", "aria-label": "Add a star" }), count = element("p", { role: "status" });
 
@@ -84,8 +70,7 @@ export async function star_editor({ photo, picture, image, run_name, said, calib
     (chooser.querySelector("button") ?? named).focus();
   }
   layer.addEventListener("click", event => {
-    const place = new DOMPoint(event.clientX, event.clientY).matrixTransform(layer.getScreenCTM().inverse());
-    offer(place.x, place.y);
+    offer(...picture_place(layer, event));
   });
 
   const stem = photo.replace(/^.*\//, "").replace(/\.[^./]*$/, "");
@@ -98,9 +83,11 @@ export async function star_editor({ photo, picture, image, run_name, said, calib
     const time = said("--time") ? ["--time", said("--time")] : sky?.time_utc ? ["--time", sky.time_utc, "--exposure", "0"] : [];
     const site = said("--site") || (sky && `${sky.latitude_deg},${sky.longitude_deg},${sky.altitude_m}`);
     const place = [...time, ...(site ? ["--site", site] : [])];
-    // From a table where stars have been recognised; else the program recognises the others from those by hand.
+    // From a table where stars have been recognised; else the program recognises the others from those by hand, where the
+    // mask is white.
     const by = recognised.length > 0 ? [stars_file] : used().flatMap(star => ["--star", `${star.name}=${star.x.toFixed(1)},${star.y.toFixed(1)}`]);
-    return ["calibrate", ...by, "--image", photo, ...place, "-o", camera.value, ...(written.has(camera.value) ? ["--overwrite"] : [])];
+    const mask = recognised.length === 0 && said("--mask") ? ["--mask", said("--mask")] : [];
+    return ["calibrate", ...by, "--image", photo, ...mask, ...place, "-o", camera.value, ...(written.has(camera.value) ? ["--overwrite"] : [])];
   };
   const ended = async (asked, exit_code) => {
     if (exit_code === 0 || exit_code === 5) written.add(asked[asked.indexOf("-o") + 1]);
