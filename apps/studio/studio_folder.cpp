@@ -87,7 +87,11 @@ std::string StudioFolder::listing_json() const {
                                                                         : "";
     if (kind.empty()) continue;
     nlohmann::ordered_json entry = {{"name", name}, {"kind", kind}};
-    if (is_run) entry["has_stars"] = files::exists(path / "stars.csv", unknown);
+    if (is_run) {
+      entry["has"] = nlohmann::ordered_json::array();
+      for (const char* part : {"stars.csv", "measure.json", "together.json", "map.json"})
+        if (files::exists(path / part, unknown)) entry["has"].push_back(part);
+    }
     found.emplace(files::last_write_time(path, unknown), entry);
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();

@@ -20,8 +20,8 @@ class StudioFolder {
   std::string name_of(const std::string& word) const;
 
   /// What is there, as JSON: photographs, scenes, and runs (folders with a report.html), each with its name
-  /// and kind, runs also with whether they have a table of stars; the newest first. Folders in folders are
-  /// looked into three deep.
+  /// and kind, runs also with what they have of that which the page shows; the newest first. Folders in
+  /// folders are looked into three deep.
   std::string listing_json() const;
 
   /// Writes a new file, which appears whole or not at all, and returns its name: that which is asked for

@@ -16,7 +16,9 @@
 #include "apps/options/scene_options.h"
 #include "apps/studio/studio_folder.h"
 #include "apps/studio/studio_jobs.h"
+#include "apps/studio/studio_map.h"
 #include "apps/studio/studio_page.h"
+#include "apps/studio/studio_sights.h"
 #include "apps/studio/studio_sky.h"
 #include "sim/base/error.h"
 #include "sim/scene/file/scene_toml.h"
@@ -85,6 +87,15 @@ class StudioServer::Routes {
     server_.Get(root + "sky", [this](const httplib::Request& request, httplib::Response& response) {
       send_sky(request.get_param_value("camera"), response);
     });
+    server_.Get(root + "map", [this](const httplib::Request& request, httplib::Response& response) {
+      send_map(request.get_param_value("run"), response);
+    });
+    for (const auto& [name, tell] :
+         {std::pair{"views", &studio_views}, {"sight", &studio_sight}, {"seen", &studio_seen}})
+      server_.Post(
+          root + name, [this, tell = tell](const httplib::Request& request, httplib::Response& response) {
+            with_json(request, response, [&](const Json& asked) { answer(response, tell(folder_, asked)); });
+          });
     server_.Get(root + "file/(.+)", [this](const httplib::Request& request, httplib::Response& response) {
       send_file(request.matches[1], response);
     });
@@ -215,6 +226,16 @@ class StudioServer::Routes {
       const std::string json = studio_sky_json(sim::read_scene(folder_.path_of(camera)));
       response.set_header("Cross-Origin-Resource-Policy", "same-origin");
       response.set_content(json, "application/json");
+    } catch (const sim::Error& error) {
+      refuse(response, kRefused, error.what());
+    }
+  }
+
+  void send_map(const std::string& run, httplib::Response& response) const {
+    try {
+      const std::string planes = folder_.path_of(run + "/precipitation.fits");
+      if (planes.empty()) return refuse(response, kNotFound, "there is no such map");
+      answer(response, studio_map(planes.substr(0, planes.rfind('/'))));
     } catch (const sim::Error& error) {
       refuse(response, kRefused, error.what());
     }

@@ -157,6 +157,33 @@ def runs_commands(studio):
     check(studio.request("GET", "job/999")[0] == 404 and studio.request("POST", "job/999/stop")[0] == 404, "a job that is not")
 
 
+def tells_lines_of_sight(studio):
+    camera = {"file": "scene.toml", "changes": ["site.latitude_deg=67"]}
+    where = {"cameras": [camera, {**camera, "changes": ["site.latitude_deg=66.5"]}], "earth": "sphere", "is_refracted": False}
+    status, views = studio.tell("views", {**where, "height_km": 105})
+    check(status == 200 and [view["place"][0] for view in views["views"]] == [67, 66.5] and views["views"][0]["width"] == 160, f"views: {views}")
+    status, sight = studio.tell("sight", {**where, "pixel": [80, 60], "heights_km": [100, 200]})
+    check(status == 200 and [point["height_km"] for point in sight["points"]] == [100, 200], f"sight: {sight}")
+    # And back: the first camera has the places of its line of sight where the line is.
+    places = [[*point["place"], point["height_km"]] for point in sight["points"]]
+    status, seen = studio.tell("seen", {**where, "places": places})
+    check(status == 200 and all(pixels[0] and max(abs(pixels[0][0] - 80), abs(pixels[0][1] - 60)) < 0.01 for pixels in seen["pixels"]), f"seen: {seen}")
+    check([point["pixels"] for point in sight["points"]] == seen["pixels"] or all(
+        a == b is None or max(abs(p - q) for p, q in zip(a, b)) < 1e-6
+        for point, pixels in zip(sight["points"], seen["pixels"]) for a, b in zip(point["pixels"], pixels)), f"both ways: {sight} {seen}")
+    check(studio.tell("seen", {**where, "places": [[-80.0, 0.0, 105.0]]})[1]["pixels"] == [[None, None]], "a place behind the Earth is not seen")
+    for bad in ({"cameras": [{"file": "../secret.txt", "changes": []}]}, {"cameras": [{**camera, "changes": ["composite.foreground=/etc/passwd"]}]},
+                {"cameras": [{**camera, "changes": ["camera.map=../secret.txt"]}]}, {"cameras": []}, {"cameras": [camera] * 9}, {"earth": "flat"},
+                {"places": [[67.0, 20.0]]}, {"places": "all"}, {"is_refracted": "no"}):
+        status, said = studio.tell("seen", {**where, "places": places, **bad})
+        check(status == 422 and "secret\n" not in said["error"], f"{bad}: {status} {said}")
+    for run in ("..", "", "nothing", "/etc"):
+        check(studio.request("GET", f"map?run={run}")[0] == 404, f"the map of {run}")
+    (FOLDER / "bad_map").mkdir()
+    (FOLDER / "bad_map/precipitation.fits").write_bytes(b"SIMPLE  =")
+    check(studio.request("GET", "map?run=bad_map")[0] == 422, "a damaged map")
+
+
 def ends_with_its_commands(studio):
     job = studio.tell("run", {"words": ["preview", "scene.toml", "--frames", "9999"], "shown": True})[1]["job"]
     studio.tell(f"job/{job}/stop", {})
@@ -183,6 +210,7 @@ def main():
     stays_in_its_folder(studio)
     takes_files(studio)
     runs_commands(studio)
+    tells_lines_of_sight(studio)
     ends_with_its_commands(studio)
     other.close()
     return 1 if HURT else 0

@@ -8,7 +8,7 @@ const kOffered = 8;     // stars near a click
 
 /// The stars of a run's table; none if it has none.
 async function stars_of(run_name) {
-  if (!run_name || !(await ask("files")).some(file => file.name === run_name && file.has_stars)) return [];
+  if (!run_name || !(await ask("files")).some(file => file.name === run_name && file.has.includes("stars.csv"))) return [];
   return (await table_of(run_name + "/stars.csv")).map(star => ({ name: star.star ?? star.name, magnitude: Number(star.magnitude), x: Number(star.x_px), y: Number(star.y_px),
     is_used: star.used === undefined || star.used === "1", is_mine: false }));
 }
