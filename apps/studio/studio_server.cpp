@@ -65,6 +65,7 @@ class StudioServer::Routes {
       : folder_(folder), jobs_(jobs), secret_(random_word()) {
     server_.set_payload_max_length(kMostBytes);
     server_.set_read_timeout(30);
+    server_.set_tcp_nodelay(true);  // else small answers wait for the browser to acknowledge their head
     server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       return admits(request, response) ? httplib::Server::HandlerResponse::Unhandled
                                        : httplib::Server::HandlerResponse::Handled;
