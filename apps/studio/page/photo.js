@@ -2,7 +2,8 @@
 // the report.
 import { address, run } from "./api.js";
 import { mask_editor } from "./mask.js";
-import { choice, choose, command_panel, element, field, report_frame } from "./parts.js";
+import { choice, choose, command_panel, element, field } from "./parts.js";
+import { run_parts } from "./run.js";
 import { star_editor } from "./stars.js";
 
 const kShown = /\.(jpe?g|png|webp|avif)$/i;  // others a browser does not know
@@ -50,7 +51,7 @@ export function photo_view(name, files, changed) {
     element("label", {}, element("span", {}, inputs.again, " replace an earlier measurement")));
 
   async function show_run(run_name) {
-    report.replaceChildren(report_frame(address(run_name + "/report.html")));
+    report.replaceChildren(await run_parts(run_name));
     await edit_stars(run_name);
   }
   /// The camera that was found is taken for the next measurement.

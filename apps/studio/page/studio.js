@@ -1,7 +1,8 @@
 // The studio: the files of the folder at the side, one of them in view. The part of the address behind # names it.
-import { address, ask, upload } from "./api.js";
-import { element, report_frame } from "./parts.js";
+import { ask, upload } from "./api.js";
+import { element } from "./parts.js";
 import { photo_view } from "./photo.js";
+import { run_parts } from "./run.js";
 import { scene_view } from "./scene.js";
 
 const list = document.getElementById("files"), view = document.getElementById("view"), said = document.getElementById("said");
@@ -40,7 +41,7 @@ async function show() {
     const made = !file ? welcome()
       : file.kind === "photograph" ? photo_view(file.name, files, show_files)
         : file.kind === "scene" ? await scene_view(file.name, files, show_files)
-          : element("article", {}, element("h2", {}, file.name), report_frame(address(file.name + "/report.html")));
+          : element("article", {}, element("h2", {}, file.name), await run_parts(file.name));
     if (!file || file.name === opened()) view.replaceChildren(made);
   } catch (error) {
     say(error.message, true);
