@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "sim/base/number/constants.h"
@@ -12,6 +15,7 @@
 #include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
+#include "sim/light/segment_tree.h"
 #include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
@@ -19,10 +23,11 @@ namespace {
 
 constexpr double kCurtainMinCosine = 0.052;  // 3 degrees
 
-template <class T>
-Vec3<T> minus(const Vec3<T>& a, const Vec3<T>& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+// Boxes about walls: the altitudes at which a wall's ends are found, and what is added for rounding.
+constexpr int kBoxAltitudes = 9;
+constexpr double kBoxMargin_km = 0.01;
+/// Half the edge of a box that every ray passes.
+constexpr double kEverywhere_km = 1e30;
 
 /// A piece of a wall, about the body's centre.
 template <class T>
@@ -38,13 +43,14 @@ template <class T>
 class CurtainEmitter : public Emitter<T> {
  public:
   CurtainEmitter(const Scene& scene, const Footprint& f, const ProfileTable& profiles,
-                 const ProfileChanges& changes, const NumberAs<T>& number, const FootprintAt& at)
+                 const ProfileChanges& changes, const NumberAs<T>& number, const FootprintAt& at, MarchBy by)
       : profile_(profiles, f.top_km, 0.0),
         rays_(scene, f, profile_.bottom_km(), at.turned_deg),
         rule_(rule_of_foot<T>(scene, f, number, at.turned_deg)),
         foot_radius_(rule_.sphere_km + kFootAltitudeKm),
         foot_(of_profile(profile_)),
-        marcher_(foot_) {
+        marcher_(foot_),
+        tries_all_(by == MarchBy::reference) {
     foot_.ln_energy_shift = (number(f.energy_kev) - f.energy_kev) * (1.0 / f.energy_kev);
     foot_.flux_shift = number(f.energy_flux_mw_m2) - f.energy_flux_mw_m2;
     foot_.oxygen_shift = number(scene.emission.oxygen_factor) - scene.emission.oxygen_factor;
@@ -65,13 +71,16 @@ class CurtainEmitter : public Emitter<T> {
   CurtainEmitter& operator=(const CurtainEmitter&) = delete;
 
   void march(const RayBundle<T>& rays, const BundleLight<T>& out) const override {
+    thread_local std::vector<std::uint32_t> met;
     for (std::size_t i = 0; i < rays.count; ++i) {
       const T enu[3] = {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]};
       MarchSpanOf<T> spans[2];
       const int count = rays_.cut(enu, rays.end_km[i], spans);
       double light = 0.0, weighted = 0.0;
-      for (int s = 0; s < count; ++s)
-        for (const Wall<T>& wall : walls_) add(wall, spans[s], i, rays.count, out, light, weighted);
+      for (int s = 0; s < count; ++s) {
+        find_walls(spans[s], met);
+        for (const std::uint32_t wall : met) add(walls_[wall], spans[s], i, rays.count, out, light, weighted);
+      }
       if (light > 0.0) out.depth_km[i] = weighted / light;
     }
   }
@@ -127,14 +136,32 @@ class CurtainEmitter : public Emitter<T> {
       }
     }
     const std::size_t count = edges.size();
+    std::vector<SegmentBox> boxes;
     for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
-      stand(edges[i], edges[(i + 1) % count], number(f.width_km));
+      stand(edges[i], edges[(i + 1) % count], number(f.width_km), boxes);
+    tree_ = SegmentTree(boxes);
   }
 
-  void stand(const Edge& a, const Edge& b, const T& width_km) {
+  /// Gives the walls that a span may meet, in the order in which they stand: light is added up in this order.
+  void find_walls(const MarchSpanOf<T>& span, std::vector<std::uint32_t>& met) const {
+    met.clear();
+    if (tries_all_) {
+      met.resize(walls_.size());
+      std::iota(met.begin(), met.end(), 0u);
+      return;
+    }
+    Vec3<double> place, direction;
+    for (int a = 0; a < 3; ++a)
+      place[a] = value_of(span.place_km[a]), direction[a] = value_of(span.direction[a]);
+    tree_.visit(place, direction, value_of(span.first_km), -value_of(span.first_km), 0.0,
+                [&](std::uint32_t wall) { met.push_back(wall); });
+    std::sort(met.begin(), met.end());
+  }
+
+  void stand(const Edge& a, const Edge& b, const T& width_km, std::vector<SegmentBox>& boxes) {
     Wall<T> wall;
     wall.from = a.foot;
-    wall.way = minus(b.foot, a.foot);
+    wall.way = minus3(b.foot, a.foot);
     Vec3<T> along = times3(a.foot, T(-1.0 / foot_radius_));
     const Vec3<T> up = times3(along, T(-1.0));
     if (foot_.projection == FootProjection::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
@@ -159,6 +186,101 @@ class CurtainEmitter : public Emitter<T> {
     wall.flux[0] = a.flux, wall.flux[1] = b.flux;
     wall.ln_energy[0] = a.ln_energy, wall.ln_energy[1] = b.ln_energy;
     walls_.push_back(wall);
+    boxes.push_back(box_of(wall, values3(along)));
+  }
+
+  /// The box of the part of a wall's plane whose feet lie between the wall's edges, in the shell of the
+  /// light. `along` is the direction of fall at its first edge.
+  SegmentBox box_of(const Wall<T>& moving, const Vec3<double>& along) const {
+    const SegmentBox everywhere = {{-kEverywhere_km, -kEverywhere_km, -kEverywhere_km},
+                                   {kEverywhere_km, kEverywhere_km, kEverywhere_km},
+                                   0.0,
+                                   0.0};
+    Wall<double> wall;
+    wall.from = values3(moving.from), wall.way = values3(moving.way);
+    const double beyond = value_of(moving.beyond);
+    Vec3<double> end[2][kBoxAltitudes];
+    double margin = kBoxMargin_km;
+    for (int k = 0; k < kBoxAltitudes; ++k) {
+      const double radius = foot_.sphere_km + rays_.bottom_km() +
+                            (rays_.top_km() - rays_.bottom_km()) * k / (kBoxAltitudes - 1.0);
+      for (int side = 0; side < 2; ++side)
+        if (!find_end(wall, along, radius, side, end[side][k])) return everywhere;
+      // Between both ends the wall bulges as a circle does, in which its plane cuts the sphere.
+      const Vec3<double> chord = minus3(end[1][k], end[0][k]);
+      const double circle2 = radius * radius - beyond * beyond, rest2 = circle2 - 0.25 * dot3(chord, chord);
+      if (!(rest2 > 0.0)) return everywhere;
+      margin = std::max(margin, kBoxMargin_km + std::sqrt(circle2) - std::sqrt(rest2));
+    }
+    // Between the altitudes the ends are on smooth curves.
+    for (const auto& curve : end)
+      for (int k = 1; k + 1 < kBoxAltitudes; ++k) {
+        const Vec3<double> bend = along3(along3(curve[k - 1], -2.0, curve[k]), 1.0, curve[k + 1]);
+        margin = std::max(margin, kBoxMargin_km + length3(bend));
+      }
+    SegmentBox box = {end[0][0], end[0][0], 0.0, 0.0};
+    for (const auto& curve : end)
+      for (const Vec3<double>& point : curve)
+        for (int a = 0; a < 3; ++a) {
+          box.low[a] = std::min(box.low[a], point[a] - margin);
+          box.high[a] = std::max(box.high[a], point[a] + margin);
+        }
+    return box;
+  }
+
+  /// Finds the point of a wall's plane at a radius, whose foot is at the wall's first (side 0) or second
+  /// edge; returns false if there is none near it.
+  bool find_end(const Wall<double>& wall, const Vec3<double>& along, double radius_km, int side,
+                Vec3<double>& end) const {
+    const auto share_at = [&](double part, double& share) {
+      const Vec3<double> level = along3(wall.from, part, wall.way);
+      const double fall = dot3(level, along),
+                   root2 = fall * fall + radius_km * radius_km - dot3(level, level);
+      if (!(root2 > 0.0)) return false;
+      end = along3(level, -(fall + std::sqrt(root2)), along);
+      AirPoint<double> p;
+      std::copy_n(end.begin(), 3, p.x);
+      p.square = (radius_km - foot_.sphere_km) * (radius_km + foot_.sphere_km);
+      return share_of(wall, p, share);
+    };
+    constexpr int kSecants = 8;
+    constexpr double kNear = 1e-9;  // in shares of the wall
+    double part = side, last = side + 0.25, share = 0.0, last_share = 0.0;
+    if (!share_at(last, last_share)) return false;
+    for (int step = 0; step < kSecants; ++step) {
+      if (!share_at(part, share)) return false;
+      if (std::fabs(share - side) < kNear) return true;
+      const double next = part + (side - share) * (part - last) / (share - last_share);
+      if (!(std::fabs(next - side) < 1e3)) return false;
+      last = part, last_share = share, part = next;
+    }
+    return false;
+  }
+
+  /// Finds how far from a wall's first edge, of 0, to its second, of 1, the foot of a point is; returns false
+  /// if the point has no foot.
+  template <class V>
+  bool share_of(const Wall<V>& wall, const AirPoint<V>& p, V& share) const {
+    if (foot_.projection == FootProjection::shell) {
+      const V scale = V(foot_radius_) / radius_km(p, foot_.sphere_km);
+      const Vec3<V> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
+      // The wall's plane goes on beyond the body's centre.
+      if (!(value_of(dot3(foot, wall.from)) > 0.0)) return false;
+      share = dot3(minus3(foot, wall.from), wall.way) / dot3(wall.way, wall.way);
+      return true;
+    }
+    V axis[3];
+    for (int a = 0; a < 3; ++a) {
+      if constexpr (std::is_same_v<V, T>)
+        axis[a] = foot_.axis[a];
+      else
+        axis[a] = value_of(foot_.axis[a]);
+    }
+    const auto foot = marcher_.place_of(p, axis, 0);
+    if (!foot.is_there) return false;
+    const V &e = wall.way[0], &n = wall.way[1];
+    share = ((foot.x - wall.from[0]) * e + (foot.y - wall.from[1]) * n) / (e * e + n * n);
+    return true;
   }
 
   void add(const Wall<T>& wall, const MarchSpanOf<T>& span, std::size_t ray, std::size_t rays,
@@ -171,16 +293,7 @@ class CurtainEmitter : public Emitter<T> {
     if (std::fabs(value_of(u)) > -value_of(span.first_km)) return;
     const AirPoint<T> p = point_of_ray(span.place_km, span.direction, span.square_km2, span.along_km, u);
     T share(0.0), stretch(1.0);
-    if (foot_.projection == FootProjection::shell) {
-      const T scale = T(foot_radius_) / radius_km(p, foot_.sphere_km);
-      const Vec3<T> foot = {p.x[0] * scale, p.x[1] * scale, p.x[2] * scale};
-      share = dot3(minus(foot, wall.from), wall.way) / dot3(wall.way, wall.way);
-    } else {
-      const auto foot = marcher_.place_of(p, foot_.axis, 0);
-      if (!foot.is_there) return;
-      const T &e = wall.way[0], &n = wall.way[1];
-      share = ((foot.x - wall.from[0]) * e + (foot.y - wall.from[1]) * n) / (e * e + n * n);
-    }
+    if (!share_of(wall, p, share)) return;
     if (!(value_of(share) >= 0.0 && value_of(share) < 1.0)) return;
     // Straight down, what is a kilometre wide at the foot is wider higher up.
     if (foot_.projection == FootProjection::shell || foot_.projection == FootProjection::vertical)
@@ -210,7 +323,9 @@ class CurtainEmitter : public Emitter<T> {
   const double foot_radius_;
   ScalarFootprint<T, double> foot_;
   ScalarMarch<T, double> marcher_;
+  const bool tries_all_;
   std::vector<Wall<T>> walls_;
+  SegmentTree tree_;
 };
 
 }  // namespace
@@ -218,15 +333,16 @@ class CurtainEmitter : public Emitter<T> {
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
                                             const ProfileTable& profiles, const ProfileChanges& changes,
-                                            const NumberAs<T>& number, const FootprintAt& at) {
-  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, changes, number, at);
+                                            const NumberAs<T>& number, const FootprintAt& at, MarchBy by) {
+  return std::make_unique<CurtainEmitter<T>>(scene, footprint, profiles, changes, number, at, by);
 }
 
 template std::unique_ptr<Emitter<double>> curtain_emitter(const Scene&, const Footprint&, const ProfileTable&,
                                                           const ProfileChanges&, const NumberAs<double>&,
-                                                          const FootprintAt&);
+                                                          const FootprintAt&, MarchBy);
 template std::unique_ptr<Emitter<FreeDual>> curtain_emitter(const Scene&, const Footprint&,
                                                             const ProfileTable&, const ProfileChanges&,
-                                                            const NumberAs<FreeDual>&, const FootprintAt&);
+                                                            const NumberAs<FreeDual>&, const FootprintAt&,
+                                                            MarchBy);
 
 }  // namespace vegard::sim

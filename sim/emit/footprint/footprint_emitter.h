@@ -58,10 +58,12 @@ struct FootprintAt {
 };
 
 /// Makes the emitter of a footprint with model "curtain". `changes` is as for plane_footprint_emitter(). T is
-/// double or FreeDual.
+/// double or FreeDual. Rays find walls by a hierarchy of boxes; as a reference they try all, with the same
+/// light to the last bit.
 template <class T>
 std::unique_ptr<Emitter<T>> curtain_emitter(const Scene& scene, const Footprint& footprint,
                                             const ProfileTable& profiles, const ProfileChanges& changes,
-                                            const NumberAs<T>& number, const FootprintAt& at = {});
+                                            const NumberAs<T>& number, const FootprintAt& at = {},
+                                            MarchBy by = MarchBy::lanes);
 
 }  // namespace vegard::sim

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "sim/emit/sun/strand/segment_light.h"
-#include "sim/emit/sun/strand/segment_tree.h"
 #include "sim/emit/sun/strand/strand.h"
 #include "sim/emit/sun/sun_frame.h"
 #include "sim/light/emitter.h"
+#include "sim/light/segment_tree.h"
 
 namespace vegard::sim {
 

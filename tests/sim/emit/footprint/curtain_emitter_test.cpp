@@ -4,18 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "march_case.h"
+#include "sim/base/number/constants.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim::curtain_emitter_test {
 namespace {
 
 using namespace march_case;
 
-std::unique_ptr<Emitter<double>> curtain(const Scene& scene) {
-  return curtain_emitter<double>(scene, scene.footprints[0], maxwellian(), {},
-                                 [](const double& x) { return x; });
+std::unique_ptr<Emitter<double>> curtain(const Scene& scene, MarchBy by = MarchBy::lanes) {
+  return curtain_emitter<double>(
+      scene, scene.footprints[0], maxwellian(), {}, [](const double& x) { return x; }, {}, by);
 }
 
 /// A straight arc to the north, from the west to the east.
@@ -101,6 +104,82 @@ TEST(CurtainEmitter, OfTwoPointsIsOneWallClosedOrNot) {
   const Light closed = rays.through(*curtain(scene), 3);
   EXPECT_GT(*std::max_element(open.rayleigh.begin(), open.rayleigh.end()), 100.0);
   EXPECT_EQ(open.rayleigh, closed.rayleigh);
+}
+
+/// Curls around the zenith, folds that cross themselves, or an oval around the Earth.
+Scene folded(double altitude_km, const char* shape, const char* fall, FieldModel field) {
+  Scene scene = scene_at(altitude_km, shape, fall);
+  scene.site.latitude_deg = 67.0;
+  scene.site.time_utc = "2015-03-17T22:00:00Z";
+  scene.field.model = field;
+  Footprint& f = scene.footprints[0];
+  f.model = FootprintModel::curtain;
+  f.center_km = {10.0, 40.0};
+  f.top_km = 600.0;
+  constexpr int kPoints = 40;
+  for (int i = 0; i < kPoints; ++i) {
+    const double turn = 2.0 * kPi * i / kPoints;
+    f.east_km.push_back(-500.0 + 25.0 * i + 60.0 * std::sin(3.0 * turn));
+    f.north_km.push_back(250.0 * std::sin(turn) + 80.0 * std::cos(5.0 * turn));
+    f.latitude_deg.push_back(68.0 + 3.0 * std::sin(4.0 * turn));
+    f.longitude_deg.push_back(360.0 * i / kPoints);
+  }
+  f.closed = f.shape == FootprintShape::shell;
+  return scene;
+}
+
+// A wall whose box were too small would lose light at its ends or at the top.
+TEST(CurtainEmitter, FindsByItsBoxesTheLightOfAllWalls) {
+  const struct {
+    double altitude_km;
+    const char *shape, *fall;
+    FieldModel field;
+  } cases[] = {
+      {0.2, "box", "vertical", FieldModel::uniform}, {0.2, "box", "field", FieldModel::uniform},
+      {0.2, "box", "field", FieldModel::dipole},     {0.2, "box", "field", FieldModel::igrf},
+      {400.0, "box", "field", FieldModel::dipole},   {0.2, "shell", "field", FieldModel::dipole},
+      {400.0, "shell", "field", FieldModel::dipole}, {20000.0, "shell", "field", FieldModel::dipole}};
+  for (const auto& one : cases) {
+    const Scene scene = folded(one.altitude_km, one.shape, one.fall, one.field);
+    // From high above the Earth is 14 degrees in radius.
+    const double lowest_deg = one.altitude_km > 100.0 ? -90.0 : 0.0,
+                 range_deg = one.altitude_km > 1000.0 ? 20.0 : 90.0;
+    Rays rays;
+    for (std::uint32_t i = 0; i < 2500; ++i)
+      rays.add(lowest_deg + range_deg * uniform(7, i), 360.0 * uniform(7, i, 1));
+    const Light found = rays.through(*curtain(scene), 3),
+                all = rays.through(*curtain(scene, MarchBy::reference), 3);
+    const auto lit =
+        std::count_if(all.rayleigh.begin(), all.rayleigh.end(), [](double r) { return r > 1.0; });
+    EXPECT_GT(lit, one.altitude_km > 1000.0 ? 50 : 500) << one.shape << " " << one.altitude_km;
+    EXPECT_EQ(found.rayleigh, all.rayleigh) << one.shape << " " << one.fall << " " << one.altitude_km;
+    EXPECT_EQ(found.depth_km, all.depth_km);
+    EXPECT_EQ(found.entry_km, all.entry_km);
+  }
+}
+
+// The plane of an upright wall goes through the middle of the Earth and out on the other side.
+TEST(CurtainEmitter, AroundTheEarthIsNotSeenOverTheAntipodes) {
+  Scene scene = folded(2000.0, "shell", "field", FieldModel::dipole);
+  Footprint& f = scene.footprints[0];
+  f.closed = false;
+  f.latitude_deg = {60.0, 60.0, 60.0};
+  f.longitude_deg = {-30.0, 0.0, 30.0};
+  const auto most = [&](double latitude_deg, double longitude_deg) {
+    scene.site.latitude_deg = latitude_deg;
+    scene.site.longitude_deg = longitude_deg;
+    Rays rays;
+    for (std::uint32_t i = 0; i < 4000; ++i) {
+      rays.add(-90.0 + 50.0 * uniform(9, i), 360.0 * uniform(9, i, 1));
+      if (rays.end_km.back() = ground_km(2000.0, rays.direction[2].back(), kEarthRadiusKm);
+          !(rays.end_km.back() > 0.0))
+        rays.end_km.back() = kInfinity;
+    }
+    const Light light = rays.through(*curtain(scene, MarchBy::reference), 3);
+    return *std::max_element(light.rayleigh.begin(), light.rayleigh.end());
+  };
+  EXPECT_GT(most(60.0, 0.0), 1000.0);
+  EXPECT_EQ(most(-60.0, 180.0), 0.0);
 }
 
 // Light goes as width_km, and so its derivative is the light over it.

@@ -1,4 +1,5 @@
-// A hierarchy of boxes to find the segments of strands that a ray may meet.
+// A hierarchy of boxes to find what a ray may meet of many small parts: segments of strands, or the walls of
+// a curtain.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,8 @@
 
 namespace vegard::sim {
 
-/// The box of a segment, and the data by which it is enlarged if the distance between rays is large.
+/// The box of a segment, and the data by which it is enlarged if the distance between rays is large (0 and 0:
+/// never).
 struct SegmentBox {
   Vec3<double> low, high;
   double min_radius;    ///< of the segment

@@ -1,4 +1,4 @@
-#include "sim/emit/sun/strand/segment_tree.h"
+#include "sim/light/segment_tree.h"
 
 #include <algorithm>
 #include <cmath>
