@@ -10,6 +10,8 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/noise.h"
 #include "sim/base/parallel.h"
+#include "sim/emit/footprint/map/flow_cubic.h"
+#include "sim/emit/footprint/map/flow_reach.h"
 #include "sim/light/sample.h"
 #include "sim/scene/structs/body.h"
 
@@ -22,80 +24,6 @@ constexpr double kFlowStep = 0.5;           // of time, over the inverse of the 
 constexpr int kStretchSteps = 6;            // of time, to a stretch
 constexpr int kMidpointLooks = 3;           // each a quarter as far from the middle as the one before
 constexpr int kRippleOctaves = 3;
-
-using FlowLayer = std::vector<double>;
-
-/// Cubic convolution (R. Keys, 1981) of a periodic plane, of some layers at one place at once.
-class Cubic {
- public:
-  Cubic(int columns, int rows) : columns_(columns), rows_(rows) {}
-
-  void look(double column, double row) {
-    const double c = std::floor(column), r = std::floor(row);
-    weigh(column - c, across_, across_slope_);
-    weigh(row - r, up_, up_slope_);
-    int at_column = around(static_cast<int>(c) - 1, columns_),
-        at_row = around(static_cast<int>(r) - 1, rows_);
-    for (int k = 0; k < 4; ++k) {
-      column_[k] = at_column;
-      row_[k] = static_cast<std::size_t>(at_row) * columns_;
-      if (++at_column == columns_) at_column = 0;
-      if (++at_row == rows_) at_row = 0;
-    }
-  }
-
-  double of(const FlowLayer& layer) const {
-    double sum = 0.0;
-    for (int j = 0; j < 4; ++j) {
-      double in_row = 0.0;
-      for (int i = 0; i < 4; ++i) in_row += across_[i] * layer[row_[j] + column_[i]];
-      sum += up_[j] * in_row;
-    }
-    return sum;
-  }
-
-  /// The velocity of a stream function.
-  void velocity(const FlowLayer& stream, double& by_column, double& by_row) const {
-    by_column = by_row = 0.0;
-    for (int j = 0; j < 4; ++j) {
-      double in_row = 0.0, slope = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        const double here = stream[row_[j] + column_[i]];
-        in_row += across_[i] * here;
-        slope += across_slope_[i] * here;
-      }
-      by_column -= up_slope_[j] * in_row;
-      by_row += up_[j] * slope;
-    }
-  }
-
-  /// Leads a place at the end of the stretches back to where it was before the first.
-  void follow(const std::vector<FlowStretch>& stretches, double& column, double& row) {
-    for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch) {
-      look(column, row);
-      column += of(stretch->columns);
-      row += of(stretch->rows);
-    }
-  }
-
- private:
-  static int around(int i, int n) { return (i % n + n) % n; }
-  static void weigh(double t, double w[4], double slope[4]) {
-    w[0] = -0.5 * t * (1.0 - t) * (1.0 - t);
-    w[1] = 1.0 + t * t * (1.5 * t - 2.5);
-    w[2] = t * (0.5 + t * (2.0 - 1.5 * t));
-    w[3] = -0.5 * t * t * (1.0 - t);
-    slope[0] = -0.5 * (1.0 - t) * (1.0 - 3.0 * t);
-    slope[1] = t * (4.5 * t - 5.0);
-    slope[2] = 0.5 + t * (4.0 - 4.5 * t);
-    slope[3] = t * (1.5 * t - 1.0);
-  }
-
-  int columns_, rows_;
-  double across_[4], up_[4], across_slope_[4], up_slope_[4];
-  int column_[4];
-  std::size_t row_[4];
-};
 
 /// The flow while it is worked out. Lengths are in its cells.
 class Flow {
@@ -113,7 +41,7 @@ class Flow {
   void solve() {
     std::vector<std::complex<double>> plane(cells_);
     each_row([&](int r) {
-      Cubic cubic(columns_, rows_);
+      FlowCubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
         const std::size_t i = at(c, r);
         cubic.look(c + back.columns[i], r + back.rows[i]);
@@ -133,10 +61,10 @@ class Flow {
     transform_plane(plane, columns_, rows_, true, threads_);
     for (std::size_t i = 0; i < cells_; ++i) stream[i] = plane[i].real();
     each_row([&](int r) {
-      Cubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
-        cubic.look(c, r);
-        cubic.velocity(stream, velocity_column[at(c, r)], velocity_row[at(c, r)]);
+        const FlowPair velocity = velocity_at_cell(stream, c, r);
+        velocity_column[at(c, r)] = velocity[0];
+        velocity_row[at(c, r)] = velocity[1];
       }
     });
   }
@@ -148,17 +76,18 @@ class Flow {
     next.columns.resize(cells_);
     next.rows.resize(cells_);
     each_row([&](int r) {
-      Cubic cubic(columns_, rows_);
+      FlowCubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
-        double by_column = 0.0, by_row = 0.0;
-        for (int k = 0; k < kMidpointLooks; ++k) {
-          cubic.look(c - 0.5 * time * by_column, r - 0.5 * time * by_row);
-          cubic.velocity(middle, by_column, by_row);
+        FlowPair velocity = velocity_at_cell(middle, c, r);
+        for (int k = 1; k < kMidpointLooks; ++k) {
+          cubic.look_for_velocity(c - 0.5 * time * velocity[0], r - 0.5 * time * velocity[1]);
+          velocity = cubic.velocity(middle);
         }
-        cubic.look(c - time * by_column, r - time * by_row);
+        cubic.look(c - time * velocity[0], r - time * velocity[1]);
+        const FlowPair from = cubic.of(back) - time * velocity;
         const std::size_t i = at(c, r);
-        next.columns[i] = cubic.of(back.columns) - time * by_column;
-        next.rows[i] = cubic.of(back.rows) - time * by_row;
+        next.columns[i] = from[0];
+        next.rows[i] = from[1];
       }
     });
     back = std::move(next);
@@ -171,7 +100,7 @@ class Flow {
     back.rows.assign(cells_, 0.0);
     start.resize(cells_);
     each_row([&](int r) {
-      Cubic cubic(columns_, rows_);
+      FlowCubic cubic(columns_, rows_);
       for (int c = 0; c < columns_; ++c) {
         double column = c, row = r;
         cubic.follow(before, column, row);
@@ -186,6 +115,14 @@ class Flow {
     for (std::size_t i = 0; i < cells_; ++i)
       sum += 0.5 * (velocity_column[i] * velocity_column[i] + velocity_row[i] * velocity_row[i]);
     return sum;
+  }
+
+  /// At a cell's middle the slopes of a cubic convolution are central differences.
+  FlowPair velocity_at_cell(const FlowLayer& stream_function, int c, int r) const {
+    const int left = c > 0 ? c - 1 : columns_ - 1, right = c + 1 < columns_ ? c + 1 : 0,
+              below = r > 0 ? r - 1 : rows_ - 1, above = r + 1 < rows_ ? r + 1 : 0;
+    return FlowPair{0.5, 0.5} * FlowPair{stream_function[at(c, below)], stream_function[at(right, r)]} -
+           FlowPair{0.5, 0.5} * FlowPair{stream_function[at(c, above)], stream_function[at(left, r)]};
   }
 
   std::size_t cells() const { return cells_; }
@@ -296,9 +233,31 @@ void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads) {
   constexpr int kParts = 2;
   const bool has_energy = !grid.ln_energy.empty();
   const std::vector<T> flux = grid.flux_mw_m2, energy = grid.ln_energy;
-  parallel_for(grid.rows, threads, [&](std::size_t row, int) {
-    Cubic cubic(flow.columns, flow.rows);
-    for (int column = 0; column < grid.columns; ++column) {
+  const LitCells lit(flux, grid.columns, grid.rows);
+  const FlowReach reach(flow);
+  const double flow_cells = plane.cell_km / flow.cell_km;
+  // Cells of the footprint in cells of the flow, and back.
+  const auto to_flow = [&](double cell, double from_km, double flow_from_km) {
+    return (from_km + cell * plane.cell_km - flow_from_km) / flow.cell_km - 0.5;
+  };
+  const auto from_flow = [&](double cell, double from_km, double flow_from_km) {
+    return (flow_from_km + (cell + 0.5) * flow.cell_km - from_km) / plane.cell_km - 0.5;
+  };
+  const auto came_from_light = [&](FlowCubic& cubic, int column, int end_column, int row, int end_row) {
+    const FlowBox box =
+        reach.follow(cubic, {to_flow(0.5 * (column + end_column), plane.west_km, flow.west_km),
+                             to_flow(0.5 * (row + end_row), plane.south_km, flow.south_km),
+                             0.5 * (end_column - column) * flow_cells, 0.5 * (end_row - row) * flow_cells});
+    const double x = from_flow(box.column, plane.west_km, flow.west_km),
+                 y = from_flow(box.row, plane.south_km, flow.south_km),
+                 half_x = box.half_columns / flow_cells + 1.0, half_y = box.half_rows / flow_cells + 1.0;
+    return lit.any(x - half_x, x + half_x, y - half_y, y + half_y);
+  };
+  constexpr int kTile = 8;
+  const int tile_rows = (grid.rows + kTile - 1) / kTile;
+  parallel_for(tile_rows, threads, [&](std::size_t tile_row, int) {
+    FlowCubic cubic(flow.columns, flow.rows);
+    const auto carry_cell = [&](int column, int row) {
       T sum(0.0), of_energy(0.0);
       for (int part = 0; part < kParts * kParts; ++part) {
         const int part_column = part % kParts, part_row = part / kParts;
@@ -325,9 +284,25 @@ void carry(const PlaneFlow& flow, PlaneFootprint<T>& plane, int threads) {
             if (has_energy) of_energy = of_energy + flux[from] * energy[from] * weight;
           }
       }
-      const std::size_t to = row * grid.columns + column;
+      const std::size_t to = static_cast<std::size_t>(row) * grid.columns + column;
       grid.flux_mw_m2[to] = sum;
       if (has_energy) grid.ln_energy[to] = value_of(sum) > 0.0 ? of_energy / sum : T(0.0);
+    };
+    const int first_row = static_cast<int>(tile_row) * kTile,
+              end_row = std::min(grid.rows, first_row + kTile);
+    for (int column = 0; column < grid.columns; column += kTile) {
+      const int end_column = std::min(grid.columns, column + kTile);
+      const bool is_lit = came_from_light(cubic, column, end_column, first_row, end_row);
+      for (int r = first_row; r < end_row; ++r)
+        for (int c = column; c < end_column; ++c) {
+          if (is_lit) {
+            carry_cell(c, r);
+            continue;
+          }
+          const std::size_t to = static_cast<std::size_t>(r) * grid.columns + c;
+          grid.flux_mw_m2[to] = T(0.0);
+          if (has_energy) grid.ln_energy[to] = T(0.0);
+        }
     }
   });
 }
@@ -353,12 +328,26 @@ void transform_plane(std::vector<Complex>& values, int columns, int rows, bool b
     w.run(backwards);
     std::copy(w.out.begin(), w.out.end(), begin);
   });
-  parallel_for(columns, threads, [&](std::size_t column, int slot) {
+  // Neighbouring columns lie in the same lines of the cache.
+  constexpr int kColumns = 8;
+  parallel_for((columns + kColumns - 1) / kColumns, threads, [&](std::size_t block, int slot) {
     Work& w = work[slot];
-    w.in.resize(rows);
-    for (int r = 0; r < rows; ++r) w.in[r] = values[static_cast<std::size_t>(r) * columns + column];
-    w.run(backwards);
-    for (int r = 0; r < rows; ++r) values[static_cast<std::size_t>(r) * columns + column] = w.out[r];
+    const int first = static_cast<int>(block) * kColumns, count = std::min(kColumns, columns - first);
+    std::vector<Complex> taken(static_cast<std::size_t>(rows) * kColumns);
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < count; ++c)
+        taken[static_cast<std::size_t>(c) * rows + r] =
+            values[static_cast<std::size_t>(r) * columns + first + c];
+    for (int c = 0; c < count; ++c) {
+      const auto begin = taken.begin() + static_cast<std::ptrdiff_t>(c) * rows;
+      w.in.assign(begin, begin + rows);
+      w.run(backwards);
+      std::copy(w.out.begin(), w.out.end(), begin);
+    }
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < count; ++c)
+        values[static_cast<std::size_t>(r) * columns + first + c] =
+            taken[static_cast<std::size_t>(c) * rows + r];
   });
 }
 

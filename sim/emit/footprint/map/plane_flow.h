@@ -24,26 +24,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/emit/footprint/map/flow_cubic.h"
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
-
-/// The displacement over a stretch of time, [row][column]: added to a cell's place it gives, in cells, the
-/// place where its content came from.
-struct FlowStretch {
-  std::vector<double> columns, rows;
-};
-
-/// The flow's periodic grid, and its stretches in the order of time.
-struct PlaneFlow {
-  int columns = 0, rows = 0;  ///< 0: nothing has moved
-  double west_km = 0.0, south_km = 0.0, cell_km = 1.0;
-  std::vector<FlowStretch> stretches;
-  /// [row][column], at the end, in the flow's own units of time (1 / its largest vorticity at the start)
-  std::vector<double> velocity_east, velocity_north;
-  double energy_first = 0.0, energy_last = 0.0;  ///< half the squares of the velocities, summed over cells
-};
 
 /// Returns the number of turns of the flow's fastest part at an instant of the scene's clock: flow_turns plus
 /// flow_turns_per_s times the instant, limited to 0 to 10.

@@ -144,6 +144,33 @@ TEST(PlaneFlow, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.grid.flux_mw_m2, two.grid.flux_mw_m2);
 }
 
+// Dual numbers pass over no cell. Windings far from the others, a box that they leave, and cells of all
+// sizes.
+TEST(PlaneFlow, PassesOverCellsThatStayDarkAlone) {
+  for (const double turns : {0.2, 1.5})
+    for (const double cell_km : {1.1, 1.9}) {
+      Footprint f = arc(turns);
+      f.cell_km = cell_km;
+      f.flow_ripple = 0.6;
+      f.point_flux = {};
+      PlaneFootprint<double> plane = spline_plane(f, kPlain, 2);
+      const NumberAs<FreeDual> still = [](const double& n) { return FreeDual(n); };
+      PlaneFootprint<FreeDual> dual = spline_plane(f, still, 2);
+      for (std::size_t i = 0; i < dual.grid.cells(); ++i)
+        dual.grid.flux_mw_m2[i] = FreeDual(plane.grid.flux_mw_m2[i]);
+      const PlaneFlow flow = wind_up(plane, f, f.flow_turns, 3, 0, true, 2);
+      carry(flow, plane, 2);
+      carry(flow, dual, 2);
+      std::size_t lit = 0;
+      for (std::size_t i = 0; i < plane.grid.cells(); ++i) {
+        lit += plane.grid.flux_mw_m2[i] > 0.0 ? 1 : 0;
+        ASSERT_EQ(plane.grid.flux_mw_m2[i], dual.grid.flux_mw_m2[i].v) << turns << " " << cell_km << " " << i;
+      }
+      EXPECT_GT(lit, plane.grid.cells() / 100);
+      EXPECT_LT(lit, plane.grid.cells() * 9 / 10);
+    }
+}
+
 TEST(PlaneFlow, CarriesDerivativesAlong) {
   const Footprint f = arc(0.3);
   const NumberAs<FreeDual> seeded = [&](const double& n) {
