@@ -27,6 +27,7 @@ constexpr const char* kExpected =
 struct Gate {
   double time_s = sim::kNaN, altitude_km = 0.0, density_cm3 = 0.0, sigma_cm3 = 0.0;
   int line = 0;  ///< of a text file
+  double latitude_deg = sim::kNaN, longitude_deg = sim::kNaN;
 };
 
 std::vector<Gate> gates_of_csv(const std::string& text, const std::string& file) {
@@ -42,6 +43,7 @@ std::vector<Gate> gates_of_csv(const std::string& text, const std::string& file)
   const std::vector<double>&altitudes = table.column("altitude_km"), &densities = table.column(name),
         &errors = table.column(error_name);
   const double unit = is_per_m3 ? kCm3PerM3 : 1.0;
+  const bool has_places = table.has("latitude_deg") && table.has("longitude_deg");
   std::vector<Gate> gates;
   for (std::size_t r = 0; r < table.rows(); ++r) {
     if (!(errors[r] > 0.0))
@@ -50,6 +52,9 @@ std::vector<Gate> gates_of_csv(const std::string& text, const std::string& file)
           .expected("a standard deviation");
     gates.push_back({table.has("time_s") ? table.column("time_s")[r] : sim::kNaN, altitudes[r],
                      unit * densities[r], unit * errors[r], table.lines[r]});
+    if (!has_places) continue;
+    gates.back().latitude_deg = table.column("latitude_deg")[r];
+    gates.back().longitude_deg = table.column("longitude_deg")[r];
   }
   return gates;
 }
@@ -95,7 +100,7 @@ std::vector<bool> rows_of_beam(const MadrigalTable& table, const std::string& fi
   for (const double one : all) words.push_back(fmt::format("{:g}", one));
   if (all.size() > 1 && !beam)
     throw sim::unreadable(file, fmt::format("it has {} beams", all.size()))
-        .expected("one of " + sim::joined(words) + " by --beam");
+        .expected("one of " + sim::joined(words) + " by --beam, or beam of [[fit.radar]]");
   if (beam && all.count(*beam) == 0)
     throw sim::unreadable(file, fmt::format("it has no beam {:g}", *beam))
         .expected("one of " + sim::joined(words));
@@ -115,6 +120,9 @@ std::vector<Gate> gates_of_madrigal(const std::string& file, std::optional<doubl
                             errors = table.column(has_log_error ? "dnel" : "dne"),
                             begins = table.column("ut1_unix"), ends = table.column("ut2_unix");
   const std::vector<bool> is_kept = rows_of_beam(table, file, altitudes.size(), beam);
+  const bool has_places = table.has("gdlat") && table.has("glon");
+  const std::vector<double> latitudes = has_places ? table.column("gdlat") : std::vector<double>(),
+                            longitudes = has_places ? table.column("glon") : std::vector<double>();
   constexpr double kLeastLogOfError = 4.0, kTen = 10.0;
   std::vector<Gate> gates;
   for (std::size_t r = 0; r < altitudes.size(); ++r) {
@@ -128,6 +136,9 @@ std::vector<Gate> gates_of_madrigal(const std::string& file, std::optional<doubl
         !(error > 0.0) || !std::isfinite(error))
       continue;
     gates.push_back({time_s, altitudes[r], kCm3PerM3 * per_m3, kCm3PerM3 * error, 0});
+    if (!has_places) continue;
+    gates.back().latitude_deg = latitudes[r];
+    gates.back().longitude_deg = longitudes[r];
   }
   return gates;
 }
@@ -178,9 +189,8 @@ DensityTable table_of(std::vector<Gate> gates, const std::string& file, double l
         file, fmt::format("it has {} altitudes and {} times", table.altitude_km.size(), times.size()))
         .expected(fmt::format("at most {} altitudes, the same at all times, and {} times", kMostAltitudes,
                               kMostProfiles));
-  for (const double time : times)
-    table.profiles.push_back({time, std::vector<double>(table.altitude_km.size(), sim::kNaN),
-                              std::vector<double>(table.altitude_km.size(), sim::kNaN)});
+  const std::vector<double> unknown(table.altitude_km.size(), sim::kNaN);
+  for (const double time : times) table.profiles.push_back({time, unknown, unknown, unknown, unknown});
   for (const Gate& gate : gates) {
     const auto at = has_times ? std::lower_bound(times.begin(), times.end(), gate.time_s) : times.begin();
     DensityProfile& profile = table.profiles[static_cast<std::size_t>(at - times.begin())];
@@ -191,6 +201,8 @@ DensityTable table_of(std::vector<Gate> gates, const std::string& file, double l
           .expected("one at each altitude" + std::string(has_times ? " and time" : ", or a column time_s"));
     profile.density_cm3[place] = gate.density_cm3;
     profile.sigma_cm3[place] = gate.sigma_cm3;
+    profile.latitude_deg[place] = gate.latitude_deg;
+    profile.longitude_deg[place] = gate.longitude_deg;
   }
   int most = 0;
   for (const DensityProfile& profile : table.profiles) most = std::max(most, profile.measured());

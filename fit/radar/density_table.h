@@ -1,8 +1,9 @@
 // Profiles of electron density as radars measure them, with errors, at one time or at several.
 //
 // Read from CSV (columns altitude_km; density_m3 or density_cm3; the same name with _error; time_s of several
-// profiles) and from Madrigal's HDF5 (the table "Data/Table Layout": gdalt in km; ne or nel, m^-3 or its
-// log10; dne or dnel; ut1_unix and ut2_unix; beamid). A dnel of 4 or more is the log10 of the error in m^-3,
+// profiles; latitude_deg and longitude_deg of each place) and from Madrigal's HDF5 (the table "Data/Table
+// Layout": gdalt in km; ne or nel, m^-3 or its log10; dne or dnel; ut1_unix and ut2_unix; beamid; gdlat and
+// glon). A dnel of 4 or more is the log10 of the error in m^-3,
 // which no radar has below 10^4; less is the error of the log10. Rows of Madrigal without a time or, where
 // there are beams, without a beam are left out.
 #pragma once
@@ -17,6 +18,7 @@ namespace vegard::fit {
 struct DensityProfile {
   double time_s = 0.0;  ///< middle of the integration; NaN if the file has no times
   std::vector<double> density_cm3, sigma_cm3;
+  std::vector<double> latitude_deg = {}, longitude_deg = {};  ///< NaN where the file does not tell
 
   int measured() const;  ///< altitudes
 };
