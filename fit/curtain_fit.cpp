@@ -14,16 +14,17 @@
 #include "fit/compare/profile_cost.h"
 #include "fit/fit_observations.h"
 #include "fit/parameters/free_parameters.h"
+#include "fit/radar/radar_refusal.h"
 #include "fit/search/journal.h"
 #include "sim/base/error.h"
 #include "sim/base/file/number_text.h"
 
 // Refines the curtains of a map in a fit by beams: `vegard fit --from-map`.
 //
-// Each curtain becomes a sheet along a curve (fit/map/curtains/curtain_sheets.h). All sheets are first fitted together
-// by a descent with exact derivatives that starts from the map. Then the fit tries to leave out curves, the
-// weakest first, and to add curtains that are below the map's brightness limit, the strongest first. After
-// each change all other parameters are fitted again, and the change is kept if it lowers the BIC
+// Each curtain becomes a sheet along a curve (fit/map/curtains/curtain_sheets.h). All sheets are first fitted
+// together by a descent with exact derivatives that starts from the map. Then the fit tries to leave out
+// curves, the weakest first, and to add curtains that are below the map's brightness limit, the strongest
+// first. After each change all other parameters are fitted again, and the change is kept if it lowers the BIC
 // (fit/answer/information_criteria.h). After an addition, the fit tries again to leave out the curves that
 // the new one may replace. Two rejected changes in a row end a round. All these models are compared with the
 // same values and the same sigma.
@@ -276,6 +277,7 @@ FitResult fit_curtains(const sim::Scene& scene, const std::vector<Photo>& photos
                        const std::vector<Ridge>& curtains, const std::vector<Ridge>& faint,
                        const FitOptions& options) {
   assert(!curtains.empty() && !photos.empty());
+  refuse_radars(scene, "the fit of a map's curtains");
   for (const Photo& photo : photos)
     if (photo.unknowns > 0)
       throw sim::Error(sim::ErrorKind::scene, "the transfer curve of " + photo.file_name + " is unknown")

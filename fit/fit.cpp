@@ -12,6 +12,7 @@ FitResult fit_photo(const sim::Scene& given, const Photo& photo, const FitOption
   const sim::Scene scene = with_ties(given, free);
   std::vector<Observation> observations;
   observations.push_back(observed(scene, photo, options.threads));
+  add_radars(scene, observations);
   return fit_observations(scene, free, observations, options);
 }
 

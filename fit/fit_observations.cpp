@@ -82,6 +82,12 @@ double half_slope_of_limits(const FreeNumber& free, double coordinate) {
   return std::isfinite(free.min) && std::isfinite(free.max) ? std::tanh(0.5 * coordinate) : 0.0;
 }
 
+std::vector<FittedRadar> fitted_radars(const RadarTerm& term, const std::vector<double>& values) {
+  sim::Scene there = term.scene;
+  term.map.put(values, there);
+  return term.radars->fitted(there);
+}
+
 ComparedValues compared_values(const std::vector<Observation>& observations, int unknowns) {
   ComparedValues compared;
   compared.unknowns = unknowns;
@@ -308,7 +314,7 @@ class FitRun {
   void settle_priors(const SearchOutcome& outcome) {
     r_.chi2_initial = outcome.chi2_initial;
     Descent best = outcome.best;
-    if (PriorRows(free_).count() > 0 || !spline_lines(scene_, free_).empty()) {
+    if (PriorRows(free_).count() > 0 || !spline_lines(scene_, free_).empty() || radar() != nullptr) {
       settled_ = settle(scene_, free_, full_, best, log_, r_.trace, options_.journal);
       best = settled_.descent;
     }
@@ -334,12 +340,17 @@ class FitRun {
     evidence_.chi2_without_aurora = chi2_without_aurora(observations_, point_);
     r_.chi2 = chi2_of_priors(free_, values_);
     for (const Comparison::Point& p : point_.by_photo) r_.chi2 += p.chi2;
+    if (radar() != nullptr) r_.radars = fitted_radars(*radar(), values_);
+    int of_radars = 0;
+    for (const FittedRadar& fitted : r_.radars) r_.chi2 += fitted.chi2, of_radars += fitted.values;
     const int held = held_gains(observations_, point_);
-    r_.dof = residuals_ + static_cast<int>(PriorRows(free_).count()) - unknowns_ + held;
+    r_.dof = residuals_ + static_cast<int>(PriorRows(free_).count()) + of_radars - unknowns_ + held;
     const Inflation inflation = joint_inflation(*cost_, point_, unknowns_);
     r_.error_inflation = inflation.factor();
     r_.correlated_residuals = inflation.correlated;
     r_.statistics = compared_statistics(observations_, point_);
+    for (const FittedRadar& fitted : r_.radars)
+      r_.statistics.push_back({"radar " + fitted.name, 1.0, fitted.values, fitted.chi2});
     r_.compared = compared_values(observations_, unknowns_ - held);
     r_.gradient_cosine = gradient_cosine(*cost_, values_);
   }
@@ -436,6 +447,8 @@ class FitRun {
     assess_quantities(r_);
   }
 
+  const RadarTerm* radar() const { return full_.front().radar.get(); }
+
   const sim::Scene& scene_;
   const std::vector<FreeNumber>& free_;
   const std::vector<Observation>& observations_;
@@ -477,6 +490,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
   if (scene.fit.photos.empty()) {
     assert(photos.size() == 1);
     observations.push_back(observed(scene, *photos.front(), threads));
+    add_radars(scene, observations);
     return observations;
   }
   assert(photos.size() == scene.fit.photos.size());
@@ -494,6 +508,7 @@ std::vector<Observation> observations_of(const sim::Scene& scene, const std::vec
     observations.push_back(
         observed(with_ties(framed.scene, free, framed.frame), *photos[i], threads, framed.frame));
   }
+  add_radars(scene, observations);
   return observations;
 }
 

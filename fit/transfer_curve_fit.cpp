@@ -12,6 +12,7 @@
 #include "fit/measure/unknown_transfer_curve.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/prior_rows.h"
+#include "fit/radar/radar_refusal.h"
 #include "fit/search/journal.h"
 #include "fit/search/profile_rounds.h"
 #include "fit/search/search.h"
@@ -60,6 +61,7 @@ void check_curve_fit(const sim::Scene& scene, const std::vector<FreeNumber>& fre
   if (!spline_lines(scene, free).empty())
     throw needs_known_curve(scene, "fit.free", "a free-form height profile cannot be told apart")
         .expected("no spline_rate");
+  refuse_radars(scene, "a fit with an unknown transfer curve");
   if (options.intervals || options.bootstrap > 0 || options.mcmc > 0)
     throw sim::Error(sim::ErrorKind::usage, "error bars cannot be validated with an unknown transfer curve")
         .key("--intervals, --bootstrap, --mcmc")

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "fit/answer/input_files.h"
 #include "fit/map/curtains/stored_map.h"
 #include "fit/needed_memory.h"
 #include "fit/report/run_directory.h"
@@ -77,6 +78,7 @@ Fit fit_scene(const SceneHandle& self, const py::object& photo, const FitWords& 
       return fit::fit_scene(*scene, *photos, map ? &*map : nullptr, options_of(words, long_work));
     });
     found.inputs = inputs;
+    fit::add_radar_files(found);
     found.command = "vegard.Scene.fit() in Python";
     return found;
   });

@@ -172,6 +172,9 @@ fit::JournalSubject subject_of(const FitRequest& options, const sim::Scene& scen
        fit::ceres_version() + ", " + sim::eigen_version() + ", " + fit::opencv_version()},
       {"the scene", sim::sha256(sim::write_scene(scene))}};
   for (const auto& [path, sum] : sim::table_sums(scene)) subject.push_back({"the table of " + path, sum});
+  for (const sim::RadarEntry& radar : scene.fit.radars)
+    subject.push_back(
+        {"the file of radar " + radar.name, sim::sha256_of_file(sim::table_place(scene, radar.file))});
   for (const sim::NamedFile& named : sim::named_files(scene))
     for (const std::string& name : sim::files_of_name(named.name))
       subject.push_back({"the file of " + named.path, sim::sha256_of_file(sim::table_place(scene, name))});
@@ -358,6 +361,7 @@ int run_fit(const FitRequest& options, const std::string& command) {
   fit::FitResult result = fitted(options, scene, photos, map, journal);
   if (!journal.problem().empty()) tell("vegard: this fit cannot be resumed: %s\n", journal.problem().c_str());
   result.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
+  fit::add_radar_files(result);
   result.command = command;
   result.from_photograph = from_photograph;
   fit::RunContext context;

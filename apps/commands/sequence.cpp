@@ -20,6 +20,7 @@
 #include "apps/options/standard_streams.h"
 #include "apps/output/terminal.h"
 #include "fit/answer/input_files.h"
+#include "fit/radar/radar_refusal.h"
 #include "fit/report/netcdf/run_dataset.h"
 #include "fit/report/run_directory.h"
 #include "fit/report/table/sequence_files.h"
@@ -242,6 +243,7 @@ bool wants_report(const SequenceRequest& options, fit::Verdict verdict) {
 
 /// Refuses a scene of several photographs at once.
 void check_sequence(const sim::Scene& scene) {
+  fit::refuse_radars(scene, "a sequence");
   if (!scene.fit.photos.empty())
     throw with_place(sim::Error(sim::ErrorKind::scene, "a sequence fits one photograph after another")
                          .file(scene.file)

@@ -72,6 +72,8 @@ std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::
     const std::string curve = photo.decoding.empty() ? "" : sim::decoding_word(photo.decoding).file;
     if (!curve.empty()) inputs.push_back({sim::table_place(scene, curve), "a transfer curve"});
   }
+  for (const sim::RadarEntry& radar : scene.fit.radars)
+    inputs.push_back({sim::table_place(scene, radar.file), "a radar's file"});
   return inputs;
 }
 

@@ -35,7 +35,7 @@ struct NamedInput {
 };
 
 /// The scene's file, the camera's, and all files that the scene names: pictures, grids, depths, tables, and
-/// the photographs and masks of [[fit.photo]].
+/// the photographs and masks of [[fit.photo]], the files of [[fit.radar]].
 std::vector<NamedInput> inputs_of_scene(const SceneOptions& options, const sim::Scene& scene);
 
 /// Throws Error(usage) if the output given by the option `key` is one of the inputs.

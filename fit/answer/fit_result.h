@@ -12,6 +12,7 @@
 #include "fit/answer/trust.h"
 #include "fit/measure/profile.h"
 #include "fit/photo/photo_facts.h"
+#include "fit/radar/fitted_radar.h"
 #include "fit/search/descent.h"
 #include "fit/uncertainty/mode_information.h"
 #include "fit/uncertainty/validated_errors.h"
@@ -220,6 +221,7 @@ struct FitResult {
   ModeInformation physics;               ///< what the data say of the modes, for several pictures together
   std::optional<FittedTransferCurve> transfer_curve;  ///< of a photograph whose transfer curve was unknown
   std::vector<sim::FootBand> foot_bands;              ///< one per sheet
+  std::vector<FittedRadar> radars;                    ///< in the order of fit.radars
   std::vector<FreeProfile> profiles;             ///< of every sheet and line whose coefficients were free
   std::vector<std::vector<double>> correlation;  ///< of `parameters`; rows without an error bar hold zeros
   std::vector<std::string> trade_offs;           ///< a sentence for each strong correlation
@@ -237,7 +239,8 @@ struct FitResult {
 
   double chi2 = 0.0;
   double chi2_initial = 0.0;
-  std::vector<ComparedStatistic> statistics;  ///< the contributions to chi2, without priors
+  std::vector<ComparedStatistic>
+      statistics;  ///< the contributions to chi2, radars' among them, without priors
   int dof = 0;
   ComparedValues compared;
   /// Largest |cosine| between the residuals and a column of the Jacobian at the end

@@ -38,4 +38,8 @@ std::vector<InputFile> inputs_of(const std::string& scene_file, const std::strin
   return inputs;
 }
 
+void add_radar_files(FitResult& result) {
+  for (const FittedRadar& radar : result.radars) result.inputs.push_back({"radar", radar.file, radar.sha256});
+}
+
 }  // namespace vegard::fit

@@ -15,4 +15,7 @@ std::vector<InputFile> inputs_of(const std::string& scene_file, const std::strin
 std::vector<InputFile> inputs_of(const std::string& scene_file, const std::string& scene_sha256,
                                  const Photo& photo);
 
+/// Adds the radars' files, with the role "radar", to the inputs of a result.
+void add_radar_files(FitResult& result);
+
 }  // namespace vegard::fit

@@ -300,6 +300,13 @@ void assess_fit(const Evidence& evidence, FitResult& result) {
   check_parameters(result, checks);
   if (!evidence.transfer_curve_words.empty())
     checks.add("transfer curve", evidence.transfer_curve_words, evidence.against_transfer_curve);
+  for (const FittedRadar& radar : result.radars)
+    checks.add("radar " + radar.name,
+               fmt::format("its densities are explained: chi2 {} of {}", sim::short_number(radar.chi2, 3),
+                           radar.values),
+               !contradicts(radar),
+               fmt::format("the densities of radar {} are not explained: chi2 {} of {}", radar.name,
+                           sim::short_number(radar.chi2, 3), radar.values));
   const std::string light = light_noun(result.best);
   if (std::isfinite(evidence.chi2_without_aurora))
     checks.add(light + " or none",

@@ -150,9 +150,15 @@ Observation with_other_decoding(const Observation& before, const Photo& photo, i
   o.frame = before.frame;
   o.region = before.region;
   o.sampling_error = before.sampling_error;
+  o.radars = before.radars;
   const Profile rows = measured_profile(o.scene, photo, before.full->data().grid);
   compare_at_full_resolution(smoothed_by_px(rows, kProfileSmoothing_px), threads, o);
   return o;
+}
+
+void add_radars(const sim::Scene& scene, std::vector<Observation>& observations) {
+  if (scene.fit.radars.empty()) return;
+  observations.front().radars = std::make_shared<const SceneRadars>(SceneRadars{Radars(scene), scene});
 }
 
 std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
@@ -161,6 +167,9 @@ std::vector<CostTerm> cost_terms(const std::vector<Observation>& observations,
   for (const Observation& o : observations)
     terms.push_back({o.scene, ParameterMap(o.scene, free, o.frame),
                      detail == Detail::full ? o.full.get() : o.coarse.get()});
+  if (const auto& radars = observations.front().radars)
+    terms.front().radar = std::make_shared<const RadarTerm>(
+        RadarTerm{&radars->radars, radars->scene, ParameterMap(radars->scene, free)});
   return terms;
 }
 

@@ -6,6 +6,7 @@
 
 #include "fit/compare/comparison.h"
 #include "fit/compare/profile_cost.h"
+#include "fit/compare/radars.h"
 #include "fit/photo/photo.h"
 #include "sim/scene/structs/scene.h"
 
@@ -21,6 +22,12 @@ inline constexpr double kProfileSmoothing_px = 2.0;
 /// shifts an answer by little compared with the error bars.
 inline constexpr double kLastFineness = 1.25;
 
+/// What is compared beside the photographs, with the shared scene in its site's frame, at the start.
+struct SceneRadars {
+  Radars radars;
+  sim::Scene scene;
+};
+
 struct Observation {
   const Photo* photo = nullptr;
   sim::Scene scene;  ///< in this photograph's frame and pixels, at the start
@@ -28,8 +35,12 @@ struct Observation {
   Region region;
   double sum_of_weights = 0.0;  ///< of the profile's 1 / sigma^2, sampling noise of the model excluded
   double sampling_error = 0.0;  ///< sampling noise of the model, as a fraction of the brightness
-  std::unique_ptr<Comparison> coarse, full;  ///< for the search, and for the final evaluation
+  std::unique_ptr<Comparison> coarse, full;   ///< for the search, and for the final evaluation
+  std::shared_ptr<const SceneRadars> radars;  ///< of the whole fit; only the first observation may have them
 };
+
+/// Gives the first observation the scene's radars, if it has any. Throws what Radars throws.
+void add_radars(const sim::Scene& scene, std::vector<Observation>& observations);
 
 /// The scene in the pixels of a photograph that may have been averaged (fit/photo/averaging.h). Throws
 /// sim::Error(scene) if the file's size is not the camera's.

@@ -36,7 +36,8 @@ ProfileCost::ProfileCost(const std::vector<FreeNumber>& free, const std::vector<
       priors_(moved_, options.prior_weight) {
   append_rows(options.prior, terms_.front().scene, options.prior_weight, priors_);
   for (const CostTerm& term : terms_) data_residuals_ += term.comparison->residuals();
-  set_num_residuals(data_residuals_ + static_cast<int>(priors_.count()));
+  const int of_radars = terms_.front().radar == nullptr ? 0 : terms_.front().radar->radars->rows();
+  set_num_residuals(data_residuals_ + static_cast<int>(priors_.count()) + of_radars);
   mutable_parameter_block_sizes()->push_back(static_cast<int>(moved_.size()));
 }
 
@@ -80,9 +81,7 @@ ProfileCost::Point ProfileCost::at(const std::vector<double>& values, bool with_
   }
   if (loss_.any())
     for (const double residual : data_residual(point)) point.chi2 += residual * residual;
-  std::vector<double> prior_residuals;
-  priors_.evaluate(values, prior_residuals, nullptr);
-  for (const double residual : prior_residuals) point.chi2 += residual * residual;
+  for (const double residual : prior_residual(values)) point.chi2 += residual * residual;
   ++log_.residuals;
   log_.jacobians += with_derivatives;
   return point;
@@ -117,9 +116,34 @@ std::vector<double> ProfileCost::data_residual(const Point& point) const {
   return all;
 }
 
+void ProfileCost::evaluate_priors(const std::vector<double>& values, std::vector<double>& residuals,
+                                  std::vector<double>* jacobian) const {
+  priors_.evaluate(values, residuals, jacobian);
+  if (terms_.front().radar == nullptr) return;
+  const RadarTerm& term = *terms_.front().radar;
+  const std::vector<double> all = all_values(values);
+  sim::Scene scene = term.scene;
+  term.map.put(all, scene);
+  std::vector<double> of_radars, slopes;
+  if (jacobian == nullptr) {
+    term.radars->evaluate(scene, nullptr, of_radars, nullptr);
+  } else {
+    const ParameterMap::Motion motion = term.map.motion(all, which_, scene);
+    term.radars->evaluate(scene, &motion, of_radars, &slopes);
+    for (const double slope : slopes) jacobian->push_back(prior_weight_ * slope);
+  }
+  for (const double residual : of_radars) residuals.push_back(prior_weight_ * residual);
+}
+
+std::vector<double> ProfileCost::prior_residual(const std::vector<double>& values) const {
+  std::vector<double> residuals;
+  evaluate_priors(values, residuals, nullptr);
+  return residuals;
+}
+
 std::vector<double> ProfileCost::prior_jacobian(const std::vector<double>& values) const {
   std::vector<double> ignored, by_value;
-  priors_.evaluate(values, ignored, &by_value);
+  evaluate_priors(values, ignored, &by_value);
   return by_value;
 }
 
@@ -145,7 +169,7 @@ bool ProfileCost::Evaluate(double const* const* parameters, double* residuals, d
   if (!std::isfinite(point.chi2)) return false;
 
   std::vector<double> all = data_residual(point), prior_residuals, by_value, priors_by_value;
-  priors_.evaluate(here, prior_residuals, with_derivatives ? &priors_by_value : nullptr);
+  evaluate_priors(here, prior_residuals, with_derivatives ? &priors_by_value : nullptr);
   all.insert(all.end(), prior_residuals.begin(), prior_residuals.end());
   std::copy(all.begin(), all.end(), residuals);
   if (!with_derivatives) return true;

@@ -7,9 +7,11 @@
 #include <atomic>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "fit/compare/comparison.h"
+#include "fit/compare/radars.h"
 #include "fit/parameters/free_parameters.h"
 #include "fit/parameters/parameter_map.h"
 #include "fit/parameters/phase_anchor.h"
@@ -52,12 +54,15 @@ struct EvaluationLog {
 struct CostTerm {
   sim::Scene scene;  ///< gives the values of all that is not free
   ParameterMap map;
-  Comparison* comparison = nullptr;  ///< must outlive the cost
+  Comparison* comparison = nullptr;             ///< must outlive the cost
+  std::shared_ptr<const RadarTerm> radar = {};  ///< of the whole fit; only the first term may have one
 };
 
 /// The cost as a function of some of a fit's free numbers; the others are held. Residuals: those of each
-/// photograph in turn, then the rows of the priors. The Jacobian is exact: tangents through the renderer,
-/// variable projection for the linear part, and the derivatives of the parameter map and of the transforms.
+/// photograph in turn, then the rows of the priors, to which those of radars belong: their errors are their
+/// own, whatever those of the photographs are multiplied by. The Jacobian is exact: tangents through the
+/// renderer, variable projection for the linear part, and the derivatives of the parameter map and of the
+/// transforms.
 class ProfileCost : public ceres::CostFunction {
  public:
   struct Options {
@@ -108,11 +113,14 @@ class ProfileCost : public ceres::CostFunction {
   void by_coordinates(const std::vector<double>& values, std::vector<double>& jacobian) const;
   /// Residuals of each photograph in turn, with the robust loss fit.loss applied.
   std::vector<double> data_residual(const Point& point) const;
-  /// d residual / d value of the priors, row-major [row][moved].
+  /// Rows of the priors and the radars, and d residual / d value, row-major [row][moved].
+  std::vector<double> prior_residual(const std::vector<double>& values) const;
   std::vector<double> prior_jacobian(const std::vector<double>& values) const;
 
  private:
   std::vector<double> all_values(const std::vector<double>& values) const;
+  void evaluate_priors(const std::vector<double>& values, std::vector<double>& residuals,
+                       std::vector<double>* jacobian) const;
 
   const std::vector<CostTerm> terms_;
   const RobustLoss loss_;

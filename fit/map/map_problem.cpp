@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/radar/radar_refusal.h"
 #include "sim/base/error.h"
 #include "sim/scene/table/photo_scene.h"
 #include "sim/scene/table/value_check.h"
@@ -29,6 +30,7 @@ std::vector<double> energy_nodes(const sim::ElectronSpectrum& spectrum) {
 }
 
 std::vector<sim::Scene> scenes_of(const sim::Scene& scene, const std::vector<Photo>& photos) {
+  refuse_radars(scene, "a map");
   std::vector<sim::Scene> scenes;
   if (scene.fit.photos.empty())
     scenes.push_back(scene);

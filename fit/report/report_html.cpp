@@ -152,6 +152,15 @@ std::string profiles_section(const ShownPhoto& shown, const ReportPictures& pict
       html);
 }
 
+std::string radars_section(const FitResult& result) {
+  std::string html = "<div class=\"plots\">\n" + radars_svg(result) + "</div>\n" + radars_table(result);
+  return section(
+      "Radar",
+      "Densities that were fitted beside the light, at the field line of the radar\u2019s beam. Bars "
+      "are \u00b1\u03c3.",
+      html);
+}
+
 std::string trade_off_list(const FitResult& result) {
   std::string items;
   for (const std::string& sentence : result.trade_offs)
@@ -287,6 +296,7 @@ std::string report_html(const FitResult& result, const std::vector<ShownPhoto>& 
                     "557.7\u00a0nm is held at "
                     "the start\u2019s. Beside this page: <code>profile.csv</code>.",
                     "<div class=\"plots\">\n" + free_profiles_svg(result) + "</div>\n");
+  if (!result.radars.empty()) html += radars_section(result);
   for (std::size_t i = 0; i < photos.size(); ++i) html += profiles_section(photos[i], pictures[i]);
   html += fit_section(result);
   for (const ShownPhoto& shown : photos) html += solved_section(shown);

@@ -283,6 +283,41 @@ std::string free_profiles_svg(const FitResult& result) {
   return plot_svg(plot);
 }
 
+std::string radars_svg(const FitResult& result) {
+  if (result.radars.empty()) return {};
+  constexpr double kShown = 1e-5;  // 10^11 m^-3 of cm^-3
+  Plot plot;
+  plot.title = "Density of electrons";
+  plot.note = "Dashed: of the electrons alone. Solid: with the scale, and physics moved within its errors.";
+  for (const FittedRadar& radar : result.radars) {
+    Panel panel;
+    panel.title = radar.name;
+    Series measured = curve("measured", {}, radar.altitude_km, distinct_colour(1)),
+           model = curve("fitted", {}, radar.altitude_km, distinct_colour(0)), alone = model;
+    measured.mark = Mark::points;
+    measured.width_px = 4.0;
+    measured.band_along_x = measured.error_bars = true;
+    alone.label = "of the electrons alone";
+    alone.mark = Mark::dashed_line;
+    alone.width_px = 1.0;
+    for (std::size_t i = 0; i < radar.altitude_km.size(); ++i) {
+      measured.x.push_back(kShown * radar.density_cm3[i]);
+      measured.low.push_back(kShown * (radar.density_cm3[i] - radar.sigma_cm3[i]));
+      measured.high.push_back(kShown * (radar.density_cm3[i] + radar.sigma_cm3[i]));
+      model.x.push_back(kShown * radar.model_cm3[i]);
+      alone.x.push_back(kShown * radar.electrons_cm3[i]);
+    }
+    panel.series = {alone, model, measured};
+    panel.x.label = "10\u00b9\u00b9 m\u207b\u00b3";
+    panel.y.label = "altitude (km)";
+    plot.panels.push_back(std::move(panel));
+  }
+  plot.columns = 3;
+  plot.panel_width_px = 296;
+  plot.panel_height_px = kTallPanel;
+  return plot_svg(plot);
+}
+
 std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel) {
   const Profile& data = fitted.data;
   const int panels = std::min(data.bands, kReportMaxBands);

@@ -24,6 +24,10 @@ std::string colour_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevat
 /// starting where it is a thousandth of its peak; empty if there is none.
 std::string free_profiles_svg(const FitResult& result);
 
+/// Density against altitude, measured and of the scene's electrons, a panel for each radar; empty if there is
+/// none.
+std::string radars_svg(const FitResult& result);
+
 /// Brightness against height in single bands, at most six, spread over the region.
 std::string band_profiles_svg(const FittedPhoto& fitted, const ElevationOfPixel& elevation_of_pixel);
 

@@ -210,6 +210,26 @@ std::string solved_table(const FittedPhoto& fitted) {
   return html + "</div>\n";
 }
 
+std::string radars_table(const FitResult& result) {
+  const auto head = [](const char* name) { return "<th class=\"number\">" + std::string(name) + "</th>"; };
+  std::string html = "<table>\n<thead><tr><th>Radar</th>" + head("\u03c7\u00b2") + head("Densities") +
+                     head("Scale") + head("Foot, latitude") + head("longitude") + head("Q there") +
+                     head("E0 there") + "</tr></thead>\n<tbody>\n";
+  for (const FittedRadar& radar : result.radars) {
+    html += "<tr><th scope=\"row\">" + sim::html_text(radar.name) + "</th>";
+    for (const std::string& cell :
+         {sim::short_number(radar.chi2, 3), std::to_string(radar.values),
+          radar.scale_sigma ? sim::number_with_error(radar.scale, radar.scale_sigma) : std::string("1, held"),
+          sim::short_number(radar.foot_latitude_deg, 4) + " \u00b0",
+          sim::short_number(radar.foot_longitude_deg, 4) + " \u00b0",
+          sim::short_number(radar.energy_flux_mw_m2, 3) + " mW m\u207b\u00b2",
+          sim::short_number(radar.energy_kev, 3) + " keV"})
+      html += "<td class=\"number\">" + sim::html_text(cell) + "</td>";
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
 std::string photos_table(const FitResult& result) {
   std::string html =
       "<table>\n<thead><tr><th>Photograph</th><th class=\"number\">\u03c7\u00b2</th>"

@@ -32,6 +32,9 @@ std::string tied_table(const FitResult& result);
 /// Gains and sky of a photograph.
 std::string solved_table(const FittedPhoto& fitted);
 
+/// What each radar measured and what falls at its field line.
+std::string radars_table(const FitResult& result);
+
 /// chi2 and rms of each photograph, and how it was decoded.
 std::string photos_table(const FitResult& result);
 

@@ -70,6 +70,7 @@ void rename_files(const std::string& directory, sim::Scene& best) {
     entry.file = renamed(entry.file);
     entry.mask = renamed(entry.mask);
   }
+  for (sim::RadarEntry& entry : best.fit.radars) entry.file = renamed(entry.file);
 }
 
 sim::ImageAttributes attributes_of(const FitResult& result, const FittedPhoto& fitted,

@@ -11,6 +11,7 @@
 #include "fit/parameters/free_parameters.h"
 #include "fit/photo/averaging.h"
 #include "fit/photo/photo.h"
+#include "fit/radar/radar_refusal.h"
 #include "fit/report/border/border_run.h"
 #include "fit/sequence.h"
 #include "fit/survey/survey_physics.h"
@@ -303,6 +304,7 @@ void check_eye(const SurveyEye& eye, const std::vector<SurveyWork>& work) {
         .hint("vegard fit --decoding unknown finds the curve of one frame");
   for (const SurveyWork one : work) {
     if (one != SurveyWork::fit && one != SurveyWork::map) continue;
+    refuse_radars(scene, "a survey");
     if (!scene.fit.photos.empty())
       throw fault("fit.photo", "a survey takes one photograph after another")
           .expected("a scene without [[fit.photo]]")

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "fit/parameters/prior_rows.h"
 #include "fit/uncertainty/sampled_uncertainty.h"
 
 namespace vegard::fit {
@@ -66,15 +65,15 @@ BandRows photo_rows(const std::vector<Observation>& observations, const ProfileC
 BandRows band_rows(const ConvergedFit& fit, int threads) {
   const std::size_t n = fit.free.size();
   EvaluationLog uncounted;
-  const ProfileCost cost(fit.free, cost_terms(fit.observations, fit.free, Detail::full), uncounted);
+  const ProfileCost cost(fit.free, cost_terms(fit.observations, fit.free, Detail::full), uncounted,
+                         {{}, {}, fit.prior, 1.0, {}});
   const ProfileCost::Point point = cost.at(fit.values, true);
-  BandRows rows = photo_rows(fit.observations, cost, point,
-                             sampled_jacobians(fit.observations, fit.free, fit.values, {}, threads), fit.inflation);
+  BandRows rows =
+      photo_rows(fit.observations, cost, point,
+                 sampled_jacobians(fit.observations, fit.free, fit.values, {}, threads), fit.inflation);
 
-  PriorRows priors(fit.free);
-  append_rows(fit.prior, fit.observations.front().scene, 1.0, priors);
-  std::vector<double> residual, by_value;
-  priors.evaluate(fit.values, residual, &by_value);
+  const std::vector<double> residual = cost.prior_residual(fit.values);
+  std::vector<double> by_value = cost.prior_jacobian(fit.values);
   cost.by_coordinates(fit.values, by_value);
   rows.residual.insert(rows.residual.end(), residual.begin(), residual.end());
   rows.jacobian.insert(rows.jacobian.end(), by_value.begin(), by_value.end());

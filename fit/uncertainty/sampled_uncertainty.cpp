@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "fit/parameters/free_parameters.h"
-#include "fit/parameters/prior_rows.h"
 #include "sim/base/number/constants.h"
 #include "sim/scene/table/free_entry_keys.h"
 
@@ -56,16 +55,13 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
                                 const SplinePrior& prior, const std::vector<PhaseAnchor>& anchors,
                                 double inflation, const std::vector<std::vector<double>>& jacobians) {
   const std::size_t n = free.size();
-  const ProfileCost::Options anchored = {{}, {}, {}, 1.0, anchors};
+  const ProfileCost::Options anchored = {{}, {}, prior, 1.0, anchors};
   EvaluationLog closing;
   const ProfileCost here(free, cost_terms(observations, free, Detail::full), closing, anchored);
   PriorKnowledge known = no_prior_knowledge(n);
-  PriorRows rows(free);
-  append_rows(prior, observations.front().scene, 1.0, rows);
-  std::vector<double> ignored, by_value;
-  rows.evaluate(values, ignored, &by_value);
+  std::vector<double> by_value = here.prior_jacobian(values);
   here.by_coordinates(values, by_value);
-  for (std::size_t r = 0; r < rows.count(); ++r)
+  for (std::size_t r = 0; r < by_value.size() / n; ++r)
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t k = 0; k < n; ++k)
         known.information[j * n + k] += by_value[r * n + j] * by_value[r * n + k];
@@ -80,7 +76,8 @@ Uncertainty sampled_uncertainty(const std::vector<Observation>& observations,
 
 namespace {
 
-/// d (coordinate of the phase at the sheet's start) / d (coordinate of the wavelength) at a fixed phase in view.
+/// d (coordinate of the phase at the sheet's start) / d (coordinate of the wavelength) at a fixed phase in
+/// view.
 double phase_by_wavelength(const PhaseAnchor& a, const std::vector<FreeNumber>& moved,
                            const std::vector<double>& values) {
   const auto slope_of = [&](int j) { return moved[j].slope(moved[j].coordinate(values[j])); };

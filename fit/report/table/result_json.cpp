@@ -159,6 +159,33 @@ Json chain(const FitResult& result) {
   return json;
 }
 
+Json numbers(const std::vector<double>& list) {
+  Json json = Json::array();
+  for (const double value : list) json.push_back(number(value));
+  return json;
+}
+
+Json radars(const FitResult& result) {
+  Json json = Json::array();
+  for (const FittedRadar& radar : result.radars)
+    json.push_back({{"name", radar.name},
+                    {"chi2", number(radar.chi2)},
+                    {"values", radar.values},
+                    {"scale", number(radar.scale)},
+                    {"scale_sigma", number(radar.scale_sigma)},
+                    {"time_s", number(radar.time_s)},
+                    {"foot_latitude_deg", number(radar.foot_latitude_deg)},
+                    {"foot_longitude_deg", number(radar.foot_longitude_deg)},
+                    {"energy_flux_mw_m2", number(radar.energy_flux_mw_m2)},
+                    {"energy_kev", number(radar.energy_kev)},
+                    {"altitude_km", numbers(radar.altitude_km)},
+                    {"density_cm3", numbers(radar.density_cm3)},
+                    {"density_cm3_error", numbers(radar.sigma_cm3)},
+                    {"electrons_cm3", numbers(radar.electrons_cm3)},
+                    {"model_cm3", numbers(radar.model_cm3)}});
+  return json;
+}
+
 /// By wavelength.
 Json transfer_curve_json(const FittedTransferCurve& c) {
   Json json;
@@ -256,6 +283,7 @@ std::string result_json(const FitResult& result) {
   }
   if (!result.tables.empty()) json["tables"] = corrections_json(result.tables);
   if (!result.physics.modes.empty()) json["physics"] = mode_information_json(result.physics);
+  if (!result.radars.empty()) json["radars"] = radars(result);
   if (result.transfer_curve) json["curve"] = transfer_curve_json(*result.transfer_curve);
   json["correlation"] = matrix_rows(result.correlation);
   if (!result.trade_offs.empty()) json["trade_offs"] = result.trade_offs;

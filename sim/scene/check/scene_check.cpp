@@ -427,6 +427,7 @@ void validate(const Scene& scene) {
   check_free_parameters(scene);
   check_tied_parameters(scene);
   check_photos(scene);
+  check_radars(scene);
   check_keyframes(scene);
 }
 

@@ -262,23 +262,50 @@ PhotoEntry read_photo_entry(const toml::table& table, const Origin& origin) {
   return entry;
 }
 
-}  // namespace
+RadarEntry read_radar_entry(const toml::table& table, const Origin& origin) {
+  std::vector<std::string> known;
+  for (const RadarTextKey& key : radar_text_keys()) known.push_back(key.key);
+  for (const RadarNumberKey& key : radar_number_keys()) known.push_back(key.key);
+  refuse_unknown_keys(table, known, origin);
+  RadarEntry entry;
+  entry.line = origin.line;
+  const auto inside_table = [&](const toml::node& node, const std::string& key) {
+    return Origin{origin.file, line_of(node), origin.key + "." + key};
+  };
+  for (const RadarTextKey& key : radar_text_keys())
+    if (const toml::node* node = table.get(key.key))
+      entry.*key.place = text_of(*node, inside_table(*node, key.key), "a text in quotes");
+  for (const RadarNumberKey& key : radar_number_keys())
+    if (const toml::node* node = table.get(key.key))
+      entry.*key.place = number_of(*node, inside_table(*node, key.key), "a number");
+  if (entry.name.empty()) entry.name = std::filesystem::path(entry.file).stem().string();
+  return entry;
+}
 
-std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin& origin) {
-  const std::string title = std::string("[[") + free_table + "." + photo_key + "]]";
+/// What `read` makes of every table of [[fit.KEY]].
+template <typename Entry>
+std::vector<Entry> read_tables(const toml::node& node, const Origin& origin, const char* key,
+                               Entry (*read)(const toml::table&, const Origin&)) {
+  const std::string title = std::string("[[") + free_table + "." + key + "]]";
   const std::string expected = "an array of tables " + title;
   const toml::array* array = node.as_array();
   if (array == nullptr)
     throw scene_error({"found " + found_text(node), expected, node.is_table() ? "write " + title : ""},
                       origin);
-  std::vector<PhotoEntry> photos;
+  std::vector<Entry> entries;
   for (const toml::node& element : *array) {
     const Origin where{origin.file, line_of(element), origin.key};
     const toml::table* table = element.as_table();
     if (table == nullptr) throw scene_error({"found " + found_text(element), expected, ""}, where);
-    photos.push_back(read_photo_entry(*table, where));
+    entries.push_back(read(*table, where));
   }
-  return photos;
+  return entries;
+}
+
+}  // namespace
+
+std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin& origin) {
+  return read_tables(node, origin, photo_key, read_photo_entry);
 }
 
 std::string photo_entries_text(const std::vector<PhotoEntry>& photos) {
@@ -291,6 +318,24 @@ std::string photo_entries_text(const std::vector<PhotoEntry>& photos) {
     if (entry.set.empty()) continue;
     text += "[" + path + "." + photo_set_key + "]\n";
     for (const auto& [key, value] : entry.set) text += quoted_text(key) + " = " + value + "\n";
+  }
+  return text;
+}
+
+std::vector<RadarEntry> read_radar_entries(const toml::node& node, const Origin& origin) {
+  return read_tables(node, origin, radar_key, read_radar_entry);
+}
+
+std::string radar_entries_text(const std::vector<RadarEntry>& radars) {
+  std::string text;
+  for (const RadarEntry& entry : radars) {
+    text += std::string("\n[[") + free_table + "." + radar_key + "]]\n";
+    for (const RadarTextKey& key : radar_text_keys())
+      if (!(entry.*key.place).empty()) text += key.key + " = " + quoted_text(entry.*key.place) + "\n";
+    for (const RadarNumberKey& key : radar_number_keys())
+      if (entry.*key.place)
+        text += key.key + " = " + real_text(*(entry.*key.place)) +
+                (key.unit.empty() ? "" : "  # " + key.unit) + "\n";
   }
   return text;
 }

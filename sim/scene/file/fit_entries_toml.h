@@ -1,6 +1,6 @@
 // The entries of a fit in a scene file, read and written: fit.free, an array of paths and of tables { path,
-// start, min, max, prior = { mean, sigma } }; fit.tied, an array of tables { path, equals }; and
-// [[fit.photo]], photographs that are fitted together, each with its own settings.
+// start, min, max, prior = { mean, sigma } }; fit.tied, an array of tables { path, equals }; [[fit.photo]],
+// photographs that are fitted together, each with its own settings; and [[fit.radar]], densities beside them.
 //
 // For the files of this folder only.
 #pragma once
@@ -31,5 +31,9 @@ std::vector<PhotoEntry> read_photo_entries(const toml::node& node, const Origin&
 
 /// Returns the tables as TOML text, each after an empty line.
 std::string photo_entries_text(const std::vector<PhotoEntry>& photos);
+
+/// The same for [[fit.radar]]; check_radars() checks the contents.
+std::vector<RadarEntry> read_radar_entries(const toml::node& node, const Origin& origin);
+std::string radar_entries_text(const std::vector<RadarEntry>& radars);
 
 }  // namespace vegard::sim

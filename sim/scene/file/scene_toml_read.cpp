@@ -194,6 +194,9 @@ class SceneReader {
         scene_.fit.photos =
             read_photo_entries(*photos, origin(*photos, std::string(free_table) + "." + photo_key));
       }
+      if (const toml::node* radars = values->get(radar_key))
+        scene_.fit.radars =
+            read_radar_entries(*radars, origin(*radars, std::string(free_table) + "." + radar_key));
     }
   }
 

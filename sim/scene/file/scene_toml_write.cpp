@@ -64,7 +64,7 @@ std::string table_lines(const Scene& scene, const std::string& table, int elemen
     text += std::string(free_key) + " = " + free_parameters_text(scene.fit.free) + "\n";
     if (!scene.fit.tied.empty())
       text += std::string(tied_key) + " = " + tied_parameters_text(scene.fit.tied) + "\n";
-    text += photo_entries_text(scene.fit.photos);
+    text += photo_entries_text(scene.fit.photos) + radar_entries_text(scene.fit.radars);
   }
   return text;
 }

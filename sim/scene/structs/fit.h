@@ -61,6 +61,21 @@ struct PhotoEntry {
   int line = 0;
 };
 
+/// A radar's profile of electron density that is fitted beside the photographs. What is not set is left to
+/// the file, or to the default that the key's row names (sim/scene/table/free_entry_keys.cpp).
+struct RadarEntry {
+  std::string name;  ///< name in results; default: the file's name without its extension
+  std::string file;
+  std::optional<double> beam, time_s;                 ///< which of the file's profiles
+  std::optional<double> lowest_km, highest_km;        ///< altitudes that are compared
+  std::optional<double> latitude_deg, longitude_deg;  ///< foot of the field line at 110 km
+  std::optional<double> azimuth_deg, elevation_deg;   ///< or the beam, from its site
+  std::optional<double> site_latitude_deg, site_longitude_deg, site_altitude_m;
+  std::optional<double> scale_sigma;  ///< prior of the scale, whose mean is 1; none: it is 1
+  std::optional<double> seconds;      ///< since the electrons have begun to fall; none: a steady state
+  int line = 0;
+};
+
 enum class FitModel {
   expected,  ///< the mean over all draws of beams
   draws      ///< one draw
@@ -90,6 +105,7 @@ struct Fit {
   std::vector<FreeParameter> free;
   std::vector<TiedParameter> tied;
   std::vector<PhotoEntry> photos;
+  std::vector<RadarEntry> radars;
   bool band_brightness = true;      ///< true: a gain per band, since rays are uneven; false: one gain
   bool white_balance_known = true;  ///< false: a gain per channel, so that colour does not constrain E0
   int sky_terms = 3;                ///< solved per channel: 1: level; 2: also gradient; 3: also curvature

@@ -155,6 +155,12 @@ std::vector<FileKey> all_file_keys() {
   }
   keys.push_back({photo, photo_set_key, "", "values of this photograph alone: camera, site, time …",
                   "a table of path = value"});
+  const std::string radar = table + "." + radar_key;
+  keys.push_back({table, radar_key, "", "densities beside the light", "tables [[fit.radar]]"});
+  for (const RadarTextKey& key : radar_text_keys())
+    keys.push_back({radar, key.key, "", key.meaning, "a text"});
+  for (const RadarNumberKey& key : radar_number_keys())
+    keys.push_back({radar, key.key, key.unit, key.meaning, "a number"});
   return keys;
 }
 

@@ -104,4 +104,34 @@ const std::vector<PhotoTextKey>& photo_text_keys() {
   return keys;
 }
 
+const std::vector<RadarTextKey>& radar_text_keys() {
+  static const std::vector<RadarTextKey> keys = {
+      {"name", "in results; default the file's name without its ending", &RadarEntry::name},
+      {"file", "densities with errors: CSV or Madrigal's HDF5", &RadarEntry::file},
+  };
+  return keys;
+}
+
+const std::vector<RadarNumberKey>& radar_number_keys() {
+  constexpr double kNone = 1e-3, kLong = 1e10;
+  static const std::vector<RadarNumberKey> keys = {
+      {"beam", "", "of a file of several", -kLong, kLong, &RadarEntry::beam},
+      {"time_s", "s", "of the profile, as the file counts it", -kLong, kLong, &RadarEntry::time_s},
+      {"lowest_km", "km", "altitudes from; default 85", 80.0, 300.0, &RadarEntry::lowest_km},
+      {"highest_km", "km", "to; default 150", 80.0, 300.0, &RadarEntry::highest_km},
+      {"latitude_deg", "deg", "of the field line's foot at 110 km", -90.0, 90.0, &RadarEntry::latitude_deg},
+      {"longitude_deg", "deg", "likewise", -360.0, 360.0, &RadarEntry::longitude_deg},
+      {"azimuth_deg", "deg", "or of the beam", -360.0, 360.0, &RadarEntry::azimuth_deg},
+      {"elevation_deg", "deg", "likewise", 10.0, 90.0, &RadarEntry::elevation_deg},
+      {"site_latitude_deg", "deg", "of the radar; default the scene's", -90.0, 90.0,
+       &RadarEntry::site_latitude_deg},
+      {"site_longitude_deg", "deg", "likewise", -360.0, 360.0, &RadarEntry::site_longitude_deg},
+      {"site_altitude_m", "m", "likewise", -500.0, 9000.0, &RadarEntry::site_altitude_m},
+      {"scale_sigma", "", "of the densities' scale, about 1; default held", kNone, 10.0,
+       &RadarEntry::scale_sigma},
+      {"seconds", "s", "since the onset; default a steady state", 1.0, 1e5, &RadarEntry::seconds},
+  };
+  return keys;
+}
+
 }  // namespace vegard::sim

@@ -1,5 +1,5 @@
-// The keys of the entries of fit.free, fit.tied and [[fit.photo]], each named once for the reader, the writer
-// and the listings.
+// The keys of the entries of fit.free, fit.tied, [[fit.photo]] and [[fit.radar]], each named once for the
+// reader, the writer and the listings.
 #pragma once
 
 #include <optional>
@@ -64,5 +64,22 @@ struct PhotoTextKey {
   std::string PhotoEntry::*place;
 };
 const std::vector<PhotoTextKey>& photo_text_keys();
+
+inline const char* const radar_key = "radar";  ///< likewise: [[fit.radar]]
+
+struct RadarTextKey {
+  std::string key, meaning;
+  std::string RadarEntry::*place;
+};
+const std::vector<RadarTextKey>& radar_text_keys();
+
+struct RadarNumberKey {
+  std::string key, unit, meaning;
+  double min, max;
+  std::optional<double> RadarEntry::*place;
+};
+const std::vector<RadarNumberKey>& radar_number_keys();
+
+inline constexpr double kRadarLowestKm = 85.0, kRadarHighestKm = 150.0;  ///< by default
 
 }  // namespace vegard::sim

@@ -136,6 +136,7 @@ void check_one(const Scene& scene, const PhotoEntry& entry) {
 Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry) {
   Scene own = scene;
   own.fit.photos.clear();
+  own.fit.radars.clear();
   with_entrys_line(scene, entry, [&] {
     // Lines first: others are lists with an element for each of them.
     for (const bool lines : {true, false})

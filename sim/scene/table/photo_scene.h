@@ -8,9 +8,9 @@
 
 namespace vegard::sim {
 
-/// Returns the scene with the settings of the entry, and without fit.photos. The sheets stay in the frame of
-/// the scene's site, even if the entry sets another site; fit.free and fit.tied are unchanged. Throws
-/// Error(scene) with the entry's line for an invalid path or value.
+/// Returns the scene with the settings of the entry, and without fit.photos and fit.radars. The sheets stay
+/// in the frame of the scene's site, even if the entry sets another site; fit.free and fit.tied are
+/// unchanged. Throws Error(scene) with the entry's line for an invalid path or value.
 Scene scene_of_photo_in_site_frame(const Scene& scene, const PhotoEntry& entry);
 
 /// Keeps the emitters, which are placed in the frame of `home`, at their places in a scene with another site.

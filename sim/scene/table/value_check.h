@@ -43,6 +43,10 @@ void check_free_parameters(const Scene& scene);
 /// check_free_parameters(). Throws Error(scene) with the scene's file and the entry's line.
 void check_tied_parameters(const Scene& scene);
 
+/// Checks the entries of fit.radars, but not their files. Throws Error(scene) with the scene's file and the
+/// entry's line.
+void check_radars(const Scene& scene);
+
 /// Checks the keys: paths, times, values on the whole way between them, and the scene at each key's time.
 /// Throws Error(scene) with the scene's file and the key's line.
 void check_keyframes(const Scene& scene);
