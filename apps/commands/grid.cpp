@@ -1,8 +1,11 @@
 #include "apps/commands/commands.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +28,9 @@
 #include "sim/base/number/mask5.h"
 #include "sim/base/version.h"
 #include "sim/emit/grid/grid_filter.h"
+#include "sim/scene/file/scene_toml.h"
+#include "sim/scene/file/volume_grid_file.h"
+#include "sim/view/colour/line_colours.h"
 
 namespace vegard::apps {
 namespace {
@@ -100,6 +106,62 @@ bool filter(sim::SparseGrid& grid, const std::vector<Step>& steps, int threads,
   return true;
 }
 
+/// What density 1 of a grid shines, for a volumegrid, which has one grid.
+struct LightOfDensity {
+  std::map<std::string, double> lines;                   ///< as VolumegridFile::numbers
+  std::map<std::string, std::array<double, 3>> colours;  ///< "Le": linear RGB of a unit of length
+};
+
+double sum_of(const sim::SparseGrid& grid, int channel) {
+  double sum = 0.0;
+  for (const auto& [at, brick] : grid.bricks)
+    for (int v = 0; v < sim::SparseGrid::kVoxels; ++v)
+      sum += brick[static_cast<std::size_t>(channel) * sim::SparseGrid::kVoxels + v];
+  return sum;
+}
+
+/// The colour of lines, by the scene that the file was made of; empty if it does not say, or it cannot be
+/// read.
+std::map<std::string, std::array<double, 3>> colour_of(const GridFile& file,
+                                                       const std::map<std::string, double>& lines) {
+  const auto text = file.metadata.texts.find("scene");
+  const auto per_unit = file.metadata.numbers.find("rayleigh_per_unit");
+  if (text == file.metadata.texts.end() || per_unit == file.metadata.numbers.end()) return {};
+  std::array<double, 3> rgb{0.0, 0.0, 0.0};
+  try {
+    const sim::Scene scene = sim::parse_scene(text->second, "the grid's scene");
+    const std::vector<sim::Vector3> per_kilorayleigh = sim::line_colours(scene);
+    for (std::size_t l = 0; l < scene.emission.lines.size(); ++l) {
+      const auto found = lines.find(sim::emission_grid_name(scene.emission.lines[l]));
+      for (int c = 0; found != lines.end() && c < 3; ++c)
+        rgb[c] += found->second * per_unit->second * 1e-3 * per_kilorayleigh[l][c];
+    }
+  } catch (const sim::Error&) {
+    return {};
+  }
+  for (double& part : rgb) part = std::max(part, 0.0);
+  return {{"Le", rgb}};
+}
+
+/// The light of a file's grid of this name. A density that is the light of all lines shares it out by the
+/// sums over all voxels: exact where all lines come from the same places, and in total everywhere. Nothing is
+/// known of what absorbs.
+LightOfDensity light_of(const GridFile& file, const std::string& name) {
+  constexpr const char* kEmission = "emission_";
+  LightOfDensity light;
+  if (name.rfind(kEmission, 0) == 0) light.lines[name] = 1.0;
+  const auto is = file.metadata.texts.find("density_is");
+  const int density = file.grid.channel("density");
+  if (name == "density" && density >= 0 && is != file.metadata.texts.end() &&
+      is->second.rfind("light", 0) == 0)
+    if (const double all = sum_of(file.grid, density); all > 0.0)
+      for (std::size_t c = 0; c < file.grid.channels.size(); ++c)
+        if (file.grid.channels[c].name.rfind(kEmission, 0) == 0)
+          light.lines[file.grid.channels[c].name] = sum_of(file.grid, static_cast<int>(c)) / all;
+  if (!light.lines.empty()) light.colours = colour_of(file, light.lines);
+  return light;
+}
+
 /// The channel that a volumegrid is to hold.
 int single_channel(const GridRequest& options, const sim::SparseGrid& grid) {
   const int channel = options.channels.size() == 1 ? 0 : usual_channel(grid);
@@ -109,11 +171,15 @@ int single_channel(const GridRequest& options, const sim::SparseGrid& grid) {
   return channel;
 }
 
-void write(const GridRequest& options, GridFile&& file, const std::vector<Step>& steps) {
+void write(const GridRequest& options, GridFile&& file, const std::vector<Step>& steps,
+           const LightOfDensity& light) {
   if (!is_vdb_name(options.output)) {
     sim::VolumegridOptions out;
     out.size = file.size;
     out.colours = file.colours;
+    out.numbers = file.numbers;
+    out.colours.insert(light.colours.begin(), light.colours.end());
+    out.numbers.insert(light.lines.begin(), light.lines.end());
     out.overwrite = options.overwrite;
     sim::write_volumegrid(options.output, file.grid, single_channel(options, file.grid), out);
     return;
@@ -141,9 +207,21 @@ int run_grid(const GridRequest& options) {
   }
   const std::vector<Step> steps = steps_of(options);
   const std::atomic<bool>& stop = watch_for_interrupt();
-  GridFile file = read_grid_file(options.input, options.channels,
-                                 static_cast<std::uint64_t>(memory_limit_bytes(options.memory_limit)));
-  if (!is_vdb_name(options.output)) single_channel(options, file.grid);  // refused now
+  const auto max_bytes = static_cast<std::uint64_t>(memory_limit_bytes(options.memory_limit));
+  const bool into_text = !is_vdb_name(options.output) && is_vdb_name(options.input);
+  const bool of_density = options.channels == std::vector<std::string>{"density"};
+  // A density's light is in the other grids.
+  GridFile file = read_grid_file(
+      options.input, into_text && of_density ? std::vector<std::string>() : options.channels, max_bytes);
+  LightOfDensity light;
+  if (into_text) {
+    const std::string name =
+        of_density ? "density" : file.grid.channels[single_channel(options, file.grid)].name;
+    light = light_of(file, name);
+    if (file.grid.channels.size() > 1) file = read_grid_file(options.input, {name}, max_bytes);
+  } else if (!is_vdb_name(options.output)) {
+    single_channel(options, file.grid);  // refused now
+  }
   const bool finished = filter(file.grid, steps, options.threads, stop) && !stop.load();
   if (!finished) {
     tell("vegard: interrupted, nothing is written\n");
@@ -163,7 +241,7 @@ int run_grid(const GridRequest& options) {
                    {"filters", Json::array()}};
   for (const auto& channel : file.grid.channels) json_answer()["channels"].push_back(channel.name);
   for (const Step& step : steps) json_answer()["filters"].push_back(step.words);
-  write(options, std::move(file), steps);
+  write(options, std::move(file), steps, light);
   say("%s: %s\n", options.output.c_str(), report.c_str());
   return good;
 }

@@ -46,6 +46,7 @@ GridFile read_grid_file(const std::string& path, const std::vector<std::string>&
     file.grid = std::move(read.grid);
     file.size = read.size;
     file.colours = std::move(read.colours);
+    file.numbers = std::move(read.numbers);
     return file;
   }
   std::vector<std::string> wanted = channels;

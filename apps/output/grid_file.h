@@ -20,6 +20,7 @@ struct GridFile {
   /// Of a volumegrid: its number of voxels along each axis, and its colours.
   std::array<int, 3> size{0, 0, 0};
   std::map<std::string, std::array<double, 3>> colours;
+  std::map<std::string, double> numbers;
 };
 
 bool is_vdb_name(const std::string& path);

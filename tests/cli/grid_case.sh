@@ -22,6 +22,45 @@ grep -q '"integer nx" \[3\] "integer ny" \[3\] "integer nz" \[2\]' b.txt || fail
 grep -q '"color Le" \[1 0.8 0.2\]' b.txt || fail "the colour"
 expect_exit 0 grid b.txt -o c.txt
 expect_same b.txt c.txt
+# What vegard volume writes shines again from text as from OpenVDB: each line its own light, and for pbrt a colour.
+cat > arch.toml <<'TOML'
+seed = 3
+emission = { lines = [17.1, 19.5] }
+camera = { width = 48, height = 48, hfov_deg = 0.1, azimuth_deg = 180, elevation_deg = 45 }
+sensor = { response = "grey" }
+[sun]
+shown = true
+azimuth_deg = 179.82
+elevation_deg = 44.88
+TOML
+cp arch.toml from_vdb.toml
+cp arch.toml from_text.toml
+cp arch.toml from_line.toml
+cat >> arch.toml <<'TOML'
+[[loop]]
+latitude_deg = 27
+longitude_deg = 30
+width = 110
+height = 70
+strands = 3
+spread = 6
+strand_radius = 8
+rayleigh = [100, 30]
+TOML
+expect_exit 0 volume arch.toml -o arch.vdb --voxel 4
+expect_exit 0 grid arch.vdb -o arch.pbrt
+grep -q '"float emission_171" \[' arch.pbrt || fail "no light of 17.1 nm"
+grep -q '"color Le" \[' arch.pbrt || fail "no colour of its light"
+expect_exit 0 grid arch.vdb -o line.pbrt --channel emission_195
+printf '[[volume]]\nfile = "arch.vdb"\nframe = "sun"\n' >> from_vdb.toml
+printf '[[volume]]\nfile = "arch.pbrt"\nframe = "sun"\n' >> from_text.toml
+printf '[[volume]]\nfile = "line.pbrt"\nframe = "sun"\n' >> from_line.toml
+expect_exit 0 render from_vdb.toml -o vdb.exr
+peaks=$(sed 's/.*peak//' "$stdout")
+expect_exit 0 render from_text.toml -o text.exr
+expect_stdout "peak$peaks"
+expect_exit 0 render from_line.toml -o line.exr
+expect_stdout "peak 0 R at 17.1 nm |${peaks##*,}"
 # Filters in the order of the command line, by any number of threads; a mask of one in the middle does nothing.
 (for i in $(seq 62); do echo 0; done; echo 1; for i in $(seq 62); do echo 0; done) > one.mask
 expect_exit 0 grid a.pbrt -o same.txt --mask one.mask
@@ -80,4 +119,4 @@ expect_stderr "cut off"
 expect_one_message
 expect_exit 6 grid a.pbrt -o no/such/folder/out.vdb
 expect_one_message
-expect_only a.pbrt a.vdb back.volumegrid b.txt c.txt one.mask same.txt blurred.txt again.txt other.txt bad.mask large.mask many.mask wide.pbrt twice.pbrt cut.pbrt
+expect_only arch.toml arch.vdb arch.pbrt line.pbrt from_vdb.toml from_text.toml from_line.toml vdb.exr text.exr line.exr a.pbrt a.vdb back.volumegrid b.txt c.txt one.mask same.txt blurred.txt again.txt other.txt bad.mask large.mask many.mask wide.pbrt twice.pbrt cut.pbrt

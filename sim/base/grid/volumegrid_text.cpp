@@ -203,7 +203,12 @@ class VolumegridReader {
       });
     }
     if (type == "color" || type == "rgb" || type == "spectrum") return read_numbers(name, out_.colours[name]);
-    for_each_value(name, [] {});
+    if (type != "float") return for_each_value(name, [] {});
+    std::vector<double> values;
+    for_each_value(name, [&] {
+      if (values.size() < 2 && kind_ == WordKind::bare) values.push_back(words_.number());
+    });
+    if (values.size() == 1) out_.numbers[name] = values.front();
   }
 
   void read_size(const std::string& name, int axis) {

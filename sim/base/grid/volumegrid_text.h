@@ -28,6 +28,9 @@ struct VolumegridFile {
   std::array<int, 3> size{0, 0, 0};  ///< nx, ny, nz: voxels from (0, 0, 0) on
   /// "sigma_a", "sigma_s", "Le" and other parameters of type color, unchanged; others are ignored.
   std::map<std::string, std::array<double, 3>> colours;
+  /// Parameters of type float that are one number, such as a line's light ("emission_5577"): of density 1, in
+  /// photons cm^-3 s^-1. pbrt has no such parameters, and passes over them.
+  std::map<std::string, double> numbers;
 };
 
 /// Reads a file piece by piece; memory is needed for the bricks, and for densities only if they come before
@@ -40,6 +43,7 @@ VolumegridFile read_volumegrid(const std::string& path, std::uint64_t max_bytes 
 struct VolumegridOptions {
   std::array<int, 3> size{0, 0, 0};  ///< the written box contains at least the voxels from (0, 0, 0) to this
   std::map<std::string, std::array<double, 3>> colours;
+  std::map<std::string, double> numbers;
   bool overwrite = false;
 };
 

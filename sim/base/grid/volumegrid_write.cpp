@@ -121,6 +121,11 @@ void write_volumegrid(const std::string& path, const SparseGrid& grid, int chann
   put_triple(out, " \"point p1\"", p1);
   for (const auto& [name, numbers] : options.colours)
     put_triple(out, ("\n  \"color " + name + "\"").c_str(), numbers);
+  for (const auto& [name, number] : options.numbers) {
+    out.add(("\n  \"float " + name + "\" [").c_str());
+    out.add_number(number);
+    out.add("]");
+  }
   out.add("\n  \"float density\" [\n");
   const int columns = ((box.high[0] - 1) >> 3) - (box.low[0] >> 3) + 1;
   std::vector<const float*> row(columns);  // bricks along x

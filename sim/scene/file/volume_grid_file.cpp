@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <map>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/base/grid/vdb_io.h"
@@ -51,13 +53,46 @@ void clamp_density(SparseGrid& grid, int channel) {
     }
 }
 
+/// A volumegrid that says each line's light of density 1, as the grids of an OpenVDB file with this light.
+void split_lines(const std::string& place, const std::vector<std::string>& wanted,
+                 const std::map<std::string, double>& numbers, VdbFile& file) {
+  std::vector<double> light;
+  SparseGrid lines = SparseGrid();
+  for (const auto& [name, number] : numbers)
+    if (is_emission(name)) file.names.push_back(name);
+  for (const std::string& name : wanted) {
+    const auto found = numbers.find(name);
+    if (!is_emission(name) || found == numbers.end()) continue;
+    light.push_back(found->second);
+    lines.channels.push_back({name, "photons cm^-3 s^-1"});
+  }
+  if (light.empty()) return;
+  lines.channels.push_back({kDensity, ""});
+  light.push_back(1.0);
+  const std::size_t bytes = light.size() * SparseGrid::kVoxels * sizeof(float);
+  if (file.grid.bricks.size() * bytes > kGridMaxBytes)
+    throw unreadable(place, "its lines would take more than 8 GB").expected("fewer lines or voxels");
+  lines.voxel = file.grid.voxel;
+  lines.origin = file.grid.origin;
+  for (auto& [at, brick] : file.grid.bricks) {
+    SparseGrid::Brick& all = lines.bricks[at];
+    all.resize(light.size() * SparseGrid::kVoxels);
+    for (std::size_t c = 0; c < light.size(); ++c)
+      for (std::size_t v = 0; v < SparseGrid::kVoxels; ++v)
+        all[c * SparseGrid::kVoxels + v] = static_cast<float>(light[c] * brick[v]);
+  }
+  file.grid = std::move(lines);
+}
+
 /// An OpenVDB file, or a volumegrid by its name.
 VdbFile read_any(const std::string& place, const std::vector<std::string>& wanted,
                  std::uint64_t bytes_beside) {
   if (!is_volumegrid_name(place)) return read_vdb(place, wanted, kGridMaxBytes, bytes_beside);
   VdbFile file;
-  file.grid = read_volumegrid(place, kGridMaxBytes).grid;
+  VolumegridFile read = read_volumegrid(place, kGridMaxBytes);
+  file.grid = std::move(read.grid);
   file.names = {kDensity};
+  split_lines(place, wanted, read.numbers, file);
   return file;
 }
 

@@ -21,10 +21,11 @@ struct VolumeGridFile {
 };
 
 /// Reads the file of a volume. Light comes from the grids emission_grid_name(); but from the grid "density",
-/// in every line, if the volume has density_rayleigh or the file has no emission at all. A density below 0 is
-/// taken as 0. If the metadata of the file has "frame" = "sun" (with "unit_km") or a site, volume.frame must
-/// agree; files without both are placed by volume.frame. Throws Error(unreadable_input) that names the key,
-/// also for a wrong frame.
+/// in every line, if the volume has density_rayleigh or the file has no emission at all. A volumegrid has
+/// emission where it says a line's light of density 1 (VolumegridFile::numbers). A density below 0 is taken
+/// as 0. If the metadata of the file has "frame" = "sun" (with "unit_km") or a site, volume.frame must agree;
+/// files without both are placed by volume.frame. Throws Error(unreadable_input) that names the key, also for
+/// a wrong frame.
 VolumeGridFile read_volume_grid(const Scene& scene, const Volume& volume);
 
 }  // namespace vegard::sim
