@@ -126,6 +126,122 @@ TEST(SunRecovery, FindsALoopAgainFromADisplacedStart) {
   expect_recovered(truth, result, 3.0);
 }
 
+const char* const kThreeLoops = R"(
+seed = 5
+[emission]
+lines = [17.1]
+[camera]
+width = 240
+height = 200
+hfov_deg = 0.2
+azimuth_deg = 180
+elevation_deg = 45
+[sun]
+shown = true
+azimuth_deg = 179.82
+elevation_deg = 44.88
+photosphere_rayleigh = [40]
+limb_darkening = 0.3
+[[corona]]
+name = "whole"
+power = [8.0]
+reach = 3.0
+rayleigh = [0.6]
+[[loop]]
+name = "large"
+latitude_deg = 27
+longitude_deg = 30
+bearing_deg = 95
+width = 110
+height = 70
+tilt_deg = -35
+strands = 1
+spread = 0
+strand_radius = 4
+rayleigh = [20]
+[[loop]]
+name = "west"
+latitude_deg = 20
+longitude_deg = 38
+bearing_deg = 80
+width = 70
+height = 52
+tilt_deg = -10
+strands = 1
+spread = 0
+strand_radius = 3
+rayleigh = [25]
+[[loop]]
+name = "east"
+latitude_deg = 33
+longitude_deg = 20
+bearing_deg = 110
+width = 60
+height = 40
+tilt_deg = -50
+strands = 1
+spread = 0
+strand_radius = 2.5
+rayleigh = [30]
+[blur]
+width_deg = [0.0006]
+[sensor]
+response = "grey"
+exposure = "gain"
+gain_per_kilorayleigh = 2.0
+[fit]
+bands = 120
+band_brightness = false
+sky_terms = 1
+model_error = 0.005
+scan_points = 0
+)";
+
+// Columns of two pixels across the whole picture, so that no loop has to be drawn by hand; the brightness of
+// one loop is held, as a gain is free.
+TEST(SunRecovery, FindsThreeLoopsTheCoronaAndTheDiscTogether) {
+  const sim::Scene truth = sim::parse_scene(kThreeLoops, "three.toml");
+  const Photo photo = tests::noisy_photo(truth, 0.01, 80);
+  sim::Scene start = truth;
+  const double off[3][5] = {
+      {0.2, -0.2, 4.0, 5.0, 4.0}, {0.2, -0.2, -3.0, -4.0, -3.0}, {0.3, -0.3, 3.0, 4.0, 5.0}};
+  const auto free = [&](const std::string& path) {
+    sim::FreeParameter entry;
+    entry.path = path;
+    start.fit.free.push_back(entry);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    sim::Loop& loop = start.loops[i];
+    loop.latitude_deg += off[i][0];
+    loop.longitude_deg += off[i][1];
+    loop.width += off[i][2];
+    loop.height += off[i][3];
+    loop.tilt_deg += off[i][4];
+    for (const char* key : {"latitude_deg", "longitude_deg", "width", "height", "tilt_deg"})
+      free("loop." + loop.name + "." + key);
+  }
+  start.loops[1].rayleigh[0] = 30.0;
+  start.loops[2].rayleigh[0] = 24.0;
+  start.coronae[0].power[0] = 6.5;
+  start.coronae[0].rayleigh[0] = 0.5;
+  start.sun.photosphere_rayleigh[0] = 60.0;
+  for (const char* path : {"loop.west.rayleigh", "loop.east.rayleigh", "corona.whole.power.0",
+                           "corona.whole.rayleigh", "sun.photosphere_rayleigh"})
+    free(path);
+  const FitResult result = fit_photo(start, photo, {});
+  EXPECT_EQ(result.verdict, Verdict::good) << result.verdict_line;
+  for (const FittedParameter& p : result.parameters) {
+    const double true_value = *sim::real_value(truth, sim::resolve(truth, p.path).front());
+    ASSERT_TRUE(p.sigma) << p.path << ": " << p.why_no_sigma;
+    std::printf("  %-34s %s, true %g\n", p.path.c_str(), sim::number_with_error(p.value, p.sigma).c_str(),
+                true_value);
+    EXPECT_LT(std::abs(p.value - true_value), 3.0 * *p.sigma) << p.path;
+    if (p.path.find(".height") != std::string::npos) {
+      EXPECT_NEAR(p.value, true_value, 0.05 * true_value) << p.path;
+    }
+  }
+}
+
 const char* const kGranules = R"(
 seed = 5
 [emission]
