@@ -31,15 +31,20 @@ struct Partial {
 /// Returns nothing for any other name.
 std::optional<Partial> partial_of(const std::string& name);
 
-/// Registers (removes from the register) a file or a folder that this process has not
-/// finished, for signal handlers. More
-/// than 64 names, and names of 4096 bytes or more, are not registered: such a file is left for
+/// Creates a file (a folder) that this process has not finished yet, and registers it for signal handlers in
+/// one step, which no delete_unfinished_files() of any thread can come between. Return the file's descriptor,
+/// open for writing (0 for a folder), or -1 with the reason in errno, which is EEXIST for what is there
+/// already. More than 64 names, and names of 4096 bytes or more, are not registered: such a file is left for
 /// stale_partials().
-void keep_unfinished(const std::string& path);
+int create_unfinished_file(const std::string& path);
+int create_unfinished_directory(const std::string& path);
+
+/// Removes a file or a folder from the register.
 void forget_unfinished(const std::string& path);
 
-/// Deletes all registered files and folders. May be called by a signal handler, in any thread at any time;
-/// the process must end afterwards, since the owners of the files are not informed.
+/// Deletes all registered files and folders, and from then on nothing is created that would be registered:
+/// who tries waits for ever. May be called by a signal handler, in any thread at any time; the process must
+/// end afterwards, since the owners of the files are not informed.
 void delete_unfinished_files() noexcept;
 
 /// False if no process of this machine has that number.

@@ -182,10 +182,9 @@ WholeDirectory::WholeDirectory(const std::string& target, bool overwrite, Direct
   for (const std::string& stale : stale_partials(resolved_, S_IFDIR)) remove_known(stale, kind_);
   for (int attempt = 0;; ++attempt) {
     temporary_ = partial_name(resolved_, attempt);
-    if (::mkdir(temporary_.c_str(), 0777) == 0) break;
+    if (create_unfinished_directory(temporary_) == 0) break;
     if (errno != EEXIST) throw give_up(errno);
   }
-  keep_unfinished(temporary_);
   lock_ = PartialLock(::open(temporary_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
 }
 
@@ -213,13 +212,14 @@ void WholeDirectory::commit() {
   if (walk_error) throw unwritable(target_, walk_error.value());
   if (const int error = make_durable(temporary_); error != 0) throw unwritable(target_, error);
 
-  forget_unfinished(temporary_);  // from now on the name may be that of the old folder
   if (!check_target(target_, overwrite_, kind_)) {
     const int error = rename_to_free_name(temporary_, resolved_);
     if (error == EEXIST) throw already_exists(target_);
     if (error != 0) throw unwritable(target_, error);
+    forget_unfinished(temporary_);
     is_ours_ = false;
   } else {
+    forget_unfinished(temporary_);  // from now on the name may be that of the old folder
     if (const int error = exchange_directories(temporary_, resolved_); error != 0)
       throw unwritable(target_, error);
     is_ours_ = false;  // it is the old folder that bears the temporary's name now

@@ -61,10 +61,9 @@ WholeFile::WholeFile(const std::string& target, bool overwrite, Leftovers leftov
   int descriptor = -1;
   for (int attempt = 0; descriptor < 0; ++attempt) {
     temporary_ = partial_name(resolved_, attempt);
-    descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor = create_unfinished_file(temporary_);
     if (descriptor < 0 && errno != EEXIST) throw unwritable(target_, errno);
   }
-  keep_unfinished(temporary_);
   if (old_permissions != 0)
     ::fchmod(descriptor, old_permissions);  // a private file stays private; else as umask has it
   lock_ = PartialLock(descriptor);
