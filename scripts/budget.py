@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Does compiling, or the run of the tests, take longer than tests/house/budget/budget.json allows?
 
-usage: budget.py build [--write | --table N] BUILD_FOLDER
+usage: budget.py build [--write | --table N | --once] BUILD_FOLDER
        budget.py tests [--write | --table N | --once] BUILD_FOLDER JUNIT_FILE
 
 build: units of ninja's log, by target. tests: entries of a file that `ctest --output-junit` has written, by program or by
@@ -15,17 +15,21 @@ Too much is a target (or group) above its budget times `group_slack`, or a singl
 `unit_slack`, and `grace` references. A unit that took less than a fifth of its figure came from the compiler's cache: its
 figure stands for it, and it is said if that is most of them. If the references differ so much that the slowest
 of them would acquit, the machine was too busy to judge. A machine is also busy for seconds only, between two references:
-entries of tests that are too long are run once more, one at a time, and the shorter of their two times counts. That takes at
-most a tenth of the time of all tests: if more of them are too long, that is not for seconds, and only those that are too long by
-themselves, then the longest of the others, are run.
+entries of tests that are too long are run once more, and units compiled once more without the cache, one at a time, and the
+shorter of their two times counts; of a unit compiled once more it is the processor's time. That takes at most a tenth of the time
+of all: if more of them are too long, that is not for seconds, and only those that are too long by themselves, then the longest
+of the others, are run or compiled.
 
 The exit code is 1 if something is above its budget, 77 if there was too little to judge by, 2 for a wrong call. --write
 commits to what is measured, where all tests passed; CONTRIBUTING.md says when that is right.
 """
 import argparse
 import json
+import os
 import pathlib
 import re
+import resource
+import shlex
 import statistics
 import subprocess
 import sys
@@ -41,7 +45,7 @@ SLACK = {"build": {"group_slack": 1.25, "unit_slack": 1.6, "grace": 0.5},
 REFERENCE = "budget_reference"  # targets and tests of this name, with a number behind it
 START = "budget_start"  # tests of this name, with a number behind it
 STARTS = 0.5  # of the time of tests that run programs, unit tests left out
-AGAIN = 0.1  # of the time of all tests
+AGAIN = 0.1  # of the time of all tests, or units
 CACHED = 0.2  # of its figure: no compiler is that much faster, a cache is
 LISTED = 0.1  # references: what is below has no figure of its own
 NOT_MEASURED = 77
@@ -52,13 +56,19 @@ class Unmeasured(Exception):
     pass
 
 
+def target_of(output):
+    """sim/CMakeFiles/vegard_sim.dir/base/error.cpp.o is ("vegard_sim", "base/error.cpp"); None for what is no unit."""
+    found = re.search(r"(?:^|/)CMakeFiles/([^/]+)\.dir/(.+)\.(?:o|gch|pch)$", output)
+    return (found[1], found[2]) if found and found[1] != START else None
+
+
 def of_build(folder):
-    """Seconds of each unit by target. sim/CMakeFiles/vegard_sim.dir/base/error.cpp.o is base/error.cpp of vegard_sim."""
+    """Seconds of each unit by target."""
     groups = {}
     for output, seconds in units_of(folder).items():
-        target = re.search(r"(?:^|/)CMakeFiles/([^/]+)\.dir/(.+)\.(?:o|gch|pch)$", output)
-        if target and target[1] != START and (folder / output).exists():
-            groups.setdefault(target[1], {})[target[2]] = seconds
+        if target_of(output) and (folder / output).exists():
+            group, unit = target_of(output)
+            groups.setdefault(group, {})[unit] = seconds
     return groups
 
 
@@ -201,7 +211,7 @@ class Judge:
 
 
 def longest_in(limit, seconds, first):
-    """Names of entries that take no more than the limit together, at least one: those in `first`, then the longest."""
+    """Names of entries, or units, that take no more than the limit together, at least one: those in `first`, then the longest."""
     chosen, total = [], 0.0
     for name in sorted(seconds, key=lambda name: (name not in first, -seconds[name])):
         if not chosen or total + seconds[name] <= limit:
@@ -224,6 +234,40 @@ def run_again(folder, names, budget):
     return references.measured(groups, references.slow_starts(budget))
 
 
+def compiled_s(folder, output):
+    """The processor's time of compiling this once more, into nowhere and without the cache; None if that fails."""
+    told = subprocess.run(["ninja", "-C", folder, "-t", "commands", "-s", output], capture_output=True, text=True)
+    command = shlex.split(told.stdout.strip().split("\n")[-1])
+    if told.returncode != 0 or "-o" not in command:
+        return None
+    with tempfile.TemporaryDirectory() as scratch:
+        for option in ("-o", "-MF"):
+            if option in command:
+                command[command.index(option) + 1] = f"{scratch}/out{option}"
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run(command, cwd=folder, env={**os.environ, "CCACHE_DISABLE": "1"}, capture_output=True)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime if done.returncode == 0 else None
+
+
+def compile_again(folder, names):
+    """The units of these names, "unit of group", compiled one at a time between references: their references by group.
+    Empty if one fails."""
+    outputs = {"{1} of {0}".format(*target_of(output)): output for output in units_of(folder)
+               if target_of(output) and (folder / output).exists()}
+    reference = min((name for name in outputs if REFERENCE in name), default=None)
+    if reference is None:
+        return {}
+    before, *units, after = [compiled_s(folder, outputs[name]) for name in [reference, *names, reference]]
+    if None in (before, *units, after):
+        return {}
+    groups = {}
+    for name, seconds in zip(names, units):
+        group, unit = target_of(outputs[name])
+        groups.setdefault(group, {})[unit] = 2.0 * seconds / (before + after)
+    return groups
+
+
 def shorter(measured, again):
     """The shorter of two times of each entry."""
     return {group: {unit: min(value, again.get(group, {}).get(unit, value)) for unit, value in units.items()}
@@ -239,14 +283,18 @@ def check(kind, groups, budget, folder, repeat):
     acquitted = not judge.complaints(references.measured(groups, slow_starts, max(references.seconds)))
     measured = references.measured(groups, slow_starts)
     complaints = judge.complaints(measured)
-    if complaints and not acquitted and kind == "tests" and repeat:
-        too_long = {unit: groups[group][unit] for group, units in measured.items() for unit, value in units.items()
+    if complaints and not acquitted and repeat:
+        def name_of(group, unit):
+            return unit if kind == "tests" else f"{unit} of {group}"  # batches of several targets share a name
+
+        too_long = {name_of(group, unit): groups[group][unit] for group, units in measured.items() for unit, value in units.items()
                     if judge.is_long(group, unit, value)}
-        alone = {unit for group, units in measured.items() for unit, value in units.items()
-                 if unit in too_long and group in judge.groups and value > judge.allowed(group, unit)}
+        alone = {name_of(group, unit) for group, units in measured.items() for unit, value in units.items()
+                 if name_of(group, unit) in too_long and group in judge.groups and value > judge.allowed(group, unit)}
         names = longest_in(AGAIN * sum(sum(units.values()) for units in groups.values()), too_long, alone)
         print(f"budget.py: once more, one at a time, {len(names)} of {len(too_long)} that took long: {', '.join(names)}", flush=True)
-        measured = shorter(measured, run_again(folder, names, budget[kind]))
+        again = run_again(folder, names, budget[kind]) if kind == "tests" else compile_again(folder, names)
+        measured = shorter(measured, again)
         complaints = judge.complaints(measured)
     if complaints and acquitted:
         raise Unmeasured("the machine was too busy, the references differ; " + references.words() + "\n" + "\n".join(complaints))
@@ -302,7 +350,7 @@ def main():
     parser.add_argument("--budget", type=pathlib.Path, default=BUDGET, help="another file of budgets")
     parser.add_argument("--write", action="store_true", help="the budget becomes what is measured")
     parser.add_argument("--table", type=int, metavar="N", help="lists groups and the N slowest instead")
-    parser.add_argument("--once", action="store_true", help="of tests: none is run again")
+    parser.add_argument("--once", action="store_true", help="none is run or compiled again")
     arguments = parser.parse_args()
     if (arguments.kind == "tests") != (arguments.junit is not None):
         parser.error("a file of ctest's is for tests, and tests need it")

@@ -42,6 +42,13 @@ class Budgets(unittest.TestCase):
         (self.folder / ".ninja_log").write_text("\n".join(lines) + "\n")
         return self.run_budget("build", *arguments)
 
+    def compilers(self, seconds):
+        """From now on compiling takes that much of the processor's time, and says where it writes."""
+        burn = "import sys, time\nwhile time.process_time() < float(sys.argv[1]): pass\nopen(sys.argv[3], 'w').write('compiled')\n"
+        (self.folder / "burn.py").write_text(burn)
+        (self.folder / "build.ninja").write_text(f"rule burn\n command = {sys.executable} burn.py $seconds -o $out\n" + "".join(
+            f"build {name}.o: burn\n seconds = {value}\n" for name, value in seconds.items()))
+
     def run_of_tests(self, entries, *arguments):
         program = self.folder / "sim_tests"
         program.touch(0o755)
@@ -83,6 +90,23 @@ class Budgets(unittest.TestCase):
         code, said = self.build({**UNITS, **REFERENCES, name: 40.0})
         self.assertEqual(code, 1, said)
         self.assertIn("render/kernel.cpp of vegard_sim takes 8.00 references", said)
+
+    def test_compiles_again_what_took_long(self):
+        self.written_build()
+        name = "sim/CMakeFiles/vegard_sim.dir/render/kernel.cpp"
+        busy = {**UNITS, **REFERENCES, name: 40.0}
+        self.compilers({**{unit: 0.1 for unit in busy}, name: 0.4})
+        code, said = self.build(busy)
+        self.assertEqual(code, 0, said)
+        self.assertIn("1 of 1 that took long: render/kernel.cpp of vegard_sim\n", said)
+        self.assertEqual((self.folder / (name + ".o")).read_bytes(), b"")
+        self.compilers({**{unit: 0.1 for unit in busy}, name: 1.6})  # some 12 references where 1.6 · 4 + 0.5 are allowed
+        code, said = self.build({**busy, name: 60.0})
+        self.assertEqual(code, 1, said)
+        self.assertIn("render/kernel.cpp of vegard_sim takes", said)
+        self.compilers({unit: "no number" for unit in busy})
+        code, said = self.build(busy)
+        self.assertEqual(code, 1, said)
 
     def test_names_the_files_of_a_batch_that_grew(self):
         self.written_build()
