@@ -8,6 +8,8 @@ set(VEGARD_INSTALL_DATADIR ${CMAKE_INSTALL_DATADIR}/vegard/data)
 install(TARGETS vegard RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS vegard_sim vegard_fit EXPORT vegardTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT vegardTargets NAMESPACE vegard:: DESTINATION ${VEGARD_INSTALL_CMAKEDIR} COMPONENT development)
+install(FILES apps/studio/desktop/vegard-studio.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(FILES apps/studio/desktop/vegard.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/manual/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT program)
 
 # Under include/vegard, so that #include "sim/render/render.h" reads the same inside and outside. Which they are is read when

@@ -25,8 +25,9 @@ def check(is_right, what):
 
 
 class Studio:
-    def __init__(self, *words):
-        self.process = subprocess.Popen([VEGARD, "studio", "--no-browser", *words], cwd=FOLDER, stdout=subprocess.PIPE, text=True)
+    def __init__(self, *words, cwd=FOLDER, **environment):
+        self.process = subprocess.Popen([VEGARD, "studio", "--no-browser", *words], cwd=cwd, env={**os.environ, **environment},
+                                        stdout=subprocess.PIPE, text=True)
         self.process.stdout.readline()
         self.address = self.process.stdout.readline().strip()
         parts = urllib.parse.urlsplit(self.address)
@@ -201,6 +202,29 @@ def ends_with_its_commands(studio):
     check(not [child for child in ours if os.path.exists(f"/proc/{child}")], "no command lives on")
 
 
+def starts_from_a_menu():
+    home = FOLDER.parent / "home"
+    pictures, settings = home / "My Pictures", home / ".config/user-dirs.dirs"
+    for folder in (pictures, settings.parent):
+        folder.mkdir(parents=True)
+    (pictures / "arc.png").write_bytes(b"")
+    (home / "attic.png").write_bytes(b"")
+
+    def shown(*words, **environment):
+        studio = Studio("--desktop", *words, cwd="/", HOME=str(home), XDG_CONFIG_HOME="", **environment)
+        listing = studio.request("GET", "files")[2].decode()
+        studio.close()
+        return studio.address.partition("#")[2], "My Pictures/arc.png" in listing, '"arc.png"' in listing
+
+    check(shown() == ("", True, False), "without settings the home folder is shown")
+    settings.write_text('# XDG_PICTURES_DIR="/none"\nXDG_PICTURES_DIR="$HOME/My Pictures"\n')
+    check(shown() == ("", False, True), "the user's pictures are shown")
+    settings.write_text('XDG_PICTURES_DIR="$HOME/gone"\n')
+    check(shown() == ("", True, False), "of a folder that is gone the home folder is shown")
+    check(shown(str(pictures / "arc.png")) == ("arc.png", False, True), "a picture is opened in its folder")
+    check(shown(str(pictures)) == ("", False, True), "a folder is shown")
+
+
 def main():
     (FOLDER / "link.txt").symlink_to(FOLDER.parent / "secret.txt")
     (FOLDER / ".hidden").write_text("secret")
@@ -214,6 +238,7 @@ def main():
     tells_lines_of_sight(studio)
     ends_with_its_commands(studio)
     other.close()
+    starts_from_a_menu()
     return 1 if HURT else 0
 
 

@@ -26,7 +26,7 @@ has() { # PACKAGE FILE
   grep -qxF "./usr/$2" "$work/$1.files" || fail "$1 has no $2"
 }
 for file in bin/vegard share/man/man1/vegard-fit.1.gz share/vegard/data/glow/glowlicense.txt share/doc/vegard/copyright \
-  share/bash-completion/completions/vegard; do has vegard $file; done
+  share/bash-completion/completions/vegard share/applications/vegard-studio.desktop share/icons/hicolor/scalable/apps/vegard.svg; do has vegard $file; done
 for name in openimageio opencv_codecs video movie window; do
   grep -q "^./usr/lib/.*vegard/vegard_$name\.so$" "$work/vegard.files" || fail "vegard has no module vegard_$name"
 done
