@@ -31,7 +31,7 @@ struct MeasureWords {
   std::optional<double> pointing_error_deg;
 };
 
-/// The value for one of several pictures, of a list with one for each or none.
+/// The value for one of several pictures, of a list with one for each or none; an empty one is none.
 std::string value_for(const std::string& key, const std::vector<std::string>& values, std::size_t picture,
                       std::size_t pictures) {
   if (values.empty()) return {};
@@ -48,7 +48,7 @@ fit::MeasureRequest request_for(const MeasureWords& words, std::size_t picture) 
   request.camera = value_for("--camera", words.cameras, picture, pictures);
   request.mask = value_for("--mask", words.masks, picture, pictures);
   const std::string site = value_for("--site", words.sites, picture, pictures);
-  if (!words.sites.empty()) request.site = site_of_text(site);
+  if (!site.empty()) request.site = site_of_text(site);
   return request;
 }
 

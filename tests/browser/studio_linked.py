@@ -184,6 +184,26 @@ def side_by_side(page, screenshots):
         near(page, page.browser.value(mark(photo(number))), seen_from(station, (latitude, longitude, height_km)), 0.8, f"the map's place in {station}")
 
 
+def measured_together(page):
+    """From the page: what it runs is what was run by hand for `both`, but for what only simulated skies need."""
+    page.browser.value("location.hash = 'a.png', 0")
+    page.wait("document.querySelector('h2').textContent === 'a.png' || document.querySelector('article h2')?.textContent === 'a.png'", "the photograph")
+    put = """((name, value, number = 0) => { const input = [...document.querySelectorAll('.fields label')]
+      .filter(label => label.textContent.startsWith(name) && label.closest('[hidden]') === null)[number].querySelector('input,select');
+      input.value = value; input.dispatchEvent(new Event('input', { bubbles: true })); return input.value === value; })"""
+    for name, value, number in (("Camera", "a.toml", 0), ("Time", "2014-02-21T19:30:40Z", 0), ("The same aurora", "b.png", 0), ("Camera", "b.toml", 1),
+                                ("Time", "2014-02-21T19:30:43Z", 1), ("Place", "66.280542,20", 1)):
+        page.expect(page.browser.value(f"{put}('{name}', '{value}', {number})"), f"{name} is {value}")
+    command = page.browser.value("document.querySelector('code.command').textContent")
+    page.expect(command == "vegard measure a.png b.png --time 2014-02-21T19:30:40Z --time 2014-02-21T19:30:43Z --site '' --site 66.280542,20 "
+                "--camera a.toml --camera b.toml --out a_b_measured", command)
+    page.browser.value("document.querySelector('button.first').click(), 0")
+    end = page.wait("[...document.querySelectorAll('section p')].map(p => p.textContent).find(words => /^(Done|Ended|Refused|No|A file)/.test(words))",
+                    "the measurement ends")
+    page.expect(end.startswith("Done"), end)
+    page.wait("document.querySelectorAll('.linked .picture svg').length === 2", "both photographs are shown")
+
+
 def main(words):
     if chromium() is None:
         print("Chromium is not installed")
@@ -217,6 +237,8 @@ def main(words):
             page.browser.open(page.address + "#band", WIDTHS_PX[-1], SCHEMES[0])
             on_a_map(page, screenshots)
             side_by_side(page, screenshots)
+            measured_together(page)
+            page.look("together", screenshots)
             page.events()
         finally:
             page.browser.close()

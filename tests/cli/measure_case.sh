@@ -89,6 +89,9 @@ expect_stderr "--site"
 refused_at_once --site 97,20
 refused_at_once --time yesterday
 expect_stderr "--time"
+# Of several, an empty place is left to the file.
+expect_exit 3 measure photo.png none.png --site "" --site 67,20 --out refused
+expect_stderr "none.png | no such file"
 
 # Stars and a skyline, but no time: the stars tell the lens, which no file says, and with it the skyline the elevation.
 source "$SOURCE/tests/cli/star_field.sh"

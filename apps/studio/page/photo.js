@@ -1,10 +1,11 @@
-// A photograph: what its file says, its measurement with what that says meanwhile, a mask by hand, the stars that were found,
-// the report.
+// A photograph: what its file says, its measurement, alone or together with others, with what that says meanwhile, a mask by hand,
+// the stars that were found, the report.
 import { address, run } from "./api.js";
 import { mask_editor } from "./mask.js";
-import { choice, choose, command_panel, element, field } from "./parts.js";
+import { choose, command_panel, element, field } from "./parts.js";
 import { run_parts } from "./run.js";
 import { star_editor } from "./stars.js";
+import { known_fields, known_inputs, together_fields } from "./together.js";
 
 const kShown = /\.(jpe?g|png|webp|avif)$/i;  // others a browser does not know
 
@@ -18,21 +19,26 @@ export function photo_view(name, files, changed) {
   run(["describe", name], { on_said: text => { facts.textContent = (facts.textContent === "…" ? "" : facts.textContent) + text; } })
     .catch(error => { facts.textContent = error.message; });
 
+  const known = known_inputs(scenes, photographs), others = together_fields(scenes, photographs);
+  const stem = file => file.replace(/\.[^./]*$/, "");
+  const alone = stem(name) + "_measured";
   const inputs = {
-    time: element("input", { placeholder: "of the file; else 2014-02-21T19:30:40Z" }),
-    site: element("input", { placeholder: "of the file; else latitude,longitude,metres" }),
-    camera: choice(scenes, "by the stars or the skyline"),
-    mask: choice(photographs, "found by itself"),
     line: element("input", { type: "number", min: 100, max: 2000, step: "any", placeholder: "colour; else 557.7" }),
-    out: element("input", { value: name.replace(/\.[^./]*$/, "") + "_measured" }),
+    out: element("input", { placeholder: alone }),
     map: element("input", { type: "checkbox", checked: true }),
     again: element("input", { type: "checkbox" }),
   };
+  const out = () => inputs.out.value.trim() ||
+    [stem(name), ...others.chosen().map(one => stem(one.photo.value).split("/").pop())].join("_") + "_measured";
   const words = () => {
-    const all = ["measure", name];
-    for (const [option, input] of [["--time", inputs.time], ["--site", inputs.site], ["--camera", inputs.camera],
-      ["--mask", inputs.mask], ["--line", inputs.line], ["--out", inputs.out]])
-      if (input.value.trim()) all.push(option, input.value.trim());
+    const pictures = others.chosen(), all = ["measure", name, ...pictures.map(one => one.photo.value)];
+    // Each option once for every photograph or not at all; an empty word leaves it to the file.
+    for (const option of Object.keys(known)) {
+      const values = [known, ...pictures.map(one => one.known)].map(one => one[option].value.trim());
+      if (values.some(value => value)) values.forEach(value => all.push(option, value));
+    }
+    if (inputs.line.value.trim()) all.push("--line", inputs.line.value.trim());
+    all.push("--out", out());
     if (!inputs.map.checked) all.push("--no-map");
     if (inputs.again.checked) all.push("--overwrite");
     return all;
@@ -43,12 +49,11 @@ export function photo_view(name, files, changed) {
     if (exit_code === 0 || exit_code === 5) await show_run(found);
     await changed();
   });
-  const fields = element("div", { class: "fields", input: measure.show },
-    field("Time (UTC or with a zone)", inputs.time), field("Place of the camera", inputs.site),
-    field("Camera, if it is known", inputs.camera), field("Mask: white is sky", inputs.mask),
-    field("Wavelength of the filter, nm", inputs.line), field("Folder of the measurement", inputs.out),
-    element("label", {}, element("span", {}, inputs.map, " with a map of the electrons (minutes)")),
-    element("label", {}, element("span", {}, inputs.again, " replace an earlier measurement")));
+  const fields = element("div", { input: () => { inputs.out.placeholder = out(); measure.show(); } },
+    element("div", { class: "fields" }, ...known_fields(known),
+      field("Wavelength of the filter, nm", inputs.line), field("Folder of the measurement", inputs.out),
+      element("label", {}, element("span", {}, inputs.map, " with a map of the electrons (minutes)")),
+      element("label", {}, element("span", {}, inputs.again, " replace an earlier measurement"))), others.panel);
 
   async function show_run(run_name) {
     report.replaceChildren(await run_parts(run_name));
@@ -58,7 +63,7 @@ export function photo_view(name, files, changed) {
   async function calibrated(asked, exit_code) {
     await changed();
     if (exit_code !== 0 && exit_code !== 5) return;
-    choose(inputs.camera, asked[asked.indexOf("-o") + 1]);
+    choose(known["--camera"], asked[asked.indexOf("-o") + 1]);
     measure.show();
   }
   const mask = element("div");
@@ -66,23 +71,22 @@ export function photo_view(name, files, changed) {
     if (image === null) return;
     await image.decode().catch(() => {});
     const editor = mask_editor({ photo: name, picture, image, others: photographs, made: async made => {
-      choose(inputs.mask, made);
-      inputs.mask.dispatchEvent(new Event("input", { bubbles: true }));
+      choose(known["--mask"], made);
+      known["--mask"].dispatchEvent(new Event("input", { bubbles: true }));
       await changed();
     } });
-    inputs.mask.addEventListener("input", () => editor.show(kShown.test(inputs.mask.value) ? inputs.mask.value : ""));
+    known["--mask"].addEventListener("input", () => editor.show(kShown.test(known["--mask"].value) ? known["--mask"].value : ""));
     mask.replaceChildren(editor.panel);
   }
   const stars = element("div");
   async function edit_stars(run_name) {
     if (image === null) return;
     await image.decode().catch(() => {});
-    const said = option => ({ "--time": inputs.time, "--site": inputs.site, "--mask": inputs.mask })[option].value.trim();
+    const said = option => known[option].value.trim();
     stars.replaceChildren(await star_editor({ photo: name, picture, image, run_name, said, calibrated }));
   }
   edit_mask();
-  const earlier = inputs.out.value;
-  if (files.some(file => file.kind === "run" && file.name === earlier)) show_run(earlier);
+  if (files.some(file => file.kind === "run" && file.name === alone)) show_run(alone);
   else edit_stars("");
 
   return element("article", {}, element("h2", {}, name), picture, facts, fields, measure.panel, mask, stars, report);
