@@ -1,4 +1,4 @@
-// Reads and writes sparse grids as OpenVDB files. Only vdb_io.cpp and vdb_read.cpp include the library.
+// Reads and writes sparse grids as OpenVDB files. The library is in a module, openvdb.h.
 //
 // The centre of a voxel: in OpenVDB's own convention, which Houdini and the library's tools follow, the
 // transform maps the index (i, j, k) to the centre of a voxel. In Blender (3.4, Cycles) it maps the index to
@@ -56,8 +56,5 @@ VdbFile read_vdb(const std::string& path, const std::vector<std::string>& wanted
 
 /// Returns the version, "10.0.1".
 std::string vdb_library_version();
-
-/// Initialises OpenVDB. Call it before any other use of the library; further calls have no effect.
-void start_vdb_library();
 
 }  // namespace vegard::sim
