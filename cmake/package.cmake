@@ -22,7 +22,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
     "The simulator and the inversion of vegard as static libraries, with their\nheaders and what find_package(vegard) reads.")
 # What find_package(vegard) looks for, of packages.txt.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "vegard (= ${PROJECT_VERSION}), libeigen3-dev, libceres-dev, libopencv-dev, libjpeg-dev, zlib1g-dev, libhwy-dev, libtbb-dev, libtomlplusplus-dev, libmuparser-dev, pkg-config, libcfitsio-dev, libboost-iostreams-dev, nlohmann-json3-dev, libsqlite3-dev, libnetcdf-dev, libhdf5-dev, libmatio-dev, libarchive-dev, liblcms2-dev, libfmt-dev")
+    "vegard (= ${PROJECT_VERSION}), libeigen3-dev, libceres-dev, libopencv-dev, libjpeg-dev, libpng-dev, zlib1g-dev, libhwy-dev, libtbb-dev, libtomlplusplus-dev, libmuparser-dev, pkg-config, libcfitsio-dev, libboost-iostreams-dev, nlohmann-json3-dev, libsqlite3-dev, libnetcdf-dev, libhdf5-dev, libmatio-dev, libarchive-dev, liblcms2-dev, libfmt-dev")
 if(VEGARD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")

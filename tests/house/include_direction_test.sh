@@ -107,6 +107,8 @@ check_sources() {
         complain("OpenImageIO belongs in sim/base/picture/image_io/openimageio_module.cpp only")
       if (target ~ /^jpeglib/ && FILENAME != "fit/photo/codec/jpeg_rows.cpp")
         complain("libjpeg belongs in fit/photo/codec/jpeg_rows.cpp only")
+      if (target ~ /^png\.h/ && FILENAME !~ /^sim\/base\/picture\/(image_io\/png|png_pixels)\.cpp$/)
+        complain("libpng belongs in sim/base/picture/image_io/png.cpp and png_pixels.cpp only")
       if (target ~ /^lib(av|sw)/ && FILENAME !~ /^(fit\/photo\/frames\/video|apps\/output\/animation\/movie)_module\.cpp$/)
         complain("FFmpeg belongs in fit/photo/frames/video_module.cpp and apps/output/animation/movie_module.cpp only")
       if (target ~ /^lcms2/ && FILENAME != "fit/photo/codec/icc_profile.cpp")

@@ -13,6 +13,7 @@
 #include "fit/photo/codec/picture_format.h"
 #include "sim/base/error.h"
 #include "sim/base/module.h"
+#include "sim/base/picture/png_pixels.h"
 
 namespace vegard::fit {
 namespace {
@@ -54,6 +55,15 @@ cv::Mat decoded_jpeg(std::string_view bytes, const ImageFile& image, const std::
   return codes;
 }
 
+/// Empty for what OpenCV has to decode.
+cv::Mat decoded_png(std::string_view bytes, const ImageFile& image) {
+  const bool turned = image.orientation >= 5;
+  cv::Mat codes(turned ? image.width : image.height, turned ? image.height : image.width,
+                image.bits == 16 ? CV_16UC3 : CV_8UC3);
+  if (!sim::read_png_pixels(bytes, codes.cols, codes.rows, image.bits, codes.data)) return {};
+  return codes;
+}
+
 cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string& file) {
   // What is wrong with an image is reported by sim::Error; OpenCV would write to the terminal as well.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
@@ -67,6 +77,7 @@ cv::Mat decode(std::string_view bytes, const ImageFile& image, const std::string
   try {
     const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     if (image.format->walk == walk_jpeg) codes = decoded_jpeg(bytes, image, file);
+    if (image.format->walk == walk_png) codes = decoded_png(bytes, image);
     if (codes.empty()) codes = sim::module_functions<OpenCvCodecs>().decode(buffer, flags);
     if (!codes.empty() && !tiff) codes = upright(codes, image.orientation);
     if (!codes.empty() && codes.channels() == 4) {

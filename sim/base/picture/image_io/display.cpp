@@ -57,13 +57,16 @@ std::string encode_display(ImageFormat format, const Image& encoded, int bits, i
   layout.width = encoded.width;
   layout.height = encoded.height;
   layout.channels = encoded.channels();
+  const std::vector<std::uint8_t> bytes =
+      bits == 8 ? quantised<std::uint8_t>(encoded) : std::vector<std::uint8_t>();
+  const std::vector<std::uint16_t> words =
+      bits == 16 ? quantised<std::uint16_t>(encoded) : std::vector<std::uint16_t>();
+  const void* const pixels = bits == 8 ? static_cast<const void*>(bytes.data()) : words.data();
+  if (format == ImageFormat::png) return encode_png(layout, bits, attributes, pixels, name);
+
   CodecSettings settings = {{"DateTime", exif_time(value_or_empty(attributes, "DateTime"))}};
   std::string file_name;
-  if (format == ImageFormat::png) {
-    file_name = "image.png";
-    settings.emplace_back("oiio:ColorSpace", std::string("sRGB"));
-    describe_in_own_keys(settings, attributes);
-  } else if (format == ImageFormat::tiff) {
+  if (format == ImageFormat::tiff) {
     // No colour space here: OpenImageIO 2.4 makes EXIF data of it and then, writing to memory, a file that
     // none can read.
     file_name = "image.tif";
@@ -76,11 +79,7 @@ std::string encode_display(ImageFormat format, const Image& encoded, int bits, i
     settings.emplace_back("jpeg:subsampling", std::string("4:4:4"));  // aurorae are thin coloured lines
     describe_in_one_text(settings, description_of(attributes).substr(0, jpeg_description_limit));
   }
-  if (bits == 8)
-    return encode(file_name, name, layout, PixelType::uint8, settings,
-                  quantised<std::uint8_t>(encoded).data());
-  return encode(file_name, name, layout, PixelType::uint16, settings,
-                quantised<std::uint16_t>(encoded).data());
+  return encode(file_name, name, layout, bits == 8 ? PixelType::uint8 : PixelType::uint16, settings, pixels);
 }
 
 void write_display(const std::string& path, const Image& encoded, int bits, int jpeg_quality,

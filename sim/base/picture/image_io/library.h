@@ -44,6 +44,12 @@ std::string decoder_version(const std::string& format);
 std::string encode(const std::string& file_name, const std::string& name, const PictureLayout& layout,
                    PixelType type, const CodecSettings& settings, const void* pixels);
 
+/// Returns a PNG of 1 or 3 channels, sRGB-encoded, of 8 or 16 bits, by libpng: most pictures are PNGs, and
+/// OpenImageIO would have to be loaded first, which takes half a second. The bytes are those that
+/// OpenImageIO writes. Errors are about `name`. Throws Error(unwritable_output).
+std::string encode_png(const PictureLayout& layout, int bits, const ImageAttributes& attributes,
+                       const void* pixels, const std::string& name);
+
 /// A file in memory, in no folder, for decoders that open files by name, that exists as long as this object.
 /// Linux only (memfd_create, /proc).
 class MemoryFile {

@@ -1,5 +1,6 @@
 #include "sim/base/picture/image_io.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
@@ -185,6 +186,38 @@ TEST(ImageIo, PicturesKeepTheAttributesAsText) {
   }
   write_display(folder / "a.png", image, 8, 90, attributes);
   EXPECT_EQ(decoded(folder / "a.png").spec.get_string_attribute("vegard:seed"), "18446744073709551615");
+}
+
+/// The PNG that OpenImageIO writes of integers that are in the file.
+std::string png_by_openimageio(const std::string& path, const ImageAttributes& attributes) {
+  const Picture picture = decoded(path);
+  OIIO::ImageSpec spec(picture.spec.width, picture.spec.height, picture.spec.nchannels, picture.spec.format);
+  spec.attribute("DateTime", "2019:09:05 10:11:12");
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  for (const auto& [key, value] : attributes)
+    if (key != "DateTime") spec.attribute(key == "ImageDescription" ? key : "vegard:" + key, value);
+  const int step = picture.spec.format == OIIO::TypeDesc::UINT8 ? 257 : 1;
+  std::vector<std::uint16_t> words;
+  for (const int value : picture.values) words.push_back(static_cast<std::uint16_t>(value * step));
+  OIIO::Filesystem::IOVecOutput memory;
+  const auto output = OIIO::ImageOutput::create("a.png");
+  EXPECT_TRUE(output && output->set_ioproxy(&memory) && output->open("a.png", spec) &&
+              output->write_image(OIIO::TypeDesc::UINT16, words.data()) && output->close());
+  return {memory.buffer().begin(), memory.buffer().end()};
+}
+
+TEST(ImageIo, APngIsWhatOpenImageIoWrites) {
+  TemporaryFolder folder;
+  const ImageAttributes attributes = {{"DateTime", "2019-09-05T10:11:12Z"},
+                                      {"ImageDescription", "an arc"},
+                                      {"scene", std::string(20000, 'x') + " # Å\n"},
+                                      {"seed", "18446744073709551615"},
+                                      {std::string(90, 'k'), "longer than a key may be"}};
+  for (const auto& names : {std::vector<std::string>{"Y"}, std::vector<std::string>{"R", "G", "B"}})
+    for (const int bits : {8, 16}) {
+      write_display(folder / "a.png", pattern(217, 101, names), bits, 0, attributes, true);
+      EXPECT_EQ(bytes_of(folder / "a.png"), png_by_openimageio(folder / "a.png", attributes)) << bits;
+    }
 }
 
 TEST(ImageIo, EmptyAttributesAreLeftOut) {

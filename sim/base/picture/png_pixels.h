@@ -1,0 +1,15 @@
+// Reads the pixels of common PNGs by libpng, which is loaded at once: OpenCV's codecs, which read all others,
+// have 140 libraries behind them.
+#pragma once
+
+#include <string_view>
+
+namespace vegard::sim {
+
+/// Decodes a PNG of 8 or 16 bits, grey or RGB, without transparency, to `to`: blue, green and red of each
+/// pixel, three times the same of a grey one, row after row, as OpenCV does; 16 bits in the order of the
+/// machine. False, with anything in `to`, for other PNGs, for another size or number of bits than the caller
+/// has room for, and for damage.
+bool read_png_pixels(std::string_view bytes, int width, int height, int bits, void* to);
+
+}  // namespace vegard::sim
