@@ -156,7 +156,6 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   if (code != SQLITE_OK)
     throw error_of(code, database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code));
   sqlite3_extended_result_codes(database, 1);
-  sqlite3_busy_timeout(database, kWait_ms);
   // Of strangers' files: nothing in them is run, and no cell is larger than any of ours.
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -164,6 +163,12 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kMaxCellBytes);
   run("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0; PRAGMA cache_size = -8192");
+  // Where there are no locks, waiting for them is in vain. Nothing is locked yet that has_no_locks() could
+  // unlock; whatever else is wrong is told below.
+  if ((sqlite3_exec(database, "PRAGMA schema_version", nullptr, nullptr, nullptr) & 0xff) == SQLITE_BUSY &&
+      has_no_locks(name_))
+    throw error_of(SQLITE_BUSY, {});
+  sqlite3_busy_timeout(database, kWait_ms);
   if (opening == Opening::make)
     run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE");
   else if (writes_)
