@@ -56,7 +56,15 @@ struct AnimateRequest {
   std::string memory_limit;
 };
 
-bool is_movie(const std::string& output) { return sim::lowered_extension(output) == ".mp4"; }
+bool is_movie(const std::string& output) { return movie_kind_of(output).has_value(); }
+
+/// How frames are written. A movie's quality is that of its encoding, and its frames are the same for any.
+PictureOptions options_of_frames(const AnimateRequest& options) {
+  PictureOptions of_frames = options.picture;
+  if (is_movie(options.output)) of_frames.quality.reset();
+  if (movie_kind_of(options.output) == MovieKind::prores) of_frames.bits = 16;
+  return of_frames;
+}
 
 std::vector<int> frames_of(const AnimateRequest& options, const sim::Scene& scene) {
   if (!options.frames.empty()) return frames_from_words(options.frames);
@@ -74,7 +82,10 @@ void check_movie(const AnimateRequest& options, const sim::Scene& scene) {
   even("camera.width", scene.camera.width);
   even("camera.height", scene.camera.height);
   if (options.picture.bits)
-    throw usage_error("--bits", "a movie is made from 8-bit PNG", "-o frames/####.png as well");
+    throw usage_error("--bits", "a movie has as many as its format: 8 in .mp4, 10 in .mov",
+                      "-o frames/####.png as well");
+  if (options.picture.quality && movie_kind_of(options.output) == MovieKind::prores)
+    throw usage_error("--quality", "ProRes has one quality, that of 422 HQ", "-o movie.mp4");
   // A folder that is missing is made with that of the frames.
   const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
   std::error_code ignored;
@@ -156,7 +167,7 @@ bool render_frames(const AnimateRequest& options, const sim::Scene& scene,
       warned = true;
     }
     const sim::Image lines = line_layer(rendering);
-    PictureOptions picture = options.picture;
+    PictureOptions picture = options_of_frames(options);
     picture.frame = static_cast<std::uint32_t>(frame);
     picture.threads = options.threads;
     file.write(encoded_picture(names.file(frame), picture, now, std::move(rendering), lines));
@@ -227,14 +238,12 @@ int run_animate(const AnimateRequest& request) {
   check_moving(options, scene, frames, frames_per_second);
   if (options.list) return list_frames(scene, frames, frames_per_second);
   if (options.output.empty())
-    throw usage_error("--output", "nothing to write", "-o frames/####.exr or -o movie.mp4");
+    throw usage_error("--output", "nothing to write", "-o frames/####.exr, -o movie.mp4 or -o movie.mov");
 
   const bool movie = is_movie(options.output);
   const FrameNames names(movie ? options.output + ".frames/########.png" : options.output);
   names.check_room_for(frames.back());
-  // A movie's quality is that of its encoding, and its frames are the same for any.
-  PictureOptions of_frames = options.picture;
-  if (movie) of_frames.quality.reset();
+  const PictureOptions of_frames = options_of_frames(options);
   check_picture_options(names.file(0), of_frames);
   refuse_input_as_output(options, names, options.scene.file, "the scene");
   refuse_input_as_output(options, names, options.scene.camera_file, "the camera's file");
@@ -303,7 +312,7 @@ void add_animate_command(Program& program) {
   command
       .option("-o,--output", options->output,
               "The frames to write, with # for each digit of their number, or a movie")
-      .type_name("FRAMES/####.exr|tif|png|jpg or OUT.mp4");
+      .type_name("FRAMES/####.exr|tif|png|jpg or OUT.mp4|mov");
   command
       .option("--frames", options->frames, "Frames to render, LAST included (default: 0 to time.frames - 1)")
       .type_name("FIRST:LAST[:STEP]");

@@ -33,6 +33,19 @@ expect_stderr "camera.width=162"
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --bits 16
 expect_exit 2 animate "$small" "${options[@]}" -o odd.mp4 --quality 101
 expect_only movie.mp4 movie.camera.json kept.png
+# For programs that cut and grade: ten bits, which are made from frames of sixteen.
+expect_exit 0 animate "$small" "${options[@]}" -o graded.mov
+expect_stdout "6 frames | ProRes 422 HQ"
+[[ $(head -c 12 graded.mov | tail -c 8) == "ftypqt  " ]] || fail "graded.mov is no QuickTime"
+rm graded.mov
+expect_exit 0 animate "$small" "${options[@]}" -o graded.mov.frames/########.png
+expect_exit 2 animate "$small" "${options[@]}" -o graded.mov # these have eight
+rm -r graded.mov.frames
+for option in "--bits 16" "--quality 50"; do
+  expect_exit 2 animate "$small" "${options[@]}" -o graded.mov $option
+  expect_one_message
+done
+expect_only movie.mp4 movie.camera.json kept.png
 # A movie has a quality, which its frames do not depend on: those of a rough movie do for a fine one.
 expect_exit 0 animate "$small" "${options[@]}" -o rough.mp4.frames/########.png
 expect_exit 0 animate "$small" "${options[@]}" -o rough.mp4 --quality 20

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "apps/output/animation/movie_writer.h"
 #include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/module.h"
+#include "sim/base/text.h"
 
 namespace vegard::apps {
 namespace {
@@ -40,6 +40,13 @@ class ZeroedMemory {
 
 double rate_factor_of(int quality) { return std::max(0.5, 0.5 * (100 - quality)); }
 
+std::optional<MovieKind> movie_kind_of(const std::string& path) {
+  const std::string ending = sim::lowered_extension(path);
+  if (ending == ".mp4") return MovieKind::mp4;
+  if (ending == ".mov") return MovieKind::prores;
+  return std::nullopt;
+}
+
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite, const std::function<void(double)>& progress,
                         const std::atomic<bool>* stop, bool all_around, int quality) {
@@ -54,7 +61,8 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
       throw trouble(sim::ErrorKind::unreadable_input, picture, "has another size than the first frame");
   };
   const std::unique_ptr<MovieWriter> writer = module.writer();
-  check(writer->open(file.temporary(), pictures.front(), frames_per_second, rate_factor_of(quality)),
+  const MovieKind kind = movie_kind_of(path).value_or(MovieKind::mp4);
+  check(writer->open(file.temporary(), kind, pictures.front(), frames_per_second, rate_factor_of(quality)),
         pictures.front());
   const std::string codec = writer->codec();
   if (codec.empty())
@@ -67,7 +75,7 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(pictures.size()));
   }
   writer->finish();
-  if (all_around) mark_as_spherical(file.temporary(), path);
+  if (all_around && kind == MovieKind::mp4) mark_as_spherical(file.temporary(), path);
   if (!writer->is_whole(pictures.size()))
     throw trouble(sim::ErrorKind::unwritable_output, path,
                   "cannot be written: what was encoded cannot be read again",

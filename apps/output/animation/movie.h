@@ -8,8 +8,11 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "apps/output/animation/movie_writer.h"
 
 namespace vegard::apps {
 
@@ -19,12 +22,15 @@ namespace vegard::apps {
 double rate_factor_of(int quality);
 inline constexpr int kMovieQuality = 84;
 
-/// Encodes 8-bit RGB pictures, all of the same even width and height, as an MP4: H.264 if FFmpeg has it, else
-/// MPEG-4 part 2. Decodes the movie again to check that it is complete, then moves it durably to its
-/// name; without `overwrite` it never replaces another file. Returns the name of the codec, or an empty text
-/// if `stop` ended the work: nothing is left behind then. The same pictures give the same bytes in every run
-/// on one machine. `all_around`: the pictures are
-/// equirectangular, and the movie is marked so. Throws
+/// The kind of movie that a name asks for: by .mp4 or .mov.
+std::optional<MovieKind> movie_kind_of(const std::string& path);
+
+/// Encodes RGB pictures of 8 or 16 bits, all of the same even width and height: an MP4 as H.264 if FFmpeg has
+/// it, else as MPEG-4 part 2; for a path that ends in .mov as ProRes 422 HQ. Decodes the movie again to check
+/// that it is complete, then moves it durably to its name; without `overwrite` it never replaces another
+/// file. Returns the name of the codec, or an empty text if `stop` ended the work: nothing is left behind
+/// then. The same pictures give the same bytes in every run on one machine. `all_around`: the pictures are
+/// equirectangular, and an MP4 is marked so. Throws
 /// Error(existing_output), Error(unwritable_output), Error(unreadable_input) for a picture.
 std::string write_movie(const std::string& path, const std::vector<std::string>& pictures,
                         double frames_per_second, bool overwrite,

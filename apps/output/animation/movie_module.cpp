@@ -40,24 +40,37 @@ using Film = std::unique_ptr<AVFormatContext, FreeFile>;
 using Scaler = std::unique_ptr<SwsContext, FreeScaler>;
 
 struct Codec {
-  const char *name, *encoder;
+  MovieKind kind;
+  const char *name, *encoder, *container;
+  AVPixelFormat pixels;
 };
-constexpr Codec kCodecs[] = {{"H.264", "libx264"}, {"MPEG-4 part 2", "mpeg4"}};
+constexpr Codec kCodecs[] = {
+    {MovieKind::mp4, "H.264", "libx264", "mp4", AV_PIX_FMT_YUV420P},
+    {MovieKind::mp4, "MPEG-4 part 2", "mpeg4", "mp4", AV_PIX_FMT_YUV420P},
+    {MovieKind::prores, "ProRes 422 HQ", "prores_ks", "mov", AV_PIX_FMT_YUV422P10LE},
+};
+
+/// Reads a picture as 8 or 16 bits per channel, as it is.
+cv::Mat picture_of(const std::string& file) {
+  return cv::imread(file, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+}
 
 class FfmpegMovie : public MovieWriter {
  public:
-  MoviePicture open(const std::string& path, const std::string& first, double frames_per_second,
-                    double rate_factor) override {
+  MoviePicture open(const std::string& path, MovieKind kind, const std::string& first,
+                    double frames_per_second, double rate_factor) override {
     // Both print of their own accord, about codecs that they do not have and files that they cannot read.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // FFmpeg's AV_LOG_QUIET
     av_log_set_level(AV_LOG_QUIET);
     path_ = path;
     frames_per_second_ = frames_per_second;
-    size_ = cv::imread(first, cv::IMREAD_COLOR).size();
+    const cv::Mat picture = picture_of(first);
+    size_ = picture.size();
+    depth_ = picture.depth();
     if (size_.empty()) return MoviePicture::unreadable;
     for (const Codec& codec : kCodecs) {
-      if (!begin(codec, rate_factor)) continue;
+      if (codec.kind != kind || !begin(codec, rate_factor)) continue;
       codec_ = codec.name;
       break;
     }
@@ -67,9 +80,9 @@ class FfmpegMovie : public MovieWriter {
   std::string codec() const override { return codec_; }
 
   MoviePicture write(const std::string& picture) override {
-    const cv::Mat read = cv::imread(picture, cv::IMREAD_COLOR);
+    const cv::Mat read = picture_of(picture);
     if (read.empty()) return MoviePicture::unreadable;
-    if (read.size() != size_) return MoviePicture::of_other_size;
+    if (read.size() != size_ || read.depth() != depth_) return MoviePicture::of_other_size;
     const Frame frame(av_frame_alloc());
     frame->format = encoder_->pix_fmt;
     frame->width = size_.width;
@@ -113,13 +126,13 @@ class FfmpegMovie : public MovieWriter {
     const AVCodec* const found = avcodec_find_encoder_by_name(codec.encoder);
     if (found == nullptr) return false;
     AVFormatContext* film = nullptr;
-    if (avformat_alloc_output_context2(&film, nullptr, "mp4", path_.c_str()) < 0) return false;
+    if (avformat_alloc_output_context2(&film, nullptr, codec.container, path_.c_str()) < 0) return false;
     film_.reset(film);
     film_->flags |= AVFMT_FLAG_BITEXACT;
     encoder_.reset(avcodec_alloc_context3(found));
     encoder_->width = size_.width;
     encoder_->height = size_.height;
-    encoder_->pix_fmt = AV_PIX_FMT_YUV420P;
+    encoder_->pix_fmt = codec.pixels;
     encoder_->framerate = av_d2q(frames_per_second_, kFinestRate);
     encoder_->time_base = av_inv_q(encoder_->framerate);
     encoder_->gop_size = std::max(1, static_cast<int>(kLongestGroup_s * frames_per_second_));
@@ -131,7 +144,12 @@ class FfmpegMovie : public MovieWriter {
     encoder_->color_range = AVCOL_RANGE_MPEG;
     encoder_->flags |= AV_CODEC_FLAG_BITEXACT;
     if ((film_->oformat->flags & AVFMT_GLOBALHEADER) != 0) encoder_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    if (av_opt_set_double(encoder_->priv_data, "crf", rate_factor, 0) < 0) {
+    if (codec.kind == MovieKind::prores) {
+      // The matrix that programs for cutting take for granted; every frame a key frame, as of old.
+      encoder_->colorspace = AVCOL_SPC_BT709;
+      encoder_->gop_size = 1;
+      if (av_opt_set(encoder_->priv_data, "profile", "hq", 0) < 0) return false;
+    } else if (av_opt_set_double(encoder_->priv_data, "crf", rate_factor, 0) < 0) {
       // Of MPEG-4: its quantiser, which runs from 1 to 31 where the rate factor runs to 51.
       encoder_->flags |= AV_CODEC_FLAG_QSCALE;
       encoder_->global_quality = FF_QP2LAMBDA * std::max(1, static_cast<int>(std::lround(0.2 * rate_factor)));
@@ -141,10 +159,14 @@ class FfmpegMovie : public MovieWriter {
     stream_->time_base = encoder_->time_base;
     stream_->avg_frame_rate = encoder_->framerate;
     if (avcodec_parameters_from_context(stream_->codecpar, encoder_.get()) < 0) return false;
-    scaler_.reset(sws_getContext(size_.width, size_.height, AV_PIX_FMT_BGR24, size_.width, size_.height,
-                                 encoder_->pix_fmt, SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP,
-                                 nullptr, nullptr, nullptr));
+    scaler_.reset(
+        sws_getContext(size_.width, size_.height, depth_ == CV_16U ? AV_PIX_FMT_BGR48 : AV_PIX_FMT_BGR24,
+                       size_.width, size_.height, encoder_->pix_fmt,
+                       SWS_BICUBIC | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INP, nullptr, nullptr, nullptr));
     if (scaler_ == nullptr) return false;
+    if (codec.kind == MovieKind::prores)
+      sws_setColorspaceDetails(scaler_.get(), sws_getCoefficients(SWS_CS_DEFAULT), 1,
+                               sws_getCoefficients(SWS_CS_ITU709), 0, 0, 1 << 16, 1 << 16);
     // A disk that is full at the beginning is noticed as one that is full in the end.
     // A colon in a name is not that of a protocol.
     has_header_ = avio_open(&film_->pb, ("file:" + path_).c_str(), AVIO_FLAG_WRITE) >= 0 &&
@@ -170,6 +192,7 @@ class FfmpegMovie : public MovieWriter {
   std::string path_, codec_;
   double frames_per_second_ = 0.0;
   cv::Size size_;
+  int depth_ = CV_8U;
   Film film_;
   Encoder encoder_;
   Scaler scaler_;

@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <set>
 
 #include "apps/output/animation/animation_frames.h"
+#include "fit/photo/frames/frame_store.h"
+#include "fit/photo/frames/picture_bytes.h"
 #include "sim/base/picture/image_io.h"
 #include "sim/render/render.h"
 #include "tests/support/expect_error.h"
@@ -134,6 +138,40 @@ TEST(Movie, DoesNotDependOnWhatMemoryHeldBefore) {
     if (first.empty()) first = bytes;
     EXPECT_TRUE(bytes == first) << "other bytes after " << mark;
   }
+}
+
+// A slow ramp has as many steps as its bits: 17 codes of 8 bits, 55 of 10 in limited range.
+TEST(Movie, OfProResHasTenBits) {
+  constexpr int kWidth = 256, kHeight = 32, kDark = 20000, kStep = 16;
+  const TemporaryFolder folder;
+  cv::Mat picture(kHeight, kWidth, CV_16UC3);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const auto grey = static_cast<std::uint16_t>(kDark + kStep * x);
+      picture.at<cv::Vec3w>(y, x) = {grey, grey, grey};
+    }
+  std::vector<std::string> frames;
+  for (int frame = 0; frame < 3; ++frame) {
+    frames.push_back(folder / (std::to_string(frame) + ".png"));
+    ASSERT_TRUE(cv::imwrite(frames.back(), picture));
+  }
+  const std::string movie = folder / "film.mov";
+  EXPECT_EQ(write_movie(movie, frames, 25.0, false), "ProRes 422 HQ");
+  write_movie(folder / "again.mov", frames, 25.0, false);
+  EXPECT_TRUE(tests::bytes_of(movie) == tests::bytes_of(folder / "again.mov"));
+  fit::PictureSeries series;
+  const std::string bytes = series.read(fit::name_of_frame(movie, 2)).bytes;
+  const cv::Mat read = cv::imdecode(std::vector<unsigned char>(bytes.begin(), bytes.end()),
+                                    cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+  ASSERT_EQ(read.size(), picture.size());
+  ASSERT_EQ(read.depth(), CV_16U);
+  std::set<int> greens;
+  for (int x = 0; x < kWidth; ++x) {
+    const int green = read.at<cv::Vec3w>(kHeight / 2, x)[1];
+    EXPECT_NEAR(green, kDark + kStep * x, 200) << x;  // a code of 8 bits is 257
+    greens.insert(green);
+  }
+  EXPECT_GT(greens.size(), 40u);
 }
 
 TEST(Movie, HasTheSameBytesOnEveryRun) {
