@@ -64,7 +64,8 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
   double of_pixel = 2.0 * of_lines + 2.0 * of_colours + of_sheets + use.bytes_per_px;
   if (has_night_sky(scene)) of_pixel += 2.0 * of_colours;
   if (has_stars(scene)) of_pixel += of_colours;
-  if (scene.ground.shown) of_pixel += of_colours + kFloatBytes;
+  constexpr double kSorting = 9.0;  // a pixel's azimuth and elevation
+  if (scene.ground.shown) of_pixel += of_colours + kFloatBytes + kSorting;
   if (!scene.composite.background.empty()) of_pixel += 2.0 * of_colours + kFloatBytes;
   if (!scene.composite.foreground.empty()) of_pixel += 2.0 * (of_colours + kFloatBytes);
   if (has_volumes(scene)) of_pixel += 2.0 * of_lines + 3.0 * of_colours + kFloatBytes;

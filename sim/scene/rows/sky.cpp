@@ -47,7 +47,7 @@ std::vector<Declaration> sky_rows() {
       Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the light that the air scatters, and on the ground the Moon's own"),
 
       Row("ground", "shown", &Scene::ground, &Ground::shown)
-          .means("a matt grey ground below the horizon, lit by the sky"),
+          .means("snow, trees and hills, lit by the sky, and light that air scatters"),
       Row("ground", "albedo", &Scene::ground, &Ground::albedo).within(0, 1)
           .means("fresh snow 0.8–0.9, bare ground 0.2"),
 

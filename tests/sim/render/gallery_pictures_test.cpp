@@ -78,5 +78,77 @@ TEST(GalleryPictures, TheHomogeneousArcsHaveNoRays) {
   EXPECT_LT(now, 0.7 * striation(scene));
 }
 
+Scene small_picture(const char* name, int width, int height) {
+  Scene scene = read_scene(tests::source_folder() + "/data/gallery/" + name);
+  scene.camera.width = width;
+  scene.camera.height = height;
+  scene.stars.shown = false;
+  for (Sheet& sheet : scene.sheets) sheet.beams_per_km = 4.0, sheet.points_per_px = 0.0;
+  return scene;
+}
+
+/// The least light of a row of the sky over that of the row above it, from 15 degrees up to the skyline, in
+/// the panorama's part without arcs. Where the sky ends in a black strip it is next to nothing.
+double darkest_step(const Scene& scene, const Rendering& picture) {
+  const int width = scene.camera.width, height = scene.camera.height;
+  double least = 1.0, above = 0.0;
+  for (int y = height * 75 / 180; y < height / 2; ++y) {
+    double sum = 0.0;
+    int count = 0;
+    for (int x = 0; x < width / 10; ++x) {
+      const bool sky = picture.ground.empty() || picture.ground.at(x, y, 3) == 0.0f;
+      for (int c = 0; c < 3 && sky; ++c) sum += picture.rgb.at(x, y, c);
+      count += sky ? 1 : 0;
+    }
+    if (count < 5) break;
+    if (above > 0.0) least = std::min(least, sum / count / above);
+    above = sum / count;
+  }
+  return least;
+}
+
+TEST(GalleryPictures, TheSkyReachesTheHorizon) {
+  Scene scene = small_picture("panorama.toml", 720, 360);
+  EXPECT_GT(darkest_step(scene, render(scene)), 0.9);
+  scene.ground.shown = false;  // and with it the light that the air scatters
+  EXPECT_LT(darkest_step(scene, render(scene)), 0.5);
+}
+
+/// Snow cannot shine more than a white surface under this sky; it has a texture; and hills are darker than
+/// the sky above them. `first`, `last`: rows of the near snow, in shares of the height.
+void expect_a_landscape(const Scene& scene, double first, double last) {
+  const GroundIllumination light = light_on_ground(scene);
+  const Rendering picture = render(scene);
+  double mean[3] = {}, near = 0.0, near_squared = 0.0;
+  int count = 0, near_count = 0, hills = 0;
+  for (int x = 0; x < scene.camera.width; ++x) {
+    int skyline = scene.camera.height;
+    for (int y = scene.camera.height - 1; y >= 0 && picture.ground.at(x, y, 3) == 1.0f; --y) {
+      skyline = y;
+      ++count;
+      for (int c = 0; c < 3; ++c) mean[c] += picture.rgb.at(x, y, c);
+      if (y < first * scene.camera.height || y > last * scene.camera.height) continue;
+      ++near_count;
+      near += picture.rgb.at(x, y, 1);
+      near_squared += std::pow(picture.rgb.at(x, y, 1), 2);
+    }
+    ASSERT_GE(skyline, 3);
+    if (picture.rgb.at(x, skyline, 1) < 0.7 * picture.rgb.at(x, skyline - 3, 1)) ++hills;
+  }
+  ASSERT_GT(near_count, 100);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_LT(mean[c] / count, light.rgb[c] / kPi) << c;
+    EXPECT_GT(mean[c] / count, 0.5 * scene.ground.albedo * light.rgb[c] / kPi) << c;
+  }
+  near /= near_count;
+  EXPECT_GT(std::sqrt(near_squared / near_count - near * near), 0.02 * near);
+  EXPECT_GT(hills, scene.camera.width / 2);
+}
+
+TEST(GalleryPictures, SnowIsLitByTheSkyAboveIt) {
+  expect_a_landscape(small_picture("panorama.toml", 360, 180), 0.53, 0.65);
+  expect_a_landscape(small_picture("moonlit_snow.toml", 320, 213), 0.8, 1.0);
+}
+
 }  // namespace
 }  // namespace vegard::sim::gallery_pictures_test

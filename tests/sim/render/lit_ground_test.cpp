@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/base/number/constants.h"
 #include "sim/render/render.h"
+#include "sim/view/colour/line_colours.h"
 #include "sim/view/colour/radiometry.h"
 #include "sim/view/sky/air.h"
 #include "tests/support/small_scene.h"
@@ -14,9 +16,7 @@
 namespace vegard::sim::lit_ground_test {
 namespace {
 
-// Under an even sky of radiance L the irradiance of a level surface is pi L: a ground of albedo a shines with
-// a L.
-TEST(LitGround, UnderAnEvenSkyItShinesByItsAlbedo) {
+Scene under_even_sky() {
   Scene scene;
   scene.sky.level = {0.1, 0.2, 0.4};
   scene.ground.shown = true;
@@ -24,18 +24,81 @@ TEST(LitGround, UnderAnEvenSkyItShinesByItsAlbedo) {
   scene.camera.elevation_deg = 0.0;
   scene.camera.width = 60;
   scene.camera.height = 40;
+  return scene;
+}
+
+// Under an even sky of radiance L the irradiance of a level surface is pi L: snow of albedo a shines with a
+// L, old snow and slopes with less.
+TEST(LitGround, UnderAnEvenSkyItShinesByItsAlbedoAtMost) {
+  const Scene scene = under_even_sky();
   const GroundIllumination light = light_on_ground(scene);
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(light.rgb[c], kPi * scene.sky.level[c], 1e-5);
   const Rendering picture = render(scene);
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(picture.rgb.at(30, 5, c), scene.sky.level[c], 1e-6);         // the sky
-    EXPECT_NEAR(picture.rgb.at(30, 35, c), 0.8 * scene.sky.level[c], 1e-5);  // the ground
-  }
   EXPECT_EQ(picture.ground.at(30, 5, 3), 0.0f);
-  EXPECT_EQ(picture.ground.at(30, 35, 3), 1.0f);
-  // The horizon is level at sea level, between two rows.
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.rgb.at(30, 5, c), scene.sky.level[c], 1e-6);
+  double darkest = 1.0, brightest = 0.0;
+  for (int x = 0; x < 60; ++x) {
+    EXPECT_EQ(picture.ground.at(x, 35, 3), 1.0f);
+    for (int c = 0; c < 3; ++c) {
+      const double of_sky = picture.rgb.at(x, 35, c) / scene.sky.level[c];
+      darkest = std::min(darkest, of_sky);
+      brightest = std::max(brightest, of_sky);
+    }
+  }
+  EXPECT_LE(brightest, 0.8 + 1e-5);
+  EXPECT_GE(darkest, 0.5 * 0.8);
+  EXPECT_GT(brightest, 1.05 * darkest);  // snow with drifts
+  EXPECT_EQ(ground_layer(scene, light, 1).data, ground_layer(scene, light, 3).data);
+}
+
+// A slope under an even sky sees (1 + cos t) / 2 of it; one that faces the light of half the sky gets more.
+TEST(LitGround, SlopesAreLitByTheSkyThatTheySee) {
+  const GroundIllumination even = light_on_ground(under_even_sky());
+  constexpr int kSlopes = GroundIllumination::kSlopes, kLevel = kSlopes / 2;
+  for (int east = 0; east < kSlopes; ++east) {
+    const double slope = GroundIllumination::kSteepest * (2.0 * east / (kSlopes - 1) - 1.0);
+    const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+    EXPECT_NEAR(even.on[kLevel * kSlopes + east][1] / (kPi * 0.2), 0.5 * (1.0 + cosine), 2e-3);
+  }
+  Scene town;
+  town.light_pollution.luminance_mcd_m2 = 5.0;
+  town.light_pollution.azimuth_deg = 90.0;
+  const GroundIllumination light = light_on_ground(town);
+  EXPECT_GT(light.on[kLevel * kSlopes][1], 1.2 * light.on[kLevel * kSlopes + kSlopes - 1][1]);
+  EXPECT_GT(light.horizon[90][1], 2.0 * light.horizon[270][1]);
+}
+
+// From above all ground it is level and even.
+TEST(LitGround, IsEvenFromHighAbove) {
+  Scene scene = under_even_sky();
+  scene.site.altitude_m = 11000.0;
+  const Rendering picture = render(scene);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.rgb.at(30, 35, c), 0.8 * scene.sky.level[c], 1e-5);
   EXPECT_EQ(picture.ground.at(0, 19, 3), 0.0f);
-  EXPECT_EQ(picture.ground.at(0, 20, 3), 1.0f);
+  EXPECT_EQ(picture.ground.at(0, 39, 3), 1.0f);
+}
+
+// At the horizon the air is thick: nearly all of the light in a line of sight is what the air scatters, the
+// mean of the light from all around; without air there is none.
+TEST(LitGround, TheAirScattersTheAirglow) {
+  Scene scene = under_even_sky();
+  scene.sky.level = {0.0, 0.0, 0.0};
+  scene.airglow.green_rayleigh = 250.0;
+  scene.camera.elevation_deg = 40.0;
+  EXPECT_EQ(render(scene).ground.at(30, 20, 1), 0.0f);
+  scene.air.model = AirModel::standard;
+  const GroundIllumination light = light_on_ground(scene);
+  ASSERT_EQ(light.in_air.back().wavelength_nm, 557.7);
+  const LineInAir& line = light.in_air.back();
+  const double around = 0.5e-3 * (line.mean + 0.8 * line.level) * line_colour(scene, 557.7)[1];
+  const Image high = render(scene).ground;
+  for (int row = 1; row < 40; ++row) EXPECT_GT(high.at(30, row, 1), high.at(30, row - 1, 1));
+  scene.camera.elevation_deg = 20.0;
+  int skyline = 0;
+  const Image ground = render(scene).ground;
+  while (ground.at(30, skyline + 1, 3) == 0.0f) ++skyline;
+  EXPECT_GT(ground.at(30, skyline, 1), 0.7 * around);
+  EXPECT_LT(ground.at(30, skyline, 1), around);
 }
 
 // Airglow without air, by hand: the van Rhijn layer integrated over the hemisphere by another rule
