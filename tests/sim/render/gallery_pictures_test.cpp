@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "sim/base/number/constants.h"
 #include "sim/render/render.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/view/camera/camera.h"
 #include "tests/support/source_folder.h"
 
 namespace vegard::sim::gallery_pictures_test {
@@ -108,7 +110,7 @@ double darkest_step(const Scene& scene, const Rendering& picture) {
 }
 
 TEST(GalleryPictures, TheSkyReachesTheHorizon) {
-  Scene scene = small_picture("panorama.toml", 720, 360);
+  Scene scene = small_picture("panorama.toml", 480, 240);
   EXPECT_GT(darkest_step(scene, render(scene)), 0.9);
   scene.ground.shown = false;  // and with it the light that the air scatters
   EXPECT_LT(darkest_step(scene, render(scene)), 0.5);
@@ -148,6 +150,39 @@ void expect_a_landscape(const Scene& scene, double first, double last) {
 TEST(GalleryPictures, SnowIsLitByTheSkyAboveIt) {
   expect_a_landscape(small_picture("panorama.toml", 360, 180), 0.53, 0.65);
   expect_a_landscape(small_picture("moonlit_snow.toml", 320, 213), 0.8, 1.0);
+}
+
+/// The brightest aurora within 2 degrees of the horizon over the brightest 8 to 15 degrees high.
+double light_at_the_horizon(const Scene& scene) {
+  const Image light = render(scene).rayleigh;
+  const CameraView<double> view = camera_view(scene.camera);
+  double low = 0.0, high = 0.0;
+  for (int y = 0; y < light.height; ++y)
+    for (int x = 0; x < light.width; ++x) {
+      double enu[3];
+      if (!enu_of_pixel(view, x + 0.5, y + 0.5, enu)) continue;
+      const double elevation_deg = std::asin(enu[2]) / kRadiansPerDegree;
+      const double green = light.at(x, y, 1);
+      if (elevation_deg > 0.0 && elevation_deg < 2.0) low = std::max(low, green);
+      if (elevation_deg > 8.0 && elevation_deg < 15.0) high = std::max(high, green);
+    }
+  return low / high;
+}
+
+TEST(GalleryPictures, ArcsFadeAtTheHorizonAndDoNotEndAboveIt) {
+  for (const char* name : {"all_sky.toml", "spirals.toml", "panorama.toml"}) {
+    const bool around = name == std::string("panorama.toml");
+    Scene scene = small_picture(name, around ? 360 : 300, around ? 180 : 300);
+    if (!around) scene.camera.focal_px /= 3.0;
+    EXPECT_LT(light_at_the_horizon(scene), 0.2) << name;
+    for (const Sheet& sheet : scene.sheets) {
+      // The feet of the ends, 110 km high, are below the horizon.
+      const double to_km = 0.5 * sheet.length_km;
+      EXPECT_LT(110.0 / to_km, to_km / (2.0 * kEarthRadiusKm)) << name;
+    }
+    scene.air.model = AirModel::none;
+    EXPECT_GT(light_at_the_horizon(scene), 0.4) << name;
+  }
 }
 
 }  // namespace
