@@ -144,7 +144,7 @@ Landscape::Surface Landscape::surface(double east_m, double north_m, double dist
 void Landscape::look(double azimuth_rad, double lowest_sine, double step_rad,
                      std::vector<LandscapePoint>& seen) const {
   constexpr double kFinest = 0.006, kOfPlain = 0.012;  // of the distance
-  constexpr double kTallest_m = 600.0;
+  constexpr double kTallest_m = 600.0, kNear_m = 40.0;
   const double east = std::sin(azimuth_rad), north = std::cos(azimuth_rad);
   const double eye_m = kEye_m + surface(0.0, 0.0, 0.0, 0.01, -1e9, false).height_m;
   double highest = -1.0;
@@ -160,9 +160,11 @@ void Landscape::look(double azimuth_rad, double lowest_sine, double step_rad,
     const double hidden_m =
         below_m + distance_m * highest / std::sqrt(std::max(1e-12, 1.0 - highest * highest));
     const double to_east = distance_m * east, to_north = distance_m * north;
-    const double height_m = surface(to_east, to_north, distance_m, step_m, hidden_m, false).height_m;
-    if (height_m > hidden_m) {
-      const Surface at = surface(to_east, to_north, distance_m, step_m, hidden_m, true);
+    // Nearly all is seen that is near; farther off, most is hidden, and the height alone costs less.
+    const bool near = distance_m < kNear_m;
+    Surface at = surface(to_east, to_north, distance_m, step_m, hidden_m, near);
+    if (at.height_m > hidden_m) {
+      if (!near) at = surface(to_east, to_north, distance_m, step_m, hidden_m, true);
       const double up_m = at.height_m - below_m;
       highest = up_m / std::sqrt(up_m * up_m + distance_m * distance_m + 1e-12);
       seen.push_back({static_cast<float>(highest), static_cast<float>(distance_m),
