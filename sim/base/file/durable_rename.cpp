@@ -39,7 +39,7 @@ struct UnfinishedPlace {
 
 std::array<UnfinishedPlace, 64> unfinished;
 std::mutex keeping;  // of whoever keeps and forgets; a handler does without
-std::atomic<int> being_created{0};
+std::atomic<int> uninterrupted{0};
 std::atomic<bool> is_ending{false};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<PlaceState>::is_always_lock_free);
@@ -84,40 +84,6 @@ void keep_unfinished(const std::string& path) {
     return;
   }
 }
-
-/// While it lives, no signal handler runs in this thread.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    sigfillset(&all);
-    ::pthread_sigmask(SIG_SETMASK, &all, &former_);
-  }
-  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &former_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t former_;
-};
-
-/// While it lives, a handler of another thread waits: it finds what is created meanwhile registered. One that
-/// has begun lets nothing be created.
-class Creation {
- public:
-  Creation() {
-    ++being_created;
-    if (!is_ending.load()) return;
-    --being_created;
-    for (;;) ::pause();  // for the process's end
-  }
-  ~Creation() { --being_created; }
-  Creation(const Creation&) = delete;
-  Creation& operator=(const Creation&) = delete;
-
- private:
-  SignalsHeld held_;
-};
 
 bool passes(UnfinishedPlace& place, PlaceState from, PlaceState to) {
   return place.state.compare_exchange_strong(from, to);
@@ -198,22 +164,37 @@ std::optional<Partial> partial_of(const std::string& name) {
   return Partial{parts.str(1) + parts.str(3), std::stoi(parts.str(2))};
 }
 
+Uninterrupted::Uninterrupted() {
+  sigset_t all;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &former_);
+  ++uninterrupted;
+  if (!is_ending.load()) return;
+  --uninterrupted;
+  for (;;) ::pause();  // for the process's end
+}
+
+Uninterrupted::~Uninterrupted() {
+  --uninterrupted;
+  ::pthread_sigmask(SIG_SETMASK, &former_, nullptr);
+}
+
 int create_unfinished_file(const std::string& path) {
-  const Creation creation;
+  const Uninterrupted whole;
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor >= 0) keep_unfinished(path);
   return descriptor;
 }
 
 int create_unfinished_directory(const std::string& path) {
-  const Creation creation;
+  const Uninterrupted whole;
   if (::mkdir(path.c_str(), 0777) != 0) return -1;
   keep_unfinished(path);
   return 0;
 }
 
 void forget_unfinished(const std::string& path) {
-  const SignalsHeld held;  // a handler would wait for a creation that waits for us
+  const Uninterrupted whole;
   const std::lock_guard<std::mutex> alone(keeping);
   for (UnfinishedPlace& place : unfinished)
     if (place.state.load() == PlaceState::kept && path == place.path &&
@@ -223,9 +204,9 @@ void forget_unfinished(const std::string& path) {
 
 void delete_unfinished_files() noexcept {
   is_ending.store(true);
-  // What other threads are about to create is registered within moments; a disk that hangs is not waited for.
+  // Other threads need moments; a disk that hangs is not waited for.
   constexpr int kLongest_ms = 2000;
-  for (int waited_ms = 0; being_created.load() != 0 && waited_ms < kLongest_ms; ++waited_ms) {
+  for (int waited_ms = 0; uninterrupted.load() != 0 && waited_ms < kLongest_ms; ++waited_ms) {
     const struct timespec pause = {0, 1000000};
     ::nanosleep(&pause, nullptr);
   }

@@ -3,6 +3,7 @@
 // success.
 #pragma once
 
+#include <signal.h>
 #include <sys/stat.h>
 
 #include <optional>
@@ -30,6 +31,20 @@ struct Partial {
 };
 /// Returns nothing for any other name.
 std::optional<Partial> partial_of(const std::string& name);
+
+/// While one lives, no signal handler runs in this thread, and delete_unfinished_files() in another one
+/// waits; once that has begun, the constructor waits for the process's end. For the moments in which an
+/// output comes to be or gets its name.
+class Uninterrupted {
+ public:
+  Uninterrupted();
+  ~Uninterrupted();
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  sigset_t former_;
+};
 
 /// Creates a file (a folder) that this process has not finished yet, and registers it for signal handlers in
 /// one step, which no delete_unfinished_files() of any thread can come between. Return the file's descriptor,

@@ -213,15 +213,22 @@ void WholeDirectory::commit() {
   if (const int error = make_durable(temporary_); error != 0) throw unwritable(target_, error);
 
   if (!check_target(target_, overwrite_, kind_)) {
-    const int error = rename_to_free_name(temporary_, resolved_);
+    const int error = [&] {
+      const Uninterrupted whole;
+      const int refused = rename_to_free_name(temporary_, resolved_);
+      if (refused == 0) forget_unfinished(temporary_);
+      return refused;
+    }();
     if (error == EEXIST) throw already_exists(target_);
     if (error != 0) throw unwritable(target_, error);
-    forget_unfinished(temporary_);
     is_ours_ = false;
   } else {
-    forget_unfinished(temporary_);  // from now on the name may be that of the old folder
-    if (const int error = exchange_directories(temporary_, resolved_); error != 0)
-      throw unwritable(target_, error);
+    const int error = [&] {
+      const Uninterrupted whole;
+      forget_unfinished(temporary_);  // from now on the name may be that of the old folder
+      return exchange_directories(temporary_, resolved_);
+    }();
+    if (error != 0) throw unwritable(target_, error);
     is_ours_ = false;  // it is the old folder that bears the temporary's name now
     // Between the look and the exchange someone may have put something into the old folder. It has a name of
     // its own now, under which nobody looks for it.

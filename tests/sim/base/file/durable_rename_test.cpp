@@ -10,7 +10,6 @@
 #include <thread>
 #include <utility>
 
-#include "sim/base/error.h"
 #include "sim/base/file/whole_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -33,17 +32,11 @@ TEST(PartialName, CanBeReadBack) {
 
 namespace fs = std::filesystem;
 
-/// Writes files without end, and never finishes one in four of them.
-[[noreturn]] void write_for_ever(const fs::path& folder, const std::string& stem) {
-  for (int number = 0;; ++number) {
-    const std::string name = (folder / (stem + std::to_string(number % 4))).string();
-    try {
-      WholeFile file(name, true);
-      file.write("whole");
-      if (number % 4 != 0) file.commit();
-    } catch (const Error&) {  // what the handler has deleted cannot be finished
-      for (;;) ::pause();
-    }
+/// Begins files without end and gives them up, which waits for no disk, and tells of the first by `begun`.
+[[noreturn]] void begin_for_ever(const std::string& name, int begun) {
+  for (bool is_first = true;; is_first = false) {
+    const WholeFile file(name, true);
+    if (is_first) static_cast<void>(::write(begun, "1", 1) == 1);
   }
 }
 
@@ -52,17 +45,23 @@ void end_at_once(int /*signal*/) {
   ::_exit(42);
 }
 
-/// Forks a process that writes, in its first thread and in another one, and ends it by a signal after a
-/// while. Returns its exit status, and the names that stay behind and are no finished output.
+/// Forks a process that begins files, in its first thread and in another one, and ends it by a signal a while
+/// after both have begun one. Returns its exit status, and the names that stay behind.
 std::pair<int, std::string> left_behind(const fs::path& folder, useconds_t after_us) {
   const auto former =
       ::signal(SIGTERM, end_at_once);  // here: the signal may come before the child does a thing
+  int begun[2] = {-1, -1};
+  EXPECT_EQ(::pipe(begun), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    std::thread([&] { write_for_ever(folder, "b"); }).detach();
-    write_for_ever(folder, "a");
+    std::thread([&] { begin_for_ever((folder / "b").string(), begun[1]); }).detach();
+    begin_for_ever((folder / "a").string(), begun[1]);
   }
   ::signal(SIGTERM, former);
+  ::close(begun[1]);
+  char one;
+  for (int told = 0; told < 2 && ::read(begun[0], &one, 1) == 1;) ++told;
+  ::close(begun[0]);
   ::usleep(after_us);
   ::kill(child, SIGTERM);
   int status = 0;
@@ -77,7 +76,7 @@ std::pair<int, std::string> left_behind(const fs::path& folder, useconds_t after
 TEST(UnfinishedFiles, AreAllDeletedByASignal) {
   const tests::TemporaryFolder folder;
   for (int round = 0; round < 50; ++round)
-    ASSERT_EQ(left_behind(folder / "", static_cast<useconds_t>(500 + 37 * round)),
+    ASSERT_EQ(left_behind(folder / "", static_cast<useconds_t>(37 * round)),
               std::make_pair(42, std::string()))
         << "round " << round;
 }
