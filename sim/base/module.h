@@ -1,9 +1,10 @@
 // Modules: shared libraries of vegard that are loaded when their functions are first called.
 //
 // OpenImageIO and most of OpenCV bring two hundred other libraries with them, OpenVDB 60 000 relocations, and
-// loading these takes longer than all else that a short command does. What calls them is in modules, a file NAME_module.cpp each, so
-// that only a command that needs such a library waits for it. A module has no state of vegard's and links
-// none of its code: what crosses the border are plain values, and objects behind an abstract class.
+// loading these takes longer than all else that a short command does. What calls them is in modules, a file
+// NAME_module.cpp each, so that only a command that needs such a library waits for it. A module has no state
+// of vegard's and links none of its code: what crosses the border are plain values, and objects behind an
+// abstract class.
 #pragma once
 
 #include <stdexcept>

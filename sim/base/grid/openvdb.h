@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/base/grid/vdb_io.h"
+#include "sim/base/grid/vdb_file.h"
 
 namespace vegard::sim {
 

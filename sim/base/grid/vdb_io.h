@@ -6,44 +6,18 @@
 // given by its metadata "voxel_centre_index" (0 or 1/2). The centre is at the same point of space in both.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
-#include "sim/base/grid/sparse_grid.h"
+#include "sim/base/grid/vdb_file.h"
 
 namespace vegard::sim {
-
-/// The metadata of a file.
-struct VdbMetadata {
-  std::map<std::string, std::string> texts;
-  std::map<std::string, double> numbers;
-};
-
-/// The metadata with the index of the first voxel's centre.
-inline constexpr const char* kVoxelCentreIndex = "voxel_centre_index";
-
-struct VdbOptions {
-  double centre_index = 0.5;  ///< 1/2: for Blender; 0: for Houdini
-  bool overwrite = false;
-  /// Linear RGB that a unit of each channel adds to the grid `color`; empty: no such grid. Negative sums are
-  /// written as 0.
-  std::vector<std::array<float, 3>> colour_of_channel;
-  std::string colour_unit;
-};
 
 /// Writes every channel as a grid of floats, a fog volume, without voxels that are 0. The bricks of `grid`
 /// are freed one by one. The same input gives the same bytes. Throws as WholeFile.
 void write_vdb(const std::string& path, SparseGrid&& grid, const VdbMetadata& metadata,
                const VdbOptions& options);
-
-struct VdbFile {
-  std::vector<std::string> names;  ///< names of all grids of floats, in alphabetical order
-  SparseGrid grid;                 ///< the grids in `wanted` that exist, as channels in the order of `wanted`
-  VdbMetadata metadata;            ///< of the file and of its first grid
-};
 
 /// Reads those of the grids `wanted` that a file has. Throws Error(unreadable_input) for a file that is not a
 /// VDB, is truncated or damaged, for a level set, for two grids of one name, for grids with different
