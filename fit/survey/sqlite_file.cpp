@@ -162,13 +162,14 @@ SqliteFile::SqliteFile(const std::string& file, Opening opening)
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kMaxCellBytes);
-  run("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0; PRAGMA cache_size = -8192");
+  run("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0");  // which lock nothing
   // Where there are no locks, waiting for them is in vain. Nothing is locked yet that has_no_locks() could
   // unlock; whatever else is wrong is told below.
   if ((sqlite3_exec(database, "PRAGMA schema_version", nullptr, nullptr, nullptr) & 0xff) == SQLITE_BUSY &&
       has_no_locks(name_))
     throw error_of(SQLITE_BUSY, {});
   sqlite3_busy_timeout(database, kWait_ms);
+  run("PRAGMA cache_size = -8192");
   if (opening == Opening::make)
     run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA locking_mode = EXCLUSIVE");
   else if (writes_)
