@@ -31,7 +31,7 @@ class SmoothSky {
   template <class Value>
   Coefficients solve(int threads, const Value& weighted) const {
     std::array<Coefficients, kShares> right{};
-    sim::parallel_for(kShares, threads, [&](std::size_t share, int) {
+    sim::parallel_for(kShares, useful_threads(threads), [&](std::size_t share, int) {
       const std::size_t last = weighted_.size() * (share + 1) / kShares;
       for (std::size_t from = weighted_.size() * share / kShares; from < last; from += kRun)
         add_run(from, std::min(last, from + kRun), weighted, right[share]);
@@ -50,7 +50,7 @@ class SmoothSky {
   /// shares, kShares of them, side by side.
   template <class Use>
   void each_weighted(int threads, const Coefficients& sky, const Use& use) const {
-    sim::parallel_for(kShares, threads, [&](std::size_t share, int) {
+    sim::parallel_for(kShares, useful_threads(threads), [&](std::size_t share, int) {
       for (std::size_t n = weighted_.size() * share / kShares; n < weighted_.size() * (share + 1) / kShares;
            ++n)
         each_of(weighted_[n], sky, [&](std::size_t i, float light) { use(share, i, light); });
@@ -64,7 +64,11 @@ class SmoothSky {
 
  private:
   static constexpr std::size_t kLanes = 8;  ///< cells of a block, side by side
-  static constexpr std::size_t kRun = 32;   ///< blocks whose sums are of single precision
+  /// To wake threads takes longer than what there is to do with fewer blocks.
+  static constexpr std::size_t kFewBlocks = 1024;
+  int useful_threads(int threads) const { return weighted_.size() < kFewBlocks ? 1 : threads; }
+
+  static constexpr std::size_t kRun = 32;  ///< blocks whose sums are of single precision
   using Lanes = std::array<float, kLanes>;
 
   /// The terms of a block's cells.

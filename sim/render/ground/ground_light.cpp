@@ -16,6 +16,8 @@
 namespace vegard::sim {
 namespace {
 
+// To wake threads takes longer than what there is to do for fewer, thousands of times in the fit of a map.
+constexpr std::size_t kFewRays = 4096, kFewCells = 4096;
 constexpr int kShares = 4;  // of the rays in an adjoint, each with sums of its own
 
 std::vector<float> transmissions(const Scene& scene, const FilmGeometry& film) {
@@ -179,7 +181,7 @@ void GroundLight::forward(const std::vector<float>& map, const LightBelow& light
   flux_.resize(numbers_ / kGroundEnergies);
   std::memcpy(flux_.data(), map.data(), numbers_ * sizeof(float));
   constexpr std::size_t kRun = 512;
-  parallel_for((rays() + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+  parallel_for((rays() + kRun - 1) / kRun, rays() < kFewRays ? 1 : threads_, [&](std::size_t run, int) {
     const std::size_t first = run * kRun, last = std::min(first + kRun, rays());
     sum_light(in_use(), light_below, flux_.data(), first, last, rayleighs.data());
     for (std::size_t i = first * lines_of_light_; i < last * lines_of_light_; ++i)
@@ -192,14 +194,14 @@ void GroundLight::add_adjoint(const std::vector<float>& rayleighs, std::vector<f
   weighted_.resize(rayleighs.size());
   for (std::size_t i = 0; i < weighted_.size(); ++i) weighted_[i] = rayleighs[i] * transmission_[i];
   sums_.resize(kShares);
-  parallel_for(kShares, threads_, [&](std::size_t share, int) {
+  parallel_for(kShares, rays() < kFewRays ? 1 : threads_, [&](std::size_t share, int) {
     sums_[share].assign(numbers_ / kGroundEnergies, GroundNumbers{});
     spread_light(in_use(), light_below(), weighted_.data(), first_of_share_[share],
                  first_of_share_[share + 1], sums_[share].data());
   });
   const std::size_t cells = numbers_ / kGroundEnergies;
   constexpr std::size_t kRun = 256;
-  parallel_for((cells + kRun - 1) / kRun, threads_, [&](std::size_t run, int) {
+  parallel_for((cells + kRun - 1) / kRun, cells < kFewCells ? 1 : threads_, [&](std::size_t run, int) {
     for (std::size_t cell = run * kRun; cell < std::min((run + 1) * kRun, cells); ++cell)
       for (int energy = 0; energy < kGroundEnergies; ++energy) {
         float sum = 0.0f;

@@ -193,6 +193,9 @@ void blur_across(const float* in, float* out, int rows, int columns, int channel
 void blur_window(const float* in, int rows, int columns, const std::vector<PlaneBlur>& blurs,
                  const Window& window, float* out, int threads) {
   const std::ptrdiff_t pitch = static_cast<std::ptrdiff_t>(blurs.size());
+  // To wake threads takes longer than to blur few pixels.
+  constexpr int kFewPixels = 16384;
+  if (window.rows * window.columns < kFewPixels) threads = 1;
   for_blocks(window.rows, threads, [&](int first_row, int end_row) {
     std::vector<float> down, both(window.columns);
     std::vector<const float*> before, after;
