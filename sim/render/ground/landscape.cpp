@@ -123,7 +123,7 @@ Landscape::Surface Landscape::surface(double east_m, double north_m, double dist
       const double tree = wood * tree_m(east_m, north_m, step_m, light);
       at.snow = tree > 0.3 ? 0.0 : 1.0 - 0.8 * wood;  // between trees their shade
       at.height_m += tree;
-      at.light = light;
+      if (tree > 0.3) at.light = light;
     }
     return at;
   }

@@ -48,6 +48,16 @@ TEST(Landscape, IsAPlainOfSnowWithWoodsAndHillsAround) {
   EXPECT_GE(woods, 25);
 }
 
+// Also between trees, which stand differently by each seed.
+TEST(Landscape, ReflectsNoMoreThanItGets) {
+  for (int seed = 1; seed <= 6; ++seed) {
+    const Landscape landscape(static_cast<std::uint64_t>(seed));
+    for (int azimuth = 0; azimuth < 360; azimuth += 6)
+      for (const LandscapePoint& point : seen_from(landscape, azimuth, -0.2))
+        ASSERT_LT(point.light * point.snow, 1.0001f) << seed << ' ' << azimuth << ' ' << point.distance_m;
+  }
+}
+
 // Where the search begins does not matter to what lies above.
 TEST(Landscape, IsTheSameWhereverTheViewBegins) {
   const Landscape landscape(3);
