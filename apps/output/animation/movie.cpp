@@ -58,7 +58,7 @@ std::string write_movie(const std::string& path, const std::vector<std::string>&
       throw trouble(sim::ErrorKind::unreadable_input, picture, "cannot be read as a picture",
                     "remove it, and it will be made again");
     if (outcome == MoviePicture::of_other_size)
-      throw trouble(sim::ErrorKind::unreadable_input, picture, "has another size than the first frame");
+      throw trouble(sim::ErrorKind::unreadable_input, picture, "has another size or depth than the first frame");
   };
   const std::unique_ptr<MovieWriter> writer = module.writer();
   const MovieKind kind = movie_kind_of(path).value_or(MovieKind::mp4);
