@@ -70,7 +70,7 @@ std::string enter_folder_of(const std::string& opened) {
   namespace files = std::filesystem;
   std::error_code unknown, refused;
   const bool is_folder = files::is_directory(opened, unknown);
-  const files::path file = opened.empty() ? files::path() : files::absolute(opened);
+  const files::path file = opened.empty() ? files::path() : files::canonical(opened);
   const files::path folder = opened.empty() ? pictures_folder() : is_folder ? file : file.parent_path();
   files::current_path(folder, refused);
   if (refused) throw sim::unreadable(folder.string(), refused.message()).expected("a folder");

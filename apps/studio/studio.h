@@ -15,12 +15,12 @@ struct StudioOptions {
   int port = 0;  ///< on the loopback address; 0: any that is free
   bool opens_browser = true;
   bool from_desktop = false;  ///< started from a menu: shows the folder of `opened`, or the user's pictures
-  double idle_s = 0.0;  ///< after so long without a request it ends by itself; 0: never
+  double idle_s = 0.0;        ///< after so long without a request it ends by itself; 0: never
 };
 
-/// Serves the working directory, or what `from_desktop` says, until Ctrl-C, or until nobody asks for anything. Throws Error(usage) if
-/// `opened` is not inside of it, Error(unreadable_input) if it does not exist, and Error(unwritable_output)
-/// if the port cannot be had.
+/// Serves the working directory, or what `from_desktop` says, until Ctrl-C, or until nobody asks for
+/// anything. Throws Error(usage) if `opened` is not inside of it, Error(unreadable_input) if it does not
+/// exist, and Error(unwritable_output) if the port cannot be had.
 void run_studio(const StudioOptions& options);
 
 }  // namespace vegard::apps
