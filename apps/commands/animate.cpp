@@ -252,7 +252,7 @@ int run_animate(const AnimateRequest& request) {
   if (movie) check_movie(options, scene);
   const std::string camera = options.camera_json ? checked_camera_file(options, names, scene) : "";
   options.threads =
-      threads_to_render(scene, options.threads, bytes_to_encode_px(names.file(0), of_frames, scene), false,
+      threads_to_render(scene, options.threads, {false, bytes_to_encode_px(names.file(0), of_frames, scene)},
                         options.memory_limit);
   const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
   // Every frame reads its own; here only so that what is wrong with them is reported before a folder is made.

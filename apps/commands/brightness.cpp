@@ -26,7 +26,7 @@ int run_brightness(const BrightnessRequest& options) {
   const sim::Scene scene = scene_of(options.scene);
   note_inert_keys(scene);
   require_rayleighs(scene, "vegard brightness");
-  const int threads = threads_to_render(scene, options.threads, 0.0, false, options.memory_limit);
+  const int threads = threads_to_render(scene, options.threads, {}, options.memory_limit);
   end_at_once_when_interrupted();
   sim::Rendering rendering;
   {

@@ -207,12 +207,16 @@ int run_render(const RenderRequest& request) {
   const std::optional<sim::Scene> exposed =
       options.auto_exposure ? auto_exposed(options, as_given) : std::nullopt;
   const sim::Scene& scene = exposed ? *exposed : as_given;
-  double bytes_per_px = 0.0;
-  for (const std::string& name : {options.output, options.lines, options.raw})
-    if (!name.empty())
-      bytes_per_px = std::max(bytes_per_px, bytes_to_encode_px(name, options.picture, scene));
+  sim::RenderingUse use;
+  use.sheet_layers = !options.layers.empty();
+  use.loads_codecs = !fit::picture_files(scene).empty();
+  for (const std::string& name : {options.output, options.lines, options.raw}) {
+    if (name.empty()) continue;
+    use.bytes_per_px = std::max(use.bytes_per_px, bytes_to_encode_px(name, options.picture, scene));
+    use.loads_codecs = use.loads_codecs || sim::image_format(name) != sim::ImageFormat::png;
+  }
   options.threads = options.picture.threads =
-      threads_to_render(scene, options.threads, bytes_per_px, !options.layers.empty(), options.memory_limit);
+      threads_to_render(scene, options.threads, use, options.memory_limit);
   const sim::CompositePictures pictures = fit::read_composite_pictures(scene);
 
   sim::Rendering rendering;

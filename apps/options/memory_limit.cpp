@@ -5,7 +5,6 @@
 #include "apps/options/standard_streams.h"
 #include "fit/needed_memory.h"
 #include "sim/base/memory_limit.h"
-#include "sim/render/needed_memory.h"
 
 namespace vegard::apps {
 namespace {
@@ -53,9 +52,9 @@ double memory_limit_bytes(const std::string& words) {
   return words.empty() ? sim::usable_memory_bytes() : bytes_of_words(words).value_or(0.0);
 }
 
-int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
+int threads_to_render(const sim::Scene& scene, int threads, const sim::RenderingUse& use,
                       const std::string& memory_words) {
-  return sim::threads_to_render(scene, threads, {sheet_layers, bytes_per_px}, limit_of_words(memory_words));
+  return sim::threads_to_render(scene, threads, use, limit_of_words(memory_words));
 }
 
 void check_memory_of_fit(const sim::Scene& scene, int threads, const std::string& memory_words) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/options/command.h"
+#include "sim/render/needed_memory.h"
 #include "sim/scene/structs/scene.h"
 
 namespace vegard::apps {
@@ -20,7 +21,7 @@ Option add_memory_option(
 double memory_limit_bytes(const std::string& words);
 
 /// sim::threads_to_render() within that limit.
-int threads_to_render(const sim::Scene& scene, int threads, double bytes_per_px, bool sheet_layers,
+int threads_to_render(const sim::Scene& scene, int threads, const sim::RenderingUse& use,
                       const std::string& memory_words);
 
 /// fit::require_memory_of_fit() within that limit. Also prints a note on standard error if the fit will take

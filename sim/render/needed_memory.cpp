@@ -76,7 +76,8 @@ double render_bytes(const Scene& scene, int threads, const RenderingUse& use) {
 }
 
 int threads_to_render(const Scene& scene, int threads, const RenderingUse& use, const MemoryLimit& limit) {
-  const auto bytes = [&](int count) { return kProgramBytes + render_bytes(scene, count, use); };
+  const double program = kProgramBytes - (use.loads_codecs ? 0.0 : kCodecBytes);
+  const auto bytes = [&](int count) { return program + render_bytes(scene, count, use); };
   int count = thread_count(threads);
   while (count > 1 && bytes(count) > limit.bytes) --count;
   const std::string picture =

@@ -10,6 +10,8 @@ namespace vegard::sim {
 struct RenderingUse {
   bool sheet_layers = false;
   double bytes_per_px = 0.0;  ///< in addition to the rendering
+  /// Whether codecs with hundreds of libraries are loaded: all but that of PNGs.
+  bool loads_codecs = true;
 };
 
 /// Returns the peak number of bytes of render() and of the use that follows, for a film that is lit
@@ -18,8 +20,9 @@ struct RenderingUse {
 /// nor the memory of the program itself (kProgramBytes).
 double render_bytes(const Scene& scene, int threads, const RenderingUse& use);
 
-/// Memory of the program with its libraries and tables before it does anything.
-inline constexpr double kProgramBytes = 160.0 * 1024.0 * 1024.0;
+/// Memory of the program with its libraries and tables before it does anything, and of that what the codecs
+/// of pictures take.
+inline constexpr double kProgramBytes = 160.0 * 1024.0 * 1024.0, kCodecBytes = 112.0 * 1024.0 * 1024.0;
 
 /// Returns the largest number of threads, up to `threads` (0: all cores), with which a picture of the scene
 /// can be made within the limit. The picture does not depend on it. Throws as require_memory() does if one

@@ -25,7 +25,7 @@ refused brightness "$small" "${huge[@]}"
 refused fit "$fit" --photo photo.png --out no "${huge[@]}"
 expect_stderr "fit.roi_px"
 refused sequence "$fit" --photos photo.png -o no "${huge[@]}"
-refused render "$small" -o no.png --set camera.width=1500 --set camera.height=1000 --memory-limit 200M
+refused render "$small" -o no.png --set camera.width=2000 --set camera.height=1500 --memory-limit 200M
 refused fit "$fit" --photo photo.png --out no --memory-limit 150M
 refused volume "$small" -o no.vdb --set sheet.main.beams=20 --voxel 0.1 --memory-limit 10M
 for word in none -3 3X 0 nan 1e30G; do
