@@ -104,6 +104,10 @@ class Budgets(unittest.TestCase):
         code, said = self.build({**busy, name: 60.0})
         self.assertEqual(code, 1, said)
         self.assertIn("render/kernel.cpp of vegard_sim takes", said)
+        self.compilers({unit: 0.1 for unit in {**UNITS, **REFERENCES}})
+        code, said = self.build({**UNITS, **REFERENCES, "sim/CMakeFiles/vegard_sim.dir/Unity/unity_9_cxx.cxx": 90.0})
+        self.assertEqual(code, 0, said)  # a batch that is no more
+        self.assertNotIn("once more", said)
         self.compilers({unit: "no number" for unit in busy})
         code, said = self.build(busy)
         self.assertEqual(code, 1, said)
