@@ -86,14 +86,16 @@ void WholeFile::write(std::string_view bytes) {
 void WholeFile::commit() {
   assert(!committed_);
   if (const int error = make_durable(temporary_); error != 0) throw unwritable(target_, error);
-  const Uninterrupted whole;
-  if (overwrite_) {
-    check_target(target_, true);  // what has become a directory or a device since is not replaced
-    if (::rename(temporary_.c_str(), resolved_.c_str()) != 0) throw unwritable(target_, errno);
-  } else {
-    const int error = rename_to_free_name(temporary_, resolved_);
-    if (error == EEXIST) throw already_exists(target_);
-    if (error != 0) throw unwritable(target_, error);
+  {
+    const Uninterrupted whole;
+    if (overwrite_) {
+      check_target(target_, true);  // what has become a directory or a device since is not replaced
+      if (::rename(temporary_.c_str(), resolved_.c_str()) != 0) throw unwritable(target_, errno);
+    } else {
+      const int error = rename_to_free_name(temporary_, resolved_);
+      if (error == EEXIST) throw already_exists(target_);
+      if (error != 0) throw unwritable(target_, error);
+    }
   }
   committed_ = true;
   lock_.release();
