@@ -32,9 +32,9 @@ make_eye() {
   folder=$(mktemp -d)
   trap 'rm -rf "$folder"' EXIT  # the folder outlives this function
   for kilorayleigh in 1 10 100 1000; do
-    # The brightest spot has 0.21 of what one layer has along the field.
+    # The brightest spot has 0.235 of what one layer has along the field.
     seen=(data/gallery/drapery.toml
-      --set "sheet.curtain.brightness_kilorayleigh=$(awk "BEGIN { print 4.8 * $kilorayleigh }")"
+      --set "sheet.curtain.brightness_kilorayleigh=$(awk "BEGIN { print 4.255 * $kilorayleigh }")"
       --set camera.width=480 --set camera.height=216 --set camera.elevation_deg=50 --set stars.shown=false
       --set 'sky.level=[0,0,0]' --set 'sky.gradient=[0,0,0]' --set composite.foreground=)
     "$vegard" render "${seen[@]}" -o "$folder/camera$kilorayleigh.png" --set 'sensor.tone="srgb"' \
