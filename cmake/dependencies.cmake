@@ -11,6 +11,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(CFITSIO REQUIRED IMPORTED_TARGET cfitsio)
 # Debian's OpenVDB comes without a package file for CMake: its library is linked by name, with TBB and Imath.
 find_package(Imath REQUIRED)
+find_package(OpenEXR REQUIRED)
 find_package(Ceres REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs highgui videoio calib3d)
 find_package(JPEG REQUIRED)

@@ -213,7 +213,7 @@ int run_render(const RenderRequest& request) {
   for (const std::string& name : {options.output, options.lines, options.raw}) {
     if (name.empty()) continue;
     use.bytes_per_px = std::max(use.bytes_per_px, bytes_to_encode_px(name, options.picture, scene));
-    use.loads_codecs = use.loads_codecs || sim::image_format(name) != sim::ImageFormat::png;
+    use.loads_codecs = use.loads_codecs || sim::image_format(name) == sim::ImageFormat::tiff;
   }
   options.threads = options.picture.threads =
       threads_to_render(scene, options.threads, use, options.memory_limit);

@@ -43,8 +43,8 @@ cv::Mat to_bytes(const cv::Mat& picture, const Code& code) {
 
 std::string png_uri(const cv::Mat& bytes) {
   // The densest, 9, would be a sixth smaller, and take as long as the fit.
-  constexpr int kCompression = 4;
-  return "data:image/png;base64," + sim::base64(encoded_png(bytes, kCompression));
+  constexpr int kLevel = 4;
+  return "data:image/png;base64," + sim::base64(encoded_png(bytes, kLevel));
 }
 
 /// The value below which this share of them lies; 0 for none.

@@ -26,8 +26,11 @@ loads_nothing profile picture.png -o profile.csv --bands 2
 
 # What is needed is loaded, and no more.
 loads render "$small" -o picture.exr
-grep -q vegard_openimageio.so loaded || fail "a picture is written without its module"
+grep -q vegard_openexr.so loaded || fail "an EXR is written without its module"
+if grep -q vegard_openimageio loaded; then fail "what writes an EXR loads more than its encoder"; fi
+loads_nothing render "$small" -o picture.jpg
 loads render "$small" -o picture.tif
+grep -q vegard_openimageio.so loaded || fail "a TIFF is written without its module"
 loads profile picture.tif -o profile.csv --overwrite --bands 2
 grep -q vegard_opencv_codecs.so loaded || fail "a TIFF is read without its module"
 if grep -qE 'vegard_(movie|window|openimageio|openvdb)' loaded; then fail "what reads a TIFF loads more than its decoder"; fi
@@ -43,7 +46,7 @@ chmod +x alone/vegard
 VEGARD=$folder/alone/vegard
 expect_exit 0 --version
 expect_exit 1 render "$small" -o no.exr
-expect_stderr "vegard_openimageio.so | $folder/alone | No such file"
+expect_stderr "vegard_openexr.so | $folder/alone | No such file"
 expect_one_message
 [[ ! -e no.exr ]] || fail "a picture was written without its module"
 expect_exit 1 profile picture.tif -o no.csv --bands 2

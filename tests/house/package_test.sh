@@ -27,11 +27,11 @@ has() { # PACKAGE FILE
 }
 for file in bin/vegard share/man/man1/vegard-fit.1.gz share/vegard/data/glow/glowlicense.txt share/doc/vegard/copyright \
   share/bash-completion/completions/vegard share/applications/vegard-studio.desktop share/icons/hicolor/scalable/apps/vegard.svg; do has vegard $file; done
-for name in openimageio openvdb opencv_codecs video movie window; do
+for name in openexr openimageio openvdb opencv_codecs video movie window; do
   grep -q "^./usr/lib/.*vegard/vegard_$name\.so$" "$work/vegard.files" || fail "vegard has no module vegard_$name"
 done
 # What only the modules need is asked for too.
-for library in libopenimageio libopenvdb libopencv-imgcodecs libopencv-videoio libopencv-highgui libavformat; do
+for library in libopenexr libopenimageio libopenvdb libopencv-imgcodecs libopencv-videoio libopencv-highgui libavformat; do
   dpkg-deb -f "$work"/vegard_*.deb Depends | grep -q "$library" || fail "vegard does not ask for $library"
 done
 for file in include/vegard/sim/render/render.h share/doc/vegard-dev/copyright; do has vegard-dev $file; done

@@ -171,4 +171,9 @@ PictureCodes decode_by_opencv(std::string_view bytes, const ImageFile& image, co
   return codes;
 }
 
+std::string encoded_png(const cv::Mat& picture, int zlib_level) {
+  return sim::encode_plain_png(picture.data, picture.cols, picture.rows, picture.channels(), picture.step,
+                               zlib_level);
+}
+
 }  // namespace vegard::fit

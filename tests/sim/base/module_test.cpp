@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/base/picture/image_io/openimageio.h"
+#include "sim/base/picture/image_io/picture_codecs.h"
 
 namespace vegard::sim::module_test {
 

@@ -12,11 +12,7 @@
 namespace vegard::sim {
 namespace {
 
-/// libjpeg ends the whole process with "Bogus marker length" above 65 533 bytes; EXIF shares them with other
-/// entries.
-constexpr std::size_t jpeg_description_limit = 30000;
-/// libjpeg ends the process here too.
-constexpr int jpeg_size_limit = 65500;
+constexpr int jpeg_size_limit = 65500;  // libjpeg's
 
 template <typename Step>
 std::vector<Step> quantised(const Image& encoded) {
@@ -63,23 +59,15 @@ std::string encode_display(ImageFormat format, const Image& encoded, int bits, i
       bits == 16 ? quantised<std::uint16_t>(encoded) : std::vector<std::uint16_t>();
   const void* const pixels = bits == 8 ? static_cast<const void*>(bytes.data()) : words.data();
   if (format == ImageFormat::png) return encode_png(layout, bits, attributes, pixels, name);
-
-  CodecSettings settings = {{"DateTime", exif_time(value_or_empty(attributes, "DateTime"))}};
-  std::string file_name;
-  if (format == ImageFormat::tiff) {
-    // No colour space here: OpenImageIO 2.4 makes EXIF data of it and then, writing to memory, a file that
-    // none can read.
-    file_name = "image.tif";
-    settings.emplace_back("compression", std::string("zip"));
-    describe_in_one_text(settings, description_of(attributes));
-  } else {
-    file_name = "image.jpg";
-    settings.emplace_back("oiio:ColorSpace", std::string("sRGB"));
-    settings.emplace_back("CompressionQuality", jpeg_quality);
-    settings.emplace_back("jpeg:subsampling", std::string("4:4:4"));  // aurorae are thin coloured lines
-    describe_in_one_text(settings, description_of(attributes).substr(0, jpeg_description_limit));
-  }
-  return encode(file_name, name, layout, bits == 8 ? PixelType::uint8 : PixelType::uint16, settings, pixels);
+  if (format == ImageFormat::jpeg) return encode_jpeg(layout, jpeg_quality, attributes, bytes.data(), name);
+  // No colour space here: OpenImageIO 2.4 makes EXIF data of it and then, writing to memory, a file that none
+  // can read.
+  CodecSettings settings = {{"DateTime", exif_time(value_or_empty(attributes, "DateTime"))},
+                            {"compression", std::string("zip")}};
+  if (const std::string words = description_of(attributes); !words.empty())
+    settings.emplace_back("ImageDescription", words);
+  return encode("image.tif", name, layout, bits == 8 ? PixelType::uint8 : PixelType::uint16, settings,
+                pixels);
 }
 
 void write_display(const std::string& path, const Image& encoded, int bits, int jpeg_quality,

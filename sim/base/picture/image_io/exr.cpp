@@ -47,16 +47,21 @@ std::string encode_exr(const std::vector<const Image*>& images, const ImageAttri
   layout.height = height;
   layout.channels = static_cast<int>(names.size());
   layout.channel_names = names;
-  CodecSettings settings = {{"compression", std::string("zip")},
-                            {"DateTime", exif_time(value_or_empty(attributes, "DateTime"))}};
+  CodecSettings settings = {{"capDate", exif_time(value_or_empty(attributes, "DateTime"))}};
   ImageAttributes own = attributes;
   // One of EXR's own: how many cd m^-2 a value of 1 in R, G and B is.
   if (const auto white = own.find("whiteLuminance"); white != own.end()) {
     settings.emplace_back("whiteLuminance", std::stof(white->second));
     own.erase(white);
   }
-  describe_in_own_keys(settings, own);
-  return encode("image.exr", name, layout, PixelType::float32, settings, pixels);
+  // "comments", as "capDate", is a name of OpenEXR's own (its file layout, standard attributes).
+  for (const auto& [key, value] : own)
+    if (key != "DateTime" && !value.empty())
+      settings.emplace_back(key == "ImageDescription" ? "comments" : own_prefix + key, value);
+  std::string problem;
+  std::string bytes = module_functions<OpenExr>().encode(layout, settings, pixels, problem);
+  if (!problem.empty()) throw failure(ErrorKind::unwritable_output, name, "cannot be encoded: " + problem);
+  return bytes;
 }
 
 void write_exr(const std::string& path, const std::vector<const Image*>& images,
@@ -84,12 +89,10 @@ ExrFile read(const std::string& path, const std::string_view* memory) {
   const auto unreadable = [&](const std::string& problem) {
     return failure(ErrorKind::unreadable_input, path, problem);
   };
-  // By name, so that a picture in another format that happens to be called .exr is not read as something
-  // else.
   const std::string stand_in = memory != nullptr ? "image.exr" : path;
   const auto words = [&](const std::string& text) { return with_name(text, stand_in, path); };
   OpenProblem problem;
-  const auto input = module_functions<OpenImageIo>().open("openexr", stand_in, memory, {}, problem);
+  const auto input = open_exr(stand_in, memory, problem);
   if (!input) throw unreadable("cannot be read as EXR: " + words(problem.words));
   PictureLayout layout = input->layout();
   if (layout.deep) throw unreadable("is a deep EXR, which has no single value per pixel");

@@ -80,6 +80,14 @@ std::vector<float> framed(std::vector<float> data_window, PictureLayout& layout,
   return frame;
 }
 
+std::unique_ptr<PictureDecoder> open_exr(const std::string& path, const std::string_view* bytes,
+                                         OpenProblem& problem) {
+  problem = {};
+  std::unique_ptr<PictureDecoder> decoder = module_functions<OpenExr>().open(path, bytes, problem);
+  if (decoder || !problem.no_decoder) return decoder;
+  return module_functions<OpenImageIo>().open("openexr", path, bytes, {}, problem);
+}
+
 std::string decoder_version(const std::string& format) {
   const std::string all = ";" + module_functions<OpenImageIo>().libraries();
   const std::size_t at = all.find(";" + format + ":");
@@ -147,18 +155,6 @@ std::string description_of(const ImageAttributes& attributes) {
     text += value;
   }
   return text;
-}
-
-void describe_in_own_keys(CodecSettings& settings, const ImageAttributes& attributes) {
-  for (const auto& [key, value] : attributes) {
-    if (key == "DateTime" || value.empty()) continue;
-    settings.emplace_back(key == "ImageDescription" ? key : own_prefix + key, value);
-  }
-}
-
-void describe_in_one_text(CodecSettings& settings, const std::string& text) {
-  // OpenImageIO 2.4 ends the process over an empty text in a JPEG: "encode_iptc_iim_one_tag: Assertion".
-  if (!text.empty()) settings.emplace_back("ImageDescription", text);
 }
 
 }  // namespace vegard::sim

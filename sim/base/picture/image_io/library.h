@@ -2,13 +2,14 @@
 // ImageAttributes in the forms of the file formats. Only this folder may include this header.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/picture/image_io.h"
-#include "sim/base/picture/image_io/openimageio.h"
+#include "sim/base/picture/image_io/picture_codecs.h"
 
 namespace vegard::sim {
 
@@ -35,6 +36,11 @@ void check_size(const PictureLayout& layout, const std::string& path);
 std::vector<float> framed(std::vector<float> data_window, PictureLayout& layout, float outside,
                           const std::string& path);
 
+/// Opens an EXR, and no other picture that happens to be called .exr, by OpenEXR, or one that that module
+/// does not read by OpenImageIO. Null if that fails.
+std::unique_ptr<PictureDecoder> open_exr(const std::string& path, const std::string_view* bytes,
+                                         OpenProblem& problem);
+
 /// Returns the decoder of a format with its version, "LibRaw 0.20.2-Release" for "raw"; "" if unknown.
 std::string decoder_version(const std::string& format);
 
@@ -49,6 +55,12 @@ std::string encode(const std::string& file_name, const std::string& name, const 
 /// OpenImageIO writes. Errors are about `name`. Throws Error(unwritable_output).
 std::string encode_png(const PictureLayout& layout, int bits, const ImageAttributes& attributes,
                        const void* pixels, const std::string& name);
+
+/// Returns a JPEG of 1 or 3 channels of 8 bits, sRGB-encoded, without subsampling of the colours, by libjpeg.
+/// The time and description_of() the attributes, at most 30 000 bytes of it, stand in its EXIF. Errors are
+/// about `name`. Throws Error(unwritable_output).
+std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAttributes& attributes,
+                        const unsigned char* pixels, const std::string& name);
 
 /// A file in memory, in no folder, for decoders that open files by name, that exists as long as this object.
 /// Linux only (memfd_create, /proc).
@@ -79,11 +91,5 @@ std::string value_or_empty(const ImageAttributes& attributes, const std::string&
 
 /// Returns all attributes except the time as lines of one text.
 std::string description_of(const ImageAttributes& attributes);
-
-/// Adds every attribute except the time with its own key.
-void describe_in_own_keys(CodecSettings& settings, const ImageAttributes& attributes);
-
-/// Sets the image's description, if the text is not empty.
-void describe_in_one_text(CodecSettings& settings, const std::string& text);
 
 }  // namespace vegard::sim

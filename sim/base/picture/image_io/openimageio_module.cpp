@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim/base/module.h"
-#include "sim/base/picture/image_io/openimageio.h"
+#include "sim/base/picture/image_io/picture_codecs.h"
 
 namespace vegard::sim {
 namespace {

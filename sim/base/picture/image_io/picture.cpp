@@ -103,7 +103,7 @@ PictureFile read_picture(const std::string& path) {
   }
   if (format == ImageFormat::exr) check_exr_file(path);
   if (!is_whole(path, format)) throw unreadable("is truncated, damaged or not what its name says");
-  const std::map<ImageFormat, std::string> decoders = {{ImageFormat::exr, "openexr"},
+  const std::map<ImageFormat, std::string> decoders = {{ImageFormat::exr, "EXR"},
                                                        {ImageFormat::png, "png"},
                                                        {ImageFormat::tiff, "tiff"},
                                                        {ImageFormat::jpeg, "jpeg"}};
@@ -111,8 +111,9 @@ PictureFile read_picture(const std::string& path) {
   const CodecSettings settings = {
       {"oiio:UnassociatedAlpha", 1}};  // else integers are multiplied while sRGB-encoded
   OpenProblem problem;
-  const auto input =
-      module_functions<OpenImageIo>().open(decoders.at(format), path, nullptr, settings, problem);
+  const auto input = format == ImageFormat::exr ? open_exr(path, nullptr, problem)
+                                                : module_functions<OpenImageIo>().open(
+                                                      decoders.at(format), path, nullptr, settings, problem);
   if (!input) throw unreadable("cannot be read as " + decoders.at(format) + ": " + problem.words);
   PictureLayout layout = input->layout();
   if (layout.deep) throw unreadable("is a deep EXR, which has no single value per pixel");

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/picture/exif_block.h"
+#include "sim/base/picture/tiff_directory.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -220,8 +222,20 @@ TEST(ImageIo, APngIsWhatOpenImageIoWrites) {
     }
 }
 
+/// Its words stand in EXIF, where other programs look for them.
+TEST(ImageIo, AJpegsWordsAreItsExif) {
+  TemporaryFolder folder;
+  write_display(folder / "a.jpg", pattern(8, 8, {"R", "G", "B"}), 8, 90,
+                {{"DateTime", "2019-09-05T10:11:12Z"}, {"ImageDescription", "x"}});
+  const std::string bytes = bytes_of(folder / "a.jpg");
+  const TiffDirectory exif(find_exif_block(bytes).tiff);
+  EXPECT_EQ(exif.text(270), "x");
+  EXPECT_EQ(exif.text(306), "2019:09:05 10:11:12");
+  EXPECT_TRUE(exif.complete() && exif.inside());
+}
+
 TEST(ImageIo, EmptyAttributesAreLeftOut) {
-  TemporaryFolder folder;  // OpenImageIO ends the process over an empty description in a JPEG
+  TemporaryFolder folder;  // a description of no words
   const Image image = pattern(8, 8, {"R", "G", "B"});
   const ImageAttributes attributes = {{"DateTime", ""}, {"ImageDescription", ""}, {"scene", ""}};
   write_exr(folder / "a.exr", image, attributes);

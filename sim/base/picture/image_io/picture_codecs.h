@@ -1,5 +1,5 @@
-// What is used of OpenImageIO, in plain types: the functions of the module vegard_openimageio
-// (sim/base/module.h). Only openimageio_module.cpp includes the library.
+// What is used of OpenEXR and of OpenImageIO, in plain types: the functions of the modules vegard_openexr and
+// vegard_openimageio (sim/base/module.h). Only openexr_module.cpp and openimageio_module.cpp include them.
 #pragma once
 
 #include <array>
@@ -47,6 +47,22 @@ class PictureDecoder {
 struct OpenProblem {
   bool no_decoder = false;  ///< the library was built without this format
   std::string words;        ///< the library's
+};
+
+/// EXRs without OpenImageIO, which has 190 libraries behind it that take half a second to load.
+struct OpenExr {
+  static constexpr const char* module = "vegard_openexr";
+
+  /// Opens the file `path`; or `bytes`, which must outlive the decoder. The layout, and the order of its
+  /// channels, are as OpenImageIo::open() has them; channels are read as floats. Null if that fails, with
+  /// no_decoder for an EXR that is sound so far but of several parts, deep, or with channels of whole numbers
+  /// or of unlike size.
+  std::unique_ptr<PictureDecoder> (*open)(const std::string& path, const std::string_view* bytes,
+                                          OpenProblem& problem);
+  /// Returns the encoded file: floats, channels by name, zip. Of the settings texts and numbers are written
+  /// under their names. `problem` is empty on success.
+  std::string (*encode)(const PictureLayout& layout, const CodecSettings& settings, const float* pixels,
+                        std::string& problem);
 };
 
 struct OpenImageIo {

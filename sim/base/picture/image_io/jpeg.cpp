@@ -1,0 +1,140 @@
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>  // jpeglib.h needs it before
+#include <cstdlib>
+
+#include <jpeglib.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sim/base/picture/image_io/library.h"
+
+namespace vegard::sim {
+namespace {
+
+/// EXIF shares the 65 533 bytes of its segment with nothing else, but programs give up far below.
+constexpr std::size_t kDescriptionLimit = 30000;
+constexpr std::size_t kExifTimeBytes = 19;
+constexpr std::size_t kShortestText = 4;  // whose bytes stand apart from their entry
+
+void append_number(std::string& bytes, std::uint32_t number, int size) {
+  for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+}
+
+/// A TIFF of one directory, little-endian, with texts by their tags (TIFF 6.0, section 2; EXIF 2.32, 4.6.4),
+/// of at least kShortestText each, as it stands in a JPEG's segment APP1. Empty for no texts.
+std::string exif_segment(const std::vector<std::pair<std::uint32_t, std::string>>& texts) {
+  if (texts.empty()) return {};
+  constexpr std::uint32_t kAscii = 2, kHeadBytes = 8, kEntryBytes = 12;
+  const auto count = static_cast<std::uint32_t>(texts.size());
+  std::uint32_t place = kHeadBytes + 2 + kEntryBytes * count + 4;
+  std::string segment("Exif\0\0II*\0", 10), values;
+  append_number(segment, kHeadBytes, 4);
+  append_number(segment, count, 2);
+  for (const auto& [tag, text] : texts) {
+    const auto length = static_cast<std::uint32_t>(text.size() + 1);
+    append_number(segment, tag, 2);
+    append_number(segment, kAscii, 2);
+    append_number(segment, length, 4);
+    append_number(segment, place, 4);
+    values += text;
+    values += '\0';
+    place += length;
+  }
+  append_number(segment, 0, 4);  // no directory follows
+  return segment + values;
+}
+
+/// What libjpeg leaves by longjmp() has no destructor.
+struct JpegContent {
+  JDIMENSION width, height;
+  int channels, quality;
+  const unsigned char* pixels;
+  const unsigned char* exif;
+  unsigned int exif_bytes;
+};
+
+struct JpegWriter {
+  jpeg_compress_struct info{};
+  jpeg_error_mgr errors{};
+  std::jmp_buf out{};
+  unsigned char* bytes = nullptr;  // libjpeg's, of malloc()
+  unsigned long size = 0;
+  char complaint[JMSG_LENGTH_MAX] = {};
+
+  JpegWriter() = default;
+  JpegWriter(const JpegWriter&) = delete;
+  JpegWriter& operator=(const JpegWriter&) = delete;
+  ~JpegWriter() {
+    jpeg_destroy_compress(&info);
+    std::free(bytes);
+  }
+
+  static void leave(j_common_ptr info) {
+    auto* const writer = static_cast<JpegWriter*>(info->client_data);
+    info->err->format_message(info, writer->complaint);
+    std::longjmp(writer->out, 1);
+  }
+  static void be_silent(j_common_ptr) {}
+
+  /// False where libjpeg has given up.
+  bool put(const JpegContent& content) {
+    info.err = jpeg_std_error(&errors);
+    errors.error_exit = leave;
+    errors.output_message = be_silent;
+    info.client_data = this;
+    if (setjmp(out) != 0) return false;
+    jpeg_create_compress(&info);
+    info.client_data = this;
+    jpeg_mem_dest(&info, &bytes, &size);
+    info.image_width = content.width;
+    info.image_height = content.height;
+    info.input_components = content.channels;
+    info.in_color_space = content.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+    jpeg_set_defaults(&info);
+    jpeg_set_quality(&info, content.quality, TRUE);
+    // Aurorae are thin coloured lines: no subsampling of the colours.
+    info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
+    jpeg_start_compress(&info, TRUE);
+    if (content.exif_bytes > 0) jpeg_write_marker(&info, JPEG_APP0 + 1, content.exif, content.exif_bytes);
+    const std::size_t row_bytes = static_cast<std::size_t>(content.width) * content.channels;
+    while (info.next_scanline < info.image_height) {
+      auto* row = const_cast<JSAMPROW>(content.pixels + info.next_scanline * row_bytes);
+      jpeg_write_scanlines(&info, &row, 1);
+    }
+    jpeg_finish_compress(&info);
+    return true;
+  }
+};
+
+}  // namespace
+
+std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAttributes& attributes,
+                        const unsigned char* pixels, const std::string& name) {
+  constexpr std::uint32_t kImageDescription = 270, kDateTime = 306;
+  std::vector<std::pair<std::uint32_t, std::string>> texts;
+  if (std::string words = description_of(attributes).substr(0, kDescriptionLimit); !words.empty()) {
+    words.resize(std::max(words.size(), kShortestText), ' ');
+    texts.emplace_back(kImageDescription, words);
+  }
+  if (const std::string time = exif_time(value_or_empty(attributes, "DateTime"));
+      time.size() == kExifTimeBytes && time != unknown_time)
+    texts.emplace_back(kDateTime, time);
+  const std::string exif = exif_segment(texts);
+
+  JpegContent content{};
+  content.width = static_cast<JDIMENSION>(layout.width);
+  content.height = static_cast<JDIMENSION>(layout.height);
+  content.channels = layout.channels;
+  content.quality = quality;
+  content.pixels = pixels;
+  content.exif = reinterpret_cast<const unsigned char*>(exif.data());
+  content.exif_bytes = static_cast<unsigned int>(exif.size());
+  JpegWriter writer;
+  if (!writer.put(content))
+    throw failure(ErrorKind::unwritable_output, name, std::string("cannot be encoded: ") + writer.complaint);
+  return {reinterpret_cast<const char*>(writer.bytes), writer.size};
+}
+
+}  // namespace vegard::sim
