@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
+#include "sim/base/number/smooth_step.h"
 #include "sim/base/parallel.h"
 #include "sim/render/ground/landscape.h"
 #include "sim/render/lit_ground.h"
@@ -19,6 +20,7 @@ namespace vegard::sim {
 namespace {
 
 constexpr double kHighestGround_m = 9000.0;
+constexpr double kHighestLandscape_m = 6000.0;  // above it the landscape passes into a level ground
 constexpr double kTreesAlbedo = 0.12;  // of conifers over snow: Betts and Ball 1997, doi:10.1029/96JD03876
 constexpr double kMolecules_km = 8.0, kAerosol_km = 1.5;  // scale heights at the ground; the second is ours
 constexpr double kChannel_nm[3] = {610.0, 550.0, 465.0};
@@ -269,10 +271,7 @@ void draw_pixel(int x, int y, const CameraView<double>& view, const Look& look, 
   }
 }
 
-}  // namespace
-
-Image ground_layer(const Scene& scene, const GroundIllumination& light, int threads) {
-  if (scene.site.altitude_m > kHighestGround_m) return level_ground(scene, light, threads);
+Image landscape_layer(const Scene& scene, const GroundIllumination& light, int threads) {
   const Camera& camera = scene.camera;
   Image layer(camera.width, camera.height, {"R", "G", "B", "A"});
   const CameraView<double> view = camera_view(camera);
@@ -305,6 +304,20 @@ Image ground_layer(const Scene& scene, const GroundIllumination& light, int thre
       for (int c = 0; c < 3; ++c) rgba[c] += static_cast<float>((1.0 - rgba[3]) * scattered[c]);
     }
   });
+  return layer;
+}
+
+}  // namespace
+
+Image ground_layer(const Scene& scene, const GroundIllumination& light, int threads) {
+  const double level =
+      smooth_step((scene.site.altitude_m - kHighestLandscape_m) / (kHighestGround_m - kHighestLandscape_m));
+  if (level >= 1.0) return level_ground(scene, light, threads);
+  Image layer = landscape_layer(scene, light, threads);
+  if (level <= 0.0) return layer;
+  const Image even = level_ground(scene, light, threads);
+  for (std::size_t i = 0; i < layer.data.size(); ++i)
+    layer.data[i] = static_cast<float>((1.0 - level) * layer.data[i] + level * even.data[i]);
   return layer;
 }
 

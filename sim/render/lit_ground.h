@@ -54,7 +54,7 @@ GroundIllumination light_of_sky(const Scene& sky, const Image& rayleigh, const I
 /// Returns the ground as a layer of the scene's picture: A is the share of each pixel that it hides; R, G, B
 /// are multiplied by A, and have the light of the air before the sky too. The landscape of the scene's seed
 /// (sim/render/ground/landscape.h); for observers higher than any ground, above 9 km, a level and even
-/// ground.
+/// ground, into which the landscape passes from 6 km on.
 Image ground_layer(const Scene& scene, const GroundIllumination& light, int threads = 0);
 
 }  // namespace vegard::sim

@@ -80,6 +80,33 @@ TEST(LitGround, IsEvenFromHighAbove) {
 
 // At the horizon the air is thick: nearly all of the light in a line of sight is what the air scatters, the
 // mean of the light from all around; without air there is none.
+// On the way up the landscape passes into the even ground, without a jump at either end.
+TEST(LitGround, PassesIntoTheEvenGroundOnTheWayUp) {
+  Scene scene = under_even_sky();
+  const GroundIllumination light = light_on_ground(scene);
+  const auto at = [&](double altitude_m) {
+    scene.site.altitude_m = altitude_m;
+    return ground_layer(scene, light, 1);
+  };
+  const auto differ = [](const Image& one, const Image& two) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < one.data.size(); ++i)
+      most = std::max(most, static_cast<double>(std::abs(one.data[i] - two.data[i])));
+    return most;
+  };
+  const Image low = at(5999.0), high = at(9001.0);
+  // Light of an albedo of 0.8 on the blue sky's 0.4; the landscape reaches above the horizon.
+  EXPECT_GT(differ(low, high), 0.7);
+  EXPECT_LT(differ(low, at(6001.0)), 0.005);
+  EXPECT_LT(differ(at(8999.0), high), 0.005);
+  Image before = low;
+  for (double altitude_m = 6200.0; altitude_m <= 9000.0; altitude_m += 200.0) {
+    const Image now = at(altitude_m);
+    EXPECT_LT(differ(before, now), 0.3) << altitude_m;
+    before = now;
+  }
+}
+
 TEST(LitGround, TheAirScattersTheAirglow) {
   Scene scene = under_even_sky();
   scene.sky.level = {0.0, 0.0, 0.0};
