@@ -27,12 +27,12 @@ std::vector<Option> add_voxel_options(const Command& command, const std::string&
                       .delimiter(',')
                       .expected(6)
                       .type_name("WEST,EAST,SOUTH,NORTH,LOW,HIGH"));
-  added.push_back(
-      command
-          .option("--of", options.of,
-                  "Only the sheets, footprints, nebulae, volumes and objects on the Sun with these names")
-          .delimiter(',')
-          .type_name("NAME,..."));
+  added.push_back(command
+                      .option("--of", options.of,
+                              "Only the sheets, footprints, nebulae, volumes and objects on the Sun with "
+                              "these names, or stars")
+                      .delimiter(',')
+                      .type_name("NAME,..."));
   added.push_back(add_memory_option(command, options.memory_limit,
                                     "Memory for the voxels: 500M, 8G, or a number of GB (default: 4G)"));
   return added;
@@ -58,6 +58,10 @@ sim::SceneGridOptions scene_grid_options(const VoxelOptions& options, int thread
 
 void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
   if (names.empty()) return;
+  constexpr const char* kStars = "stars";  // the only ones without a name of their own
+  const bool with_stars = std::find(names.begin(), names.end(), kStars) != names.end();
+  if (!with_stars) scene.stars.sphere_distance = 0.0;
+  const bool has_stars = scene.stars.sphere_distance > 0.0;
   // What shines; nodes do not.
   std::vector<const sim::RepeatedTable*> tables = {sim::repeated_table(sim::sheet_table)};
   for (const sim::EmitterKind& kind : sim::emitter_kinds())
@@ -68,9 +72,9 @@ void keep_named(sim::Scene& scene, const std::vector<std::string>& names) {
         if (table->name(scene, static_cast<int>(e)) == name) return true;
       return false;
     };
-    if (std::none_of(tables.begin(), tables.end(), has_one))
+    if (std::none_of(tables.begin(), tables.end(), has_one) && !(has_stars && name == kStars))
       throw usage_error("--of", "nothing that shines is called '" + name + "'",
-                        "the name of a sheet, footprint, nebula, volume, or of a thing on the Sun");
+                        "the name of a sheet, footprint, nebula, volume, or of a thing on the Sun, or stars");
   }
   const auto is_named = [&](const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -7,6 +7,7 @@
 #include "sim/base/text.h"
 #include "sim/base/version.h"
 #include "sim/light/emitter.h"
+#include "sim/render/emitters/star_spheres.h"
 #include "sim/scene/emitters/emitter_kinds.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/view/colour/line_colours.h"
@@ -87,9 +88,10 @@ std::string length_words(const sim::VdbMetadata& metadata) {
 
 bool is_of_sun(const sim::Scene& scene) {
   const std::vector<sim::EmitterKind>& kinds = sim::emitter_kinds();
-  return std::any_of(kinds.begin(), kinds.end(), [&](const sim::EmitterKind& kind) {
-    return sim::what_is_on_sun(kind, scene) != sim::OnSun::nothing;
-  });
+  return sim::has_star_spheres(scene) ||
+         std::any_of(kinds.begin(), kinds.end(), [&](const sim::EmitterKind& kind) {
+           return sim::what_is_on_sun(kind, scene) != sim::OnSun::nothing;
+         });
 }
 
 sim::VdbMetadata volume_metadata(const sim::Scene& scene, const sim::SceneGrid& made) {

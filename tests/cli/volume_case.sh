@@ -75,5 +75,24 @@ expect_same one.vdb Three.VDB
 expect_exit 2 points seen.toml -o none.csv
 expect_stderr "vegard volume"
 expect_one_message
-rm -f seen.toml other.toml before.vdb
+# The stars of the Sun's scene as spheres: alone, and shining in their places when they are read back.
+cat >stars.toml <<'EOF'
+site = { altitude_m = 1e9 }
+camera = { width = 96, height = 64, hfov_deg = 20, azimuth_deg = 180, elevation_deg = 40 }
+emission = { lines = [630.0, 557.7, 427.8] }
+sensor = { response = "filters" }
+stars = { shown = true, width_deg = 0.2, gain = 1e3, sphere_distance = 1.5 }
+sun = { shown = true, azimuth_deg = 180, elevation_deg = 40, unit_km = 1000, radius = 10, distance_km = 700000 }
+[[corona]]
+name = "halo"
+rayleigh = [10, 10, 10]
+EOF
+expect_exit 0 volume stars.toml -o stars.vdb --of stars
+sed '/^\[\[corona/,$d' stars.toml | sed 's/shown = true, width/shown = false, width/' >seen.toml
+printf '[[volume]]\nname = "spheres"\nfile = "stars.vdb"\nframe = "sun"\n' >>seen.toml
+expect_exit 0 render seen.toml -o stars.png
+[[ $(green) -gt 1000 ]] || fail "stars of $(green) R at most"
+expect_exit 2 volume stars.toml -o none.vdb --of stars --set stars.sphere_distance=0
+expect_stderr "stars"
+rm -f seen.toml other.toml before.vdb stars.toml stars.vdb stars.png
 expect_only one.vdb two.vdb green.vdb foot.vdb Three.VDB seen.png seen.exr other.png

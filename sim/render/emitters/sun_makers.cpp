@@ -22,6 +22,7 @@
 #include "sim/render/emitters/emitter_makers.h"
 #include "sim/render/emitters/loop_grid.h"
 #include "sim/render/emitters/mean_of_instants.h"
+#include "sim/render/emitters/star_spheres.h"
 #include "sim/render/emitters/volume_files.h"
 
 namespace vegard::sim {
@@ -30,6 +31,17 @@ namespace {
 template <class T>
 void add_photosphere(const EmitterInputs<T>& in, Emitters<T>& all) {
   all.push_back(std::make_unique<PhotosphereEmitter<T>>(in.scene, in.number));
+}
+
+/// The photosphere itself is a surface.
+void add_star_fields(const FieldInputs& in, std::vector<NamedField>& all) {
+  if (has_star_spheres(in.scene))
+    all.push_back({"stars", std::make_unique<StarField>(star_field(in.scene)), FieldFrame::sun});
+}
+
+ThinPart thinnest_star(const Scene& scene) {
+  if (!has_star_spheres(scene)) return {};
+  return {"stars", star_sphere_radius(scene)};
 }
 
 template <class T>
@@ -244,7 +256,9 @@ ThinPart thinnest_rope(const Scene& scene) {
 
 }  // namespace
 
-EmitterMaker photosphere_maker() { return {"sun", add_photosphere<double>, add_photosphere<FreeDual>}; }
+EmitterMaker photosphere_maker() {
+  return {"sun", add_photosphere<double>, add_photosphere<FreeDual>, add_star_fields, nullptr, thinnest_star};
+}
 
 EmitterMaker chromosphere_maker() {
   return {"chromosphere", add_chromospheres<double>, add_chromospheres<FreeDual>, add_chromosphere_fields};

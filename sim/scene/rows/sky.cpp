@@ -42,6 +42,8 @@ std::vector<Declaration> sky_rows() {
       Row("stars", "width_deg", &Scene::stars, &Stars::width_deg).in("deg").within(0.0001, 5)
           .means("standard deviation of an image"),
       Row("stars", "gain", &Scene::stars, &Stars::gain).within(0, 1e6).means("times photometric brightness"),
+      Row("stars", "sphere_distance", &Scene::stars, &Stars::sphere_distance).within(0, 1000)
+          .means("of the spheres that are a solar grid's stars, in the Sun's distances; 0: none"),
 
       Row("moon", "shown", &Scene::moon, &Moon::shown).means("disc with its phase, at the site and its time"),
       Row("moon", "skylight", &Scene::moon, &Moon::skylight).means("the light that the air scatters, and on the ground the Moon's own"),

@@ -72,6 +72,9 @@ struct Stars {
   double faintest_magnitude = 6.5;
   double width_deg = 0.02;  ///< standard deviation of a star's image
   double gain = 1.0;        ///< factor on the photometric brightness
+  /// Of a grid's: distance of the spheres by which it has the picture's stars, in distances of the Sun; 0:
+  /// none.
+  double sphere_distance = 0.0;
 };
 
 /// The Moon at the site and its time.
