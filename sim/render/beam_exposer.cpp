@@ -296,7 +296,8 @@ void BeamExposer::expose(const Scene& scene, Exposure& out, const std::function<
   out.free = out.free_stride = 0;
   w.collect(lines, stride, out);
   out.volumes = {};
-  if (only_sheet < 0) w.add_volumes(scene, out, w.layout.chunks().empty() ? progress : nullptr, stop);
+  if (only_sheet < 0)
+    w.add_volumes(scene, out, w.layout.chunks().empty() ? progress : nullptr, stop, out.one_ray);
 }
 
 void BeamExposer::expose_with_derivatives(const Scene& scene, const std::vector<ParameterId>& free,

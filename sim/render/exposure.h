@@ -18,6 +18,9 @@ namespace vegard::sim {
 
 /// The light on a film before any blur.
 struct Exposure {
+  /// Set before: volumes are marched by one ray to each cell, as expose_with_derivatives() marches them.
+  bool one_ray = false;
+
   FilmGeometry geometry;
   int lines = 0;
   LargeVector<float> rayleigh;  ///< [line][row][column]

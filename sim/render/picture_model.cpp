@@ -289,6 +289,7 @@ PictureModel::PictureModel(const Scene& scene, const FilmGeometry& film, CellWei
     : work_(std::make_unique<Workspace>()) {
   Workspace& w = *work_;
   w.means.threads = thread_count(options.threads);
+  w.exposure.one_ray = true;  // with and without derivatives
   w.keeps_negative_light = options.keeps_negative_light;
   w.means.film = film;
   w.means.weights = std::move(weights);

@@ -311,6 +311,7 @@ void SlabExposer::expose(const Scene& scene, Exposure& out, const std::function<
   const auto count = static_cast<double>(plan_.passes.size() * groups_.size());
   std::size_t done = 0;
   Exposure some;
+  some.one_ray = out.one_ray;
   for (const Group& group : groups_) {
     const bool has_footprints = group.has_footprints && only_sheet < 0;
     for (const Pass& pass : plan_.passes) {
@@ -332,7 +333,7 @@ void SlabExposer::expose(const Scene& scene, Exposure& out, const std::function<
     }
   }
   if (only_sheet < 0)
-    add_rest(scene, out, stop, false);
+    add_rest(scene, out, stop, out.one_ray);
   else
     out.volumes = {};
 }

@@ -5,6 +5,7 @@
 
 #include "sim/base/parallel.h"
 #include "sim/render/emitters/volume_files.h"
+#include "sim/render/volumes/limb.h"
 #include "sim/render/volumes/volumes.h"
 #include "sim/view/film/blur.h"
 #include "sim/view/film/depth_image.h"
@@ -80,6 +81,9 @@ VolumeLight Volumes::light(const Scene& scene, const FilmGeometry& film,
   };
   VolumeLight light =
       shrinks ? march_coarsely(film, scene.march.shrink, ends, march, threads_) : march(film, {});
+  if (!whole_resolution)
+    if (const std::vector<std::uint8_t> cells = limb_cells(scene, film, threads_); !cells.empty())
+      march_limb(film, cells, march, light);
   if (!is_spread(scene.march)) return light;
   spread(scene, film, {light.rayleigh.data(), light.lines, film.rows, film.columns}, threads_);
   if (!light.kept.empty() && scene.march.smooth_px > 0.0) {

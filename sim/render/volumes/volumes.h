@@ -50,8 +50,9 @@ class Volumes {
   Volumes(const Scene& scene, int threads, bool of_one_scene = false);
   ~Volumes();
 
-  /// Returns the light, marched at the resolution of march.shrink (at the film's own if `whole_resolution`),
-  /// with the smoothing and glow of [march]. `progress` and `stop` as in Exposer::expose().
+  /// Returns the light, marched at the resolution of march.shrink and with several rays to cells on the Sun's
+  /// limb (at the film's own and with one ray each if `whole_resolution`, as the derivatives are), with the
+  /// smoothing and glow of [march]. `progress` and `stop` as in Exposer::expose().
   VolumeLight light(const Scene& scene, const FilmGeometry& film,
                     const std::function<void(double)>& progress = {}, const std::atomic<bool>* stop = nullptr,
                     bool whole_resolution = false) const;

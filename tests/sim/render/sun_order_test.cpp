@@ -68,6 +68,8 @@ TEST(SunOrder, BehindAnOpaqueShellNothingShowsOfTheCorona) {
     const double x = static_cast<double>(i % 64) - 31.5, y = static_cast<double>(i / 64) - 23.5;
     const double radius_px = kRaised * 695700.0 / 149597870.7 / (1.5 * 3.14159265358979 / 180.0) * 64.0;
     if (std::abs(std::hypot(x, y) - radius_px) < 1.5) continue;
+    // The hidden ball's edge too: there pixels are means over several rays.
+    if (std::abs(std::hypot(x, y) - radius_px / kRaised) < 1.5) continue;
     in_disc += std::hypot(x, y) < radius_px;
     // Single precision, and the corona's quadrature on another span.
     EXPECT_NEAR(a.data[i], b.data[i], 1e-4 * b.data[i]) << i;
@@ -155,6 +157,7 @@ TEST(SunOrder, DerivativesThroughAnAbsorberAgreeWithDifferences) {
     *number_at(more, free[j]) += step;
     *number_at(less, free[j]) -= step;
     Exposure up, down;
+    up.one_ray = down.one_ray = true;
     exposer.expose(more, up);
     exposer.expose(less, down);
     double size = 0.0, off = 0.0;

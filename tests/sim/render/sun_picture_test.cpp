@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/render/render.h"
+#include "sim/view/camera/camera.h"
 
 namespace vegard::sim::sun_picture_test {
 namespace {
@@ -85,6 +86,62 @@ TEST(SunPicture, HasCloudsThatShadeItsBallAndACoronaAboutIt) {
   EXPECT_EQ(bright.at(30, 4, 2), 0.0f);
   EXPECT_GT(shaded.at(30, 4, 2), 1.0f);
   EXPECT_GT(shaded.at(30, 7, 1), shaded.at(30, 2, 1));
+}
+
+/// How far from the disc of this radius the corona's light ends, in pixels: the largest of a hundred columns.
+double worst_step_px(const Scene& scene, double radius) {
+  const Image light = render(scene).rayleigh;
+  const CameraView<double> view = camera_view(scene.camera);
+  const double a = scene.sun.azimuth_deg * M_PI / 180.0, e = scene.sun.elevation_deg * M_PI / 180.0;
+  const double middle[3] = {std::sin(a) * std::cos(e), std::cos(a) * std::cos(e), std::sin(e)};
+  double worst = 0.0;
+  for (int x = 70; x < 170; ++x) {
+    const auto off_limb = [&](double y_px) {
+      double enu[3];
+      EXPECT_TRUE(enu_of_pixel(view, x + 0.5, y_px, enu));
+      const double cosine = enu[0] * middle[0] + enu[1] * middle[1] + enu[2] * middle[2];
+      return std::acos(std::min(cosine, 1.0)) - std::asin(radius / 10.0);
+    };
+    // Where the limb is in this column; down is towards the Sun's middle.
+    double up = 0.0, down = 159.0;
+    EXPECT_GT(off_limb(up), 0.0);
+    EXPECT_LT(off_limb(down), 0.0);
+    for (int i = 0; i < 50; ++i) (off_limb(0.5 * (up + down)) > 0.0 ? up : down) = 0.5 * (up + down);
+    const int y = static_cast<int>(std::floor(up));
+    const double outside = light.at(x, y - 2, 1), inside = light.at(x, y + 2, 1);
+    EXPECT_GT(outside, 1.5 * inside);
+    double lit = 0.0;  // rows of light, from the first of five
+    for (int row = y - 2; row <= y + 2; ++row) lit += (light.at(x, row, 1) - inside) / (outside - inside);
+    worst = std::max(worst, std::abs(y - 2 + lit - up));
+  }
+  return worst;
+}
+
+// With one ray a pixel there are steps of half a pixel to either side.
+TEST(SunPicture, HasALimbWithoutSteps) {
+  Scene scene = ball_before_stars();
+  scene.stars.shown = false;
+  scene.camera.width = 240;
+  scene.camera.height = 160;
+  scene.camera.hfov_deg = 15.0;  // a radius of some 92 pixels
+  scene.camera.elevation_deg = 49.0;
+  Corona corona;
+  corona.share = {1.0};
+  corona.power = {0.0};
+  corona.rayleigh = {1000.0, 1000.0, 1000.0};
+  scene.coronae = {corona};
+  EXPECT_LT(worst_step_px(scene, 1.0), 0.3);
+  // A chromosphere that lets nothing through hides more.
+  Chromosphere chromosphere;
+  chromosphere.innerradius = 1.0;
+  chromosphere.outerradius = 1.05;
+  chromosphere.coverage = -1.0;
+  chromosphere.sharpness = 100.0;
+  chromosphere.extinction = 1000.0;
+  chromosphere.step = 0.01;
+  chromosphere.rayleigh = {0.0, 0.0, 0.0};
+  scene.chromospheres = {chromosphere};
+  EXPECT_LT(worst_step_px(scene, 1.05), 0.3);
 }
 
 }  // namespace
