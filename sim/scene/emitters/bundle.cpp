@@ -28,6 +28,7 @@ std::vector<Declaration> bundle_rows() {
       row("density_noise", &B::density_noise).within(0, 5).may_be_free(ParameterScale::linear).means("standard deviation of ln(density) of lines"),
       row("density", &B::density).within(0, 1e18).may_be_free(ParameterScale::logarithmic).means("density in the middle of a line at its foot"),
       row("falloff_length", &B::falloff_length).within(1e-6, 1e9).may_be_free(ParameterScale::logarithmic).means("along a line, to a density of 1/e"),
+      row("foot_fade", &B::foot_fade).within(0, 1e9).means("length in which a line brightens from its foot"),
       row("foot_radius", &B::foot_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("of a line at its foot"),
       row("top_radius", &B::top_radius).within(1e-9, 1e9).may_be_free(ParameterScale::logarithmic).means("the same at its end"),
       row("density_falloff", &B::density_falloff).one_of<RadialFalloff>({{"smooth", RadialFalloff::smooth}, {"linear", RadialFalloff::linear}, {"gaussian", RadialFalloff::gaussian}}).means("density across a line, as of a loop's strand"),

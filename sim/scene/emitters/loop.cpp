@@ -44,6 +44,7 @@ std::vector<Declaration> loop_rows() {
       row("height_falloff", &L::height_falloff).one_of<HeightFalloff>({{"none", HeightFalloff::none}, {"grow", HeightFalloff::grow}, {"fade", HeightFalloff::fade}, {"logarithmic", HeightFalloff::logarithmic}, {"inverse-square", HeightFalloff::inverse_square}}).means("density against height: linear (growing or fading), logarithmic, or inverse square"),
       row("falloff_least", &L::falloff_least).within(0, 1).may_be_free(ParameterScale::linear).means("smallest over largest density of the height falloff")
           .inert_if([](const L& l) { return l.height_falloff == HeightFalloff::none; }, "the loop's light does not fall off along it", "name a height_falloff"),
+      row("foot_fade", &L::foot_fade).within(0, 1).means("share of the height in which strands brighten from their feet"),
       row("base_density", &L::base_density).within(0, 1e9).may_be_free(ParameterScale::logarithmic).means("density in the middle of a strand without falloff"),
       row("root_noise", &L::root_noise).within(0, 1e9).may_be_free(ParameterScale::linear).means("standard deviation of the feet's places"),
       row("height_noise", &L::height_noise).within(0, 1).may_be_free(ParameterScale::linear).means("relative standard deviation of the height"),

@@ -91,6 +91,7 @@ struct Loop {
   RadialFalloff density_falloff = RadialFalloff::smooth;
   HeightFalloff height_falloff = HeightFalloff::none;
   double falloff_least = 0.0;  ///< minimum of the height falloff
+  double foot_fade = 0.0;      ///< share of the height over which strands brighten from their feet
   double base_density = 1.0;
   double root_noise = 0.0;    ///< standard deviation of the positions of the feet
   double height_noise = 0.0;  ///< standard deviation, fraction of the height
@@ -149,6 +150,7 @@ struct Bundle {
   double horizon_deg = 90.0;     ///< largest distance of feet from the limb, as seen by the observer
   std::vector<double> rayleigh;  ///< as a loop's
   double temperature_mk = 0.0;
+  double foot_fade = 0.0;  ///< length over which lines brighten from their feet
 };
 
 enum class EjectionKind { rope, shell };

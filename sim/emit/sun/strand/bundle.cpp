@@ -7,6 +7,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
+#include "sim/base/number/smooth_step.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/strand/macro_loop.h"
@@ -111,7 +112,10 @@ class BundleMaker {
     const T at_end = exponential(T(0.0) - length / falloff);
     for (int k = 0; k <= kBundleSteps; ++k) {
       const T at = whole * (static_cast<double>(k) / kBundleSteps) - foot_radius;
-      strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end));
+      const double from_foot = value_of(at) / std::max(bundle_.foot_fade, 1e-9),
+                   share = bundle_.foot_fade > 0.0 ? smooth_step(from_foot) : 1.0;
+      strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end) *
+                             share);
     }
     return strand;
   }

@@ -6,6 +6,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/distributions.h"
 #include "sim/base/number/random.h"
+#include "sim/base/number/smooth_step.h"
 #include "sim/base/number/vec3.h"
 #include "sim/emit/sun/solar_rotation.h"
 #include "sim/emit/sun/sun_frame.h"
@@ -170,8 +171,8 @@ std::vector<T> density_along(const Loop& loop, const NumberAs<T>& number) {
   for (int i = 0; i < kDensitiesAlong; ++i) {
     const double t = static_cast<double>(i) / (kDensitiesAlong - 1), z = 4.0 * t * (1.0 - t);
     const T off = (at - z) / width;
-    along.push_back(base *
-                    (height_falloff(loop.height_falloff, least, z) + more * exponential(off * off * -0.5)));
+    const T here = height_falloff(loop.height_falloff, least, z) + more * exponential(off * off * -0.5);
+    along.push_back(base * here * (loop.foot_fade > 0.0 ? smooth_step(z / loop.foot_fade) : 1.0));
   }
   return along;
 }

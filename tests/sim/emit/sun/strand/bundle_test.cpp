@@ -141,6 +141,24 @@ TEST(Bundle, DensityFallsAlongALine) {
   EXPECT_EQ(s.radius_last, 10.0);
 }
 
+TEST(Bundle, LinesBrightenFromTheirFeet) {
+  Bundle bundle = quiet();
+  const std::vector<double> whole = made(bundle).all[0].along;
+  bundle.foot_fade = 100.0;
+  const std::vector<double> faded = made(bundle).all[0].along;
+  ASSERT_EQ(faded.size(), whole.size());
+  EXPECT_EQ(faded.front(), 0.0);
+  for (std::size_t k = 0; k < faded.size(); ++k) {
+    const double from_foot =
+        (bundle.length + bundle.foot_radius) * static_cast<double>(k) / (faded.size() - 1.0) -
+        bundle.foot_radius;
+    if (from_foot >= 100.0)
+      EXPECT_EQ(faded[k], whole[k]);
+    else
+      EXPECT_LT(faded[k], whole[k]);
+  }
+}
+
 TEST(Bundle, DerivativesAreThoseOfItsLight) {
   Bundle bundle = quiet();
   bundle.count = 90;

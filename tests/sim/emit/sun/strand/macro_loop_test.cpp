@@ -207,6 +207,24 @@ TEST(MacroLoop, HeightFalloffsAreOneWhereMostAndLeastWhereLeast) {
   EXPECT_NEAR(bright[bright.size() / 2], 9.0, 1e-12);  // (1 + 2) times the base, at the top
 }
 
+TEST(MacroLoop, StrandsBrightenFromTheirFeetOverAShareOfTheHeight) {
+  Loop loop = plain_loop();
+  const Strands<double> before = strands_of<double>(Sun{}, loop, 3, kPlain);
+  loop.foot_fade = 0.2;
+  const Strands<double> after = strands_of<double>(Sun{}, loop, 3, kPlain);
+  const std::vector<double>&whole = before.all[0].along, &faded = after.all[0].along;
+  ASSERT_EQ(faded.size(), whole.size());
+  EXPECT_EQ(faded.front(), 0.0);
+  EXPECT_EQ(faded.back(), 0.0);
+  for (std::size_t i = 0; i < faded.size(); ++i) {
+    const double t = static_cast<double>(i) / (faded.size() - 1.0), z = 4.0 * t * (1.0 - t);
+    if (z >= 0.2)
+      EXPECT_EQ(faded[i], whole[i]);
+    else
+      EXPECT_LT(faded[i], whole[i]);
+  }
+}
+
 TEST(MacroLoop, DerivativesAreThoseOfCentralDifferences) {
   Scene scene;
   scene.sun.shown = true;
