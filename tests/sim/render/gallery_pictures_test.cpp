@@ -219,5 +219,32 @@ TEST(GalleryPictures, ArcsFadeAtTheHorizonAndDoNotEndAboveIt) {
   }
 }
 
+// Strands of a flux rope that hardly overlap cross each other as a fish's scales; those of the page on
+// ejections do not.
+TEST(GalleryPictures, TheFluxRopeHasNoScales) {
+  Scene scene = parse_scene(
+      "site = { altitude_m = 6e5 }\ncamera = { width = 80, height = 80, hfov_deg = 0.2, azimuth_deg = 178.9, "
+      "elevation_deg = 40 }\nsensor = { response = \"grey\" }\nemission = { lines = [560.0] }\n"
+      "blur = { width_deg = [0.0] }\ntime = { start_s = 3600 }\nsun = { shown = true, azimuth_deg = 180, "
+      "elevation_deg = 40 }\n[[ejection]]\nkind = \"rope\"\nlongitude_deg = -75.0\nbearing_deg = 10.0\n"
+      "speed_km_s = 500.0\nstrands = 300\nstrand_radius = 0.14\nrayleigh = [1e6]\n",
+      "test");
+  const auto scales = [&] {
+    const Image light = render(scene).rayleigh;
+    double ripple = 0.0, sum = 0.0;
+    for (int y = 0; y < light.height; ++y)
+      for (int x = 6; x + 6 < light.width; ++x) {
+        ripple += std::abs(light.at(x, y, 0) - 0.5 * (light.at(x - 6, y, 0) + light.at(x + 6, y, 0)));
+        sum += light.at(x, y, 0);
+      }
+    EXPECT_GT(sum, 0.0);
+    return ripple / sum;
+  };
+  EXPECT_LT(scales(), 0.02);
+  scene.ejections[0].strands = 60;
+  scene.ejections[0].strand_radius = 0.1;
+  EXPECT_GT(scales(), 0.05);
+}
+
 }  // namespace
 }  // namespace vegard::sim::gallery_pictures_test
