@@ -12,6 +12,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/number/vec3.h"
+#include "sim/emit/footprint/curtain_rays.h"
 #include "sim/emit/footprint/foot_projection.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
@@ -37,6 +38,7 @@ struct Wall {
   T beyond;           ///< normal . from
   T thickness_km;     ///< along the normal, of flux 1
   T flux[2], ln_energy[2];
+  T along_km[2];  ///< from the curve's beginning
 };
 
 template <class T>
@@ -65,7 +67,7 @@ class CurtainEmitter : public Emitter<T> {
     foot_.sphere_km = rule_.sphere_km;
     std::copy_n(rule_.axis, 3, foot_.axis);
     foot_.patches = rule_.patches ? rule_.patches->data() : nullptr;
-    build(f, number, at);
+    build(scene, f, number, at);
   }
   CurtainEmitter(const CurtainEmitter&) = delete;
   CurtainEmitter& operator=(const CurtainEmitter&) = delete;
@@ -97,7 +99,7 @@ class CurtainEmitter : public Emitter<T> {
     T flux, ln_energy;
   };
 
-  void build(const Footprint& f, const NumberAs<T>& number, const FootprintAt& now) {
+  void build(const Scene& scene, const Footprint& f, const NumberAs<T>& number, const FootprintAt& now) {
     std::vector<Edge> edges;
     bool closed = false;
     const auto cargo = [&](std::size_t i, auto& point) {
@@ -137,8 +139,10 @@ class CurtainEmitter : public Emitter<T> {
     }
     const std::size_t count = edges.size();
     std::vector<SegmentBox> boxes;
+    T along_km(0.0);
     for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
-      stand(edges[i], edges[(i + 1) % count], number(f.width_km), boxes);
+      stand(edges[i], edges[(i + 1) % count], number(f.width_km), along_km, boxes);
+    rays_of_light_ = CurtainRays(f, scene.seed, now.instant_s, value_of(along_km), closed);
     tree_ = SegmentTree(boxes);
   }
 
@@ -158,10 +162,15 @@ class CurtainEmitter : public Emitter<T> {
     std::sort(met.begin(), met.end());
   }
 
-  void stand(const Edge& a, const Edge& b, const T& width_km, std::vector<SegmentBox>& boxes) {
+  /// `along_km`: from the curve's beginning, which goes on by this piece.
+  void stand(const Edge& a, const Edge& b, const T& width_km, T& along_km, std::vector<SegmentBox>& boxes) {
     Wall<T> wall;
     wall.from = a.foot;
     wall.way = minus3(b.foot, a.foot);
+    wall.along_km[0] = along_km;
+    if (const T length2 = dot3(wall.way, wall.way); value_of(length2) > 0.0)
+      along_km = along_km + square_root(length2);
+    wall.along_km[1] = along_km;
     Vec3<T> along = times3(a.foot, T(-1.0 / foot_radius_));
     const Vec3<T> up = times3(along, T(-1.0));
     if (foot_.projection == FootProjection::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};
@@ -300,7 +309,9 @@ class CurtainEmitter : public Emitter<T> {
       stretch = radius_km(p, foot_.sphere_km) * (1.0 / foot_radius_);
     const T size = value_of(cosine) < 0.0 ? -cosine : cosine;
     const T incidence = value_of(size) < kCurtainMinCosine ? T(kCurtainMinCosine) : size;
-    const T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
+    T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
+    if (rays_of_light_.any())
+      flux = flux * rays_of_light_.factor(wall.along_km[0] + share * (wall.along_km[1] - wall.along_km[0]));
     T rate[kMaxLines];
     marcher_.rates(altitude_km(p, foot_.sphere_km),
                    wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0, rate);
@@ -325,6 +336,7 @@ class CurtainEmitter : public Emitter<T> {
   ScalarMarch<T, double> marcher_;
   const bool tries_all_;
   std::vector<Wall<T>> walls_;
+  CurtainRays rays_of_light_;
   SegmentTree tree_;
 };
 

@@ -125,6 +125,7 @@ double soonest_change_s(const Scene& scene, const Footprint& f) {
     change_s = narrowest_km(f, scene.body.radius_km) / drift;
   if (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0)
     change_s = std::min(change_s, f.noise_lifetime_s);
+  if (has_rays(f) && f.ray_lifetime_s > 0.0) change_s = std::min(change_s, f.ray_lifetime_s);
   if (f.flow_turns_per_s > 0.0) change_s = std::min(change_s, 1.0 / (kTwoPi * f.flow_turns_per_s));
   if (is_of_sheets(f)) {
     for (const Sheet& sheet : scene.sheets)

@@ -142,7 +142,7 @@ std::unique_ptr<Emitter<T>> footprint_emitter(const Scene& scene, const Footprin
     }
     const Profiles profiles = profiles_of(scene, f, range, kSlopes, look.of_lines);
     return curtain_emitter<T>(scene, f, profiles.usual, profiles.changes, number,
-                              {drifted_km(f, instant), turned_deg(scene, f, instant), look.share});
+                              {drifted_km(f, instant), turned_deg(scene, f, instant), look.share, instant});
   }
   if (f.shape == FootprintShape::shell) {
     CubeFootprint<double> map = make_cube_footprint(scene, f, footprint_pictures(files, f), threads, instant);

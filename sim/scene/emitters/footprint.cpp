@@ -100,6 +100,11 @@ std::vector<Declaration> footprint_rows() {
           .means("counter-clockwise seen along the field (as spirals), or against it (as a charged sheet)"),
       row("flow_scale_km", &F::flow_scale_km).in("km").within(1, 2000).means("ripples that the flow starts from"),
       row("flow_ripple", &F::flow_ripple).within(0, 10).means("their strength relative to the footprint's own shear"),
+      row("ray_contrast", &F::ray_contrast).within(0, 3)
+          .inert_if([](const F& f) { return f.model != FootprintModel::curtain; }, "only a curtain has rays", "set model to \"curtain\"")
+          .means("of a curtain's rays, as a sheet's"),
+      row("ray_width_km", &F::ray_width_km).in("km").within(0.05, 1000).means("full width of a ray at half its maximum"),
+      row("ray_lifetime_s", &F::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
       row("drift_km_s", &F::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity; of a shell its speed to the east at the equator"),
       row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})

@@ -84,6 +84,10 @@ struct Footprint {
   double flow_scale_km = 20.0;  ///< length of the ripples from which the flow starts
   double flow_ripple = 0.3;     ///< strength of the ripples relative to the footprint's own shear
 
+  double ray_contrast = 0.0;    ///< of a curtain: standard deviation of ln(light) along it
+  double ray_width_km = 2.0;    ///< full width at half maximum of a ray, at the foot
+  double ray_lifetime_s = 0.0;  ///< 0: they last
+
   EastNorth drift_km_s{0.0, 0.0};  ///< of a box; of a rotating shell: east at the equator
 
   FootprintLight light = FootprintLight::lines;
@@ -106,16 +110,25 @@ struct Footprint {
 /// True if a flow winds the footprint up, now or later.
 inline bool flows(const Footprint& f) { return f.flow_turns > 0.0 || f.flow_turns_per_s > 0.0; }
 
+/// True if a curtain has rays.
+inline bool has_rays(const Footprint& f) {
+  return f.model == FootprintModel::curtain && f.ray_contrast > 0.0;
+}
+
+/// True if more than the clock's drift changes the map.
+inline bool changes_in_place(const Footprint& f) {
+  return f.flow_turns_per_s > 0.0 || (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0) ||
+         (has_rays(f) && f.ray_lifetime_s > 0.0);
+}
+
 /// True if the footprint changes with the scene's clock by its own keys, whatever its source does.
 inline bool moves_by_itself(const Footprint& f) {
-  return f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0 || f.flow_turns_per_s > 0.0 ||
-         (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0);
+  return f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0 || changes_in_place(f);
 }
 
 /// True if the scene's clock only moves the footprint as a whole, if at all.
 inline bool only_drifts(const Footprint& f) {
-  return f.source != FootprintSource::sheets && !(f.flow_turns_per_s > 0.0) &&
-         !(f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0);
+  return f.source != FootprintSource::sheets && !changes_in_place(f);
 }
 
 /// Smallest standard deviation, in cells, of the Gaussian across a spline as it is drawn. A narrower one is
