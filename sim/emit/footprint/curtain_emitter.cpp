@@ -14,6 +14,7 @@
 #include "sim/base/number/vec3.h"
 #include "sim/emit/footprint/curtain_rays.h"
 #include "sim/emit/footprint/foot_projection.h"
+#include "sim/emit/footprint/map/bulge.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/scalar_march.h"
 #include "sim/light/segment_tree.h"
@@ -117,7 +118,9 @@ class CurtainEmitter : public Emitter<T> {
                         T(foot_radius_ * std::cos(lat) * std::sin(lon)), T(foot_radius_ * std::sin(lat))};
         cargo(i, points[i]);
       }
-      const auto curve = curve_pieces<T, 3>(points, f.closed, longest_piece_km(f, rule_.sphere_km), true);
+      const double longest_km = longest_piece_km(f, rule_.sphere_km);
+      const auto curve = curve_pieces<T, 3>(with_bulge(f, scene.substorm, now.instant_s, points, longest_km),
+                                            f.closed, longest_km, true);
       closed = curve.is_closed;
       for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});

@@ -55,7 +55,7 @@ struct FootprintAt {
   EastNorth drifted_km{};   ///< drift of a box since the clock's zero
   double turned_deg = 0.0;  ///< rotation of a shell to the east
   double share = 1.0;       ///< factor on its light
-  double instant_s = 0.0;   ///< of rays
+  double instant_s = 0.0;   ///< of rays and of a substorm's bulge
 };
 
 /// Makes the emitter of a footprint with model "curtain". `changes` is as for plane_footprint_emitter(). T is

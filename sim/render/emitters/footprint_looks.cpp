@@ -9,6 +9,7 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/motion.h"
+#include "sim/emit/footprint/map/bulge.h"
 #include "sim/scene/structs/footprint.h"
 
 namespace vegard::sim {
@@ -126,6 +127,7 @@ double soonest_change_s(const Scene& scene, const Footprint& f) {
   if (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0)
     change_s = std::min(change_s, f.noise_lifetime_s);
   if (has_rays(f) && f.ray_lifetime_s > 0.0) change_s = std::min(change_s, f.ray_lifetime_s);
+  if (f.bulge_km > 0.0) change_s = std::min(change_s, bulge_change_s(f, scene.substorm));
   if (f.flow_turns_per_s > 0.0) change_s = std::min(change_s, 1.0 / (kTwoPi * f.flow_turns_per_s));
   if (is_of_sheets(f)) {
     for (const Sheet& sheet : scene.sheets)

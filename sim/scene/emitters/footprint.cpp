@@ -105,6 +105,12 @@ std::vector<Declaration> footprint_rows() {
           .means("of a curtain's rays, as a sheet's"),
       row("ray_width_km", &F::ray_width_km).in("km").within(0.05, 1000).means("full width of a ray at half its maximum"),
       row("ray_lifetime_s", &F::ray_lifetime_s).in("s").within(0, 1e6).rule(none_or_some_complaint).means("0: unlimited"),
+      row("bulge_km", &F::bulge_km).in("km").within(0, 3000)
+          .means("height, towards the pole, of a substorm's bulge (docs/volumes.md)"),
+      row("bulge_longitude_deg", &F::bulge_longitude_deg).in("deg").within(-360, 720).means("where it begins"),
+      row("bulge_length_km", &F::bulge_length_km).in("km").within(10, 5000).means("length of its front, and of its tail"),
+      row("bulge_speed_km_s", &F::bulge_speed_km_s).in("km s⁻¹").within(0, 100).means("of its front, to the west along the spline"),
+      row("bulge_gain", &F::bulge_gain).within(0, 1000).means("factor on the flux in it"),
       row("drift_km_s", &F::drift_km_s).of({"east", "north"}).in("km s⁻¹").within(-100, 100)
           .means("velocity; of a shell its speed to the east at the equator"),
       row("light", &F::light).one_of<FootprintLight>({{"lines", FootprintLight::lines}, {"colours", FootprintLight::colours}})
@@ -130,7 +136,9 @@ std::vector<Declaration> footprint_rows() {
 
 /// That no map, and no curve, takes more memory than a machine has.
 void check_size(const Footprint& f, double sphere_km, const ElementCheck& check) {
-  const bool is_shell = f.shape == FootprintShape::shell, of_spline = f.source == FootprintSource::spline;
+  const bool is_shell = f.shape == FootprintShape::shell,
+             of_spline =
+                 f.source == FootprintSource::spline || (is_shell && f.source == FootprintSource::noise);
   if (of_spline && spline_pieces(f, sphere_km) > kMaxSplinePieces)
     throw check.error_at(
         {"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) + " pieces of " +
@@ -186,7 +194,10 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
   const bool is_shell = f.shape == FootprintShape::shell;
   const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
-  if (f.source == FootprintSource::spline) {
+  // Noise around the Earth shines along a curve, if there is one.
+  const bool on_spline =
+      f.source == FootprintSource::spline || (is_shell && f.source == FootprintSource::noise && !x.empty());
+  if (on_spline) {
     if (x.size() != y.size())
       throw check.error_at(
           {std::to_string(x.size()) + " of " + x_key + " for " + std::to_string(y.size()) + " of " + y_key,
@@ -199,12 +210,11 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     if (is_shell) check_points_of_shell(f, check);
   }
   for (const auto& [list, key] : {std::pair{&f.point_energy, "point_energy"}, {&f.point_flux, "point_flux"}})
-    if (!list->empty() && (f.source != FootprintSource::spline || list->size() != x.size()))
-      throw check.error_at(
-          {std::to_string(list->size()) + " numbers for " +
-               std::to_string(f.source == FootprintSource::spline ? x.size() : 0) + " points of a spline",
-           "one for every point, or none", ""},
-          key);
+    if (!list->empty() && (!on_spline || list->size() != x.size()))
+      throw check.error_at({std::to_string(list->size()) + " numbers for " +
+                                std::to_string(on_spline ? x.size() : 0) + " points of a spline",
+                            "one for every point, or none", ""},
+                           key);
   if (f.model == FootprintModel::curtain && f.source != FootprintSource::spline)
     throw check.error_at({"a curtain stands on a spline, not on a footprint of " +
                               quoted_text(word_in(footprint_rows(), f.source)),
@@ -227,7 +237,7 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
                          "source");
   if (of_map && flows(f))
     throw check.error_at({"a map of precipitation is not wound up", "flow_turns = 0", ""}, "flow_turns");
-  if (is_shell && (f.source == FootprintSource::sheets || of_map || f.source == FootprintSource::noise))
+  if (is_shell && (f.source == FootprintSource::sheets || of_map))
     throw check.error_at(
         {"a footprint of " + quoted_text(word_in(footprint_rows(), f.source)) + " is a box's",
          "shape = \"box\"", ""},
@@ -236,10 +246,10 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     throw check.error_at({"the footprint is to be that of the sheets, but there are none",
                           "a [[sheet]], or another source", ""},
                          "source");
-  if (is_shell && flows(f))
-    throw check.error_at({"a flow is of a plane, and a shell has none",
-                          "flow_turns and flow_turns_per_s = 0, or shape = \"box\"", ""},
-                         f.flow_turns != 0.0 ? "flow_turns" : "flow_turns_per_s");
+  if (f.bulge_km > 0.0 && !(is_shell && on_spline))
+    throw check.error_at({"a substorm's bulge is in a spline around the Earth",
+                          "shape = \"shell\" and a spline, or bulge_km = 0", ""},
+                         "bulge_km");
   const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
   if (drifts && f.source == FootprintSource::sheets)
     throw check.error_at(

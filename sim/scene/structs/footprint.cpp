@@ -63,7 +63,7 @@ double bytes_per_cell(const Footprint& f, std::size_t number_bytes) {
   double numbers = layers + (is_by_sheets ? 4.0 : 0.0);
   // The flow is worked out from plain numbers.
   double plain = 0.0;
-  if (!is_shell(f) && flows(f)) {
+  if (flows(f)) {
     numbers = std::max(numbers, 2.0 * layers);
     plain = 8.0;
   }

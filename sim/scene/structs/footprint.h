@@ -88,6 +88,13 @@ struct Footprint {
   double ray_width_km = 2.0;    ///< full width at half maximum of a ray, at the foot
   double ray_lifetime_s = 0.0;  ///< 0: they last
 
+  // The bulge of a substorm in a shell's spline (sim/emit/footprint/map/bulge.h).
+  double bulge_km = 0.0;             ///< how far it reaches towards the pole; 0: none
+  double bulge_longitude_deg = 0.0;  ///< where it begins, at the substorm's onset
+  double bulge_length_km = 300.0;    ///< of its front, and of its tail
+  double bulge_speed_km_s = 1.5;     ///< of its front, to the west along the spline
+  double bulge_gain = 3.0;           ///< factor on the flux in it
+
   EastNorth drift_km_s{0.0, 0.0};  ///< of a box; of a rotating shell: east at the equator
 
   FootprintLight light = FootprintLight::lines;
@@ -118,7 +125,7 @@ inline bool has_rays(const Footprint& f) {
 /// True if more than the clock's drift changes the map.
 inline bool changes_in_place(const Footprint& f) {
   return f.flow_turns_per_s > 0.0 || (f.source == FootprintSource::noise && f.noise_lifetime_s > 0.0) ||
-         (has_rays(f) && f.ray_lifetime_s > 0.0);
+         (has_rays(f) && f.ray_lifetime_s > 0.0) || f.bulge_km > 0.0;
 }
 
 /// True if the footprint changes with the scene's clock by its own keys, whatever its source does.

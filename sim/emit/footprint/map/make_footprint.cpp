@@ -1,8 +1,10 @@
 #include "sim/emit/footprint/map/make_footprint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "sim/base/number/constants.h"
 #include "sim/emit/aurora/foot_field.h"
@@ -106,10 +108,22 @@ template PlaneFootprint<FreeDual> make_plane_footprint(const Scene&, const Footp
 CubeFootprint<double> make_cube_footprint(const Scene& scene, const Footprint& f,
                                           const FootprintPictures& pictures, int threads,
                                           std::optional<double> instant_s) {
-  CubeFootprint<double> cube = f.source == FootprintSource::spline
-                                   ? spline_cube(f, scene.body.radius_km, threads)
-                                   : picture_cube(f, pictures, threads);
-  cube.turned_deg = turned_deg(scene, f, instant_s.value_or(scene.time.start_s));
+  const double instant = instant_s.value_or(scene.time.start_s), sphere_km = scene.body.radius_km;
+  const bool of_noise = f.source == FootprintSource::noise;
+  CubeFootprint<double> cube;
+  if (f.source == FootprintSource::spline || (of_noise && !f.latitude_deg.empty())) {
+    cube = spline_cube(f, sphere_km, threads, scene.substorm, instant);
+  } else if (of_noise) {
+    cube = cube_grid<double>(f.face_cells, false);
+    for (FootprintGrid<double>& face : cube.face)
+      std::fill(face.flux_mw_m2.begin(), face.flux_mw_m2.end(), f.energy_flux_mw_m2);
+  } else {
+    cube = picture_cube(f, pictures, threads);
+  }
+  if (of_noise)
+    cube = noise_cube(f, sphere_km, std::move(cube), scene.seed, index_of(scene, f), instant, threads);
+  wind_up_shell(f, sphere_km, flow_turns_at(f, instant), scene.seed, index_of(scene, f), threads, cube);
+  cube.turned_deg = turned_deg(scene, f, instant);
   return cube;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -103,7 +104,23 @@ PlaneFootprint<T> spline_plane(const Footprint& footprint, const NumberAs<T>& nu
 /// Returns the map of a shell, on the sphere of the feet at 110 km altitude. Neighbouring points must be less
 /// than 90 degrees apart; across the curve the profile is exp(-chord² / (2 width²)), which is Fisher's
 /// distribution on the sphere.
-CubeFootprint<double> spline_cube(const Footprint& footprint, double sphere_km, int threads);
+/// A substorm's bulge (sim/emit/footprint/map/bulge.h) is that of the instant.
+CubeFootprint<double> spline_cube(const Footprint& footprint, double sphere_km, int threads,
+                                  const Substorm& substorm = {}, double instant_s = 0.0);
+
+// Noise and flow around the Earth. Both are a box's, in other coordinates: noise in space rather than in a
+// plane, and the flow in the plane about a pole in which areas are true (J. H. Lambert 1772), so that it is
+// without sources on the sphere too. There shapes are true near the pole, and within 7 % at 30° from it.
+
+/// Returns a shell's map with the flux times the noise's 0 to 1; it is evaluated where there is flux.
+/// noise_coverage is the share of the whole sphere. With a lifetime, a pattern passes into the next in it.
+CubeFootprint<double> noise_cube(const Footprint& footprint, double sphere_km, CubeFootprint<double> lit,
+                                 std::uint64_t seed, int index, double instant_s, int threads);
+
+/// Winds up the map about the pole of the hemisphere with more of its flux, as wind_up() and carry() do with
+/// a box. What lies more than 128° from that pole stays.
+void wind_up_shell(const Footprint& footprint, double sphere_km, double turns, std::uint64_t seed, int index,
+                   int threads, CubeFootprint<double>& cube);
 
 // Footprints from pictures: over a box, around the Earth, or on the faces of a cube.
 //

@@ -6,6 +6,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/base/number/dual.h"
 #include "sim/base/parallel.h"
+#include "sim/emit/footprint/map/bulge.h"
 #include "sim/emit/footprint/map/curve.h"
 #include "sim/emit/footprint/map/footprint_map.h"
 #include "sim/scene/structs/footprint.h"
@@ -96,7 +97,8 @@ PlaneFootprint<T> spline_plane(const Footprint& f, const NumberAs<T>& number, in
   return plane;
 }
 
-CubeFootprint<double> spline_cube(const Footprint& f, double sphere_km, int threads) {
+CubeFootprint<double> spline_cube(const Footprint& f, double sphere_km, int threads, const Substorm& substorm,
+                                  double instant_s) {
   const double radius = sphere_km + kFootAltitudeKm;
   const NumberAs<double>& number = plain_number;
   std::vector<CurveNode<double, 3>> points(f.latitude_deg.size());
@@ -107,9 +109,11 @@ CubeFootprint<double> spline_cube(const Footprint& f, double sphere_km, int thre
                     radius * std::cos(latitude) * std::sin(longitude), radius * std::sin(latitude)};
     set_cargo(f, i, number, points[i]);
   }
-  const double drawn = drawn_width_km(f, sphere_km);
+  const double drawn = drawn_width_km(f, sphere_km), longest_km = longest_piece_km(f, sphere_km);
   const std::vector<CurvePiece<double, 3>> pieces =
-      curve_pieces<double, 3>(points, f.closed, longest_piece_km(f, sphere_km), true).pieces;
+      curve_pieces<double, 3>(with_bulge(f, substorm, instant_s, points, longest_km), f.closed, longest_km,
+                              true)
+          .pieces;
   const bool has_energy = !f.point_energy.empty();
   CubeFootprint<double> cube = cube_grid<double>(f.face_cells, has_energy);
   const double reach = kGaussianReach * drawn / radius;  // a chord of the unit sphere
