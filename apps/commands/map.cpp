@@ -229,7 +229,8 @@ int run_map(const MapRequest& options, const std::string& command) {
   facts.magnetic_grid = options.magnetic_grid;
   facts.inputs = fit::inputs_of(options.scene.file, scene_sha256, photos);
   facts.from_photograph = from_photograph;
-  fit::write_map(map, photos, options.out, replaces, facts, journal, said());
+  fit::write_map(map, photos, options.out, replaces, facts, said());
+  if (!map.result.interrupted) journal.remove();
   if (map.result.interrupted) tell("vegard: interrupted; the same command with --resume goes on\n");
   answer_with(sim::input_bytes(options.out + "/map.json", "a map"));
   json_answer()["report"] = options.out + "/report.html";

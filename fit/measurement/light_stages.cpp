@@ -16,8 +16,10 @@
 #include "sim/base/file/sha256.h"
 #include "sim/base/number/constants.h"
 #include "sim/base/shown_text.h"
+#include "sim/base/utc_time.h"
 #include "sim/scene/file/camera_file.h"
 #include "sim/scene/file/scene_toml.h"
+#include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/view/camera/camera.h"
 #include "sim/view/camera/direction_map.h"
@@ -122,7 +124,8 @@ void map_light(MeasureRun& run, MeasureStage& stage) {
       return;
     }
     const PhotoMap& made = *run.result.map;
-    write_map(made, photos, run.in_run("map"), true, facts, journal, tell);
+    write_map(made, photos, run.in_run("map"), true, facts, tell);
+    if (!made.result.interrupted && !run.request.keep_journal) journal.remove();
     for (const char* file :
          {"scene.toml", "mask.png", "map/report.html", "map/precipitation.fits", "map/curtains.csv"})
       stage.files.emplace_back(file);
@@ -133,14 +136,30 @@ void map_light(MeasureRun& run, MeasureStage& stage) {
   });
 }
 
+/// Whether the reference field is known at this time.
+bool has_reference_field(const std::string& time_utc) {
+  constexpr double kSecondsPerYear = 31556952.0;
+  const std::optional<double> seconds = sim::utc_seconds(time_utc);
+  const double year = 1970.0 + seconds.value_or(-1e12) / kSecondsPerYear;
+  return year > sim::kFirstIgrfYear && year < sim::kLastIgrfYear - 0.1;
+}
+
+/// The place and the time, by which the reference field goes.
+std::string site_lines(const Measurement& m) {
+  return fmt::format("[site]\nlatitude_deg = {}\nlongitude_deg = {}\naltitude_m = {}\ntime_utc = \"{}\"\n",
+                     sim::real_text(m.site->latitude_deg), sim::real_text(m.site->longitude_deg),
+                     sim::real_text(m.site->height_m), m.time_utc);
+}
+
 /// Returns the scene that the map and later fits are made with, beside the camera.
 std::string scene_for_map(const MeasureRun& run) {
   const double focal_px = sim::camera_view(*run.result.camera).lens.focal_px;
+  const bool is_reference = run.request.reference_field && has_reference_field(run.result.time_utc);
   return fmt::format(
       "# For vegard map and vegard fit, with --camera {}, by vegard measure of {}\n"
       "seed = 1\n"
-      "[field]\n"
-      "model = \"dipole\"     # follows from the site\n"
+      "{}[field]\n"
+      "model = \"{}\"     # follows from the site{}\n"
       "[sensor]\n"
       "response = \"grey\"    # the green channel alone: the camera's colours are not known\n"
       "[emission]\n"
@@ -150,8 +169,9 @@ std::string scene_for_map(const MeasureRun& run) {
       "[fit]\n"
       "model_error = {}\n",
       std::filesystem::path(run.result.camera_file).filename().string(), sim::comment_words(run.result.photo),
-      sim::real_text(run.request.line_nm), kBlur_px / focal_px / sim::kRadiansPerDegree, kBlur_px,
-      kMapModelError);
+      is_reference ? site_lines(run.result) : "", is_reference ? "igrf" : "dipole",
+      is_reference ? " and the time" : "", sim::real_text(run.request.line_nm),
+      kBlur_px / focal_px / sim::kRadiansPerDegree, kBlur_px, kMapModelError);
 }
 
 /// The traces that are claimed, a sentence each, and what the others look like.
@@ -213,7 +233,10 @@ void measure_border(MeasureRun& run) {
 }
 
 void measure_map(MeasureRun& run) {
-  if (run.request.no_map) return;
+  if (!run.request.no_map && prepare_map(run)) finish_map(run);
+}
+
+bool prepare_map(MeasureRun& run) {
   MeasureStage& stage = run.begin("Where electrons of which energy fall");
   const bool has_border = run.result.main_border.has_value();
   if (!run.result.has_azimuth || !has_border || !run.result.site) {
@@ -221,13 +244,18 @@ void measure_map(MeasureRun& run) {
                   (!run.result.has_azimuth ? "the camera's directions in the sky."
                    : !has_border           ? "a lower border that is claimed to be aurora's."
                                            : "the place.");
-    return;
+    return false;
   }
   if (!mask_for_map(run, stage)) {
     stage.found = "There is no map: " + stage.found;
-    return;
+    return false;
   }
   run.write("scene.toml", scene_for_map(run));
+  return true;
+}
+
+void finish_map(MeasureRun& run) {
+  MeasureStage& stage = run.result.stages.back();
   map_light(run, stage);
   if (!run.result.map || run.result.map->result.interrupted) {
     run.result.is_map_interrupted = run.result.is_map_interrupted || run.result.map.has_value();

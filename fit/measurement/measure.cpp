@@ -8,9 +8,17 @@
 #include "sim/scene/file/scene_toml.h"
 
 namespace vegard::fit {
-namespace {
 
-void conclude(MeasureRun& run) {
+void measure_before_map(MeasureRun& run) {
+  describe_picture(run);
+  find_sky(run);
+  find_camera(run);
+  if (!run.result.camera_file.empty()) run.result.camera = sim::read_scene(run.result.camera_file).camera;
+  doubt_skyline(run);
+  measure_border(run);
+}
+
+void conclude_measurement(MeasureRun& run) {
   Measurement& m = run.result;
   MeasureAnswer answer = measure_answer(m);
   m.trust = answer.trust;
@@ -26,20 +34,13 @@ void conclude(MeasureRun& run) {
   run.follower.tell(run.in_run("report.html"));
 }
 
-}  // namespace
-
 Measurement measure(const MeasureRequest& request, const MeasureFollower& follower) {
   MeasureRun run(request, follower);
   run.read_given();
   run.claim_folder();
-  describe_picture(run);
-  find_sky(run);
-  find_camera(run);
-  if (!run.result.camera_file.empty()) run.result.camera = sim::read_scene(run.result.camera_file).camera;
-  doubt_skyline(run);
-  measure_border(run);
+  measure_before_map(run);
   measure_map(run);
-  conclude(run);
+  conclude_measurement(run);
   return std::move(run.result);
 }
 

@@ -30,5 +30,16 @@ void find_camera(MeasureRun& run);
 void measure_border(MeasureRun& run);
 /// A map of the electrons near the borders, if one is wanted and possible.
 void measure_map(MeasureRun& run);
+/// Its two parts. The first begins the stage and writes the mask and the scene; it says there what is lacking
+/// and returns false where no map is possible. The second makes the map.
+bool prepare_map(MeasureRun& run);
+void finish_map(MeasureRun& run);
+
+// All of them (measure.cpp).
+
+/// The stages before the map.
+void measure_before_map(MeasureRun& run);
+/// The answer by what the stages have found up to now: written and told.
+void conclude_measurement(MeasureRun& run);
 
 }  // namespace vegard::fit

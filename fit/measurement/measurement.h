@@ -31,7 +31,9 @@ struct MeasureRequest {
   double line_nm = 557.7;           ///< of the map
   int threads = 0, replicates = 8;  ///< of the map
   bool no_map = false, overwrite = false;
+  bool reference_field = false;  ///< of the map: IGRF where the time is known, not the dipole
   bool resume = false;  ///< of an interrupted measurement: the finished steps of its map are taken
+  bool keep_journal = false;  ///< of its map, for a longer measurement that may be interrupted later
   std::string command;  ///< by which the measurement was asked for
 };
 

@@ -89,12 +89,11 @@ PhotoMap mapped_photos(const sim::Scene& scene, const std::vector<Photo>& photos
 }
 
 void write_map(const PhotoMap& map, const std::vector<Photo>& photos, const std::string& directory,
-               bool overwrite, MapRunFacts facts, FileJournal& journal, const Tell& tell) {
+               bool overwrite, MapRunFacts facts, const Tell& tell) {
   facts.faint = find_faint_curtains(map.result);
   for (std::size_t i = 0; i < photos.size(); ++i)
     facts.decodings.emplace_back(map.result.photos[i].name, photos[i].decoding);
   write_map_run(directory, overwrite, map.result, map.curtains, facts);
-  if (!map.result.interrupted) journal.remove();
   for (const QuantityVerdict& v : map.verdicts)
     tell(v.quantity + ": " + trust_name(v.trust) + (v.value.empty() ? "" : ", ") + v.value + " (" + v.reason +
              ")",

@@ -43,14 +43,15 @@ struct PhotoMap {
   bool is_good() const;
 };
 
-/// map_photos() with a journal, which is removed if there is nothing to go on with. The options' progress is
-/// told that the work has ended by its destruction. Throws as map_photos() does, with the scene's place.
+/// map_photos() with a journal, which is removed where that throws sim::Error: there is nothing to go on
+/// with. The options' progress is told that the work has ended by its destruction. Throws as map_photos()
+/// does, with the scene's place.
 PhotoMap mapped_photos(const sim::Scene& scene, const std::vector<Photo>& photos, MapOptions options,
                        FileJournal& journal);
 
-/// Writes the map's directory, drops the journal of a finished map and tells the verdicts. `facts` are
-/// completed by what the map says. Throws as write_map_run() does.
+/// Writes the map's directory and tells the verdicts. `facts` are completed by what the map says. Throws as
+/// write_map_run() does; a finished map's journal may be dropped afterwards.
 void write_map(const PhotoMap& map, const std::vector<Photo>& photos, const std::string& directory,
-               bool overwrite, MapRunFacts facts, FileJournal& journal, const Tell& tell);
+               bool overwrite, MapRunFacts facts, const Tell& tell);
 
 }  // namespace vegard::fit
