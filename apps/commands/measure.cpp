@@ -52,13 +52,22 @@ fit::MeasureRequest request_for(const MeasureWords& words, std::size_t picture) 
   return request;
 }
 
+/// Says what is found, and lets the maps be interrupted.
+fit::MeasureFollower follower() {
+  return {said_with_progress(), [](fit::MapOptions& map) {
+            map.stop = &watch_for_interrupt();
+            map.progress = map_progress();
+          }};
+}
+
 int run_measure_together(const MeasureWords& words) {
   fit::TogetherRequest together;
   together.out = words.request.out;
   if (together.out.empty())
     throw usage_error("--out", "is missing", "the folder to write, for several photographs");
-  if (words.request.resume) throw usage_error("--resume", "is for one photograph", "--overwrite for several");
   together.overwrite = words.request.overwrite;
+  together.resume = words.request.resume;
+  together.no_map = words.request.no_map;
   together.command = words.request.command;
   together.earth = words.earth == "sphere" ? fit::EarthShape::sphere : fit::EarthShape::wgs84;
   together.clock_error_s = words.clock_error_s;
@@ -66,9 +75,10 @@ int run_measure_together(const MeasureWords& words) {
   together.pointing_error_deg = words.pointing_error_deg;
   for (std::size_t i = 0; i < words.photos.size(); ++i) together.pictures.push_back(request_for(words, i));
   end_at_once_when_interrupted();
-  const fit::TogetherMeasurement found = fit::measure_together(together, {said(), {}});
+  const fit::TogetherMeasurement found = fit::measure_together(together, follower());
   answer_with(fit::together_json(found));
   json_answer()["report"] = found.out + "/report.html";
+  if (found.is_map_interrupted) return exit_code_of_interruption();
   return found.trust == fit::Trust::good ? good : doubted;
 }
 
@@ -76,10 +86,7 @@ int run_measure(const MeasureWords& words) {
   if (words.photos.size() > 1) return run_measure_together(words);
   const fit::MeasureRequest request = request_for(words, 0);
   end_at_once_when_interrupted();
-  const fit::Measurement found = fit::measure(request, {said_with_progress(), [](fit::MapOptions& map) {
-                                                          map.stop = &watch_for_interrupt();
-                                                          map.progress = map_progress();
-                                                        }});
+  const fit::Measurement found = fit::measure(request, follower());
   answer_with(fit::measure_json(found));
   json_answer()["report"] = found.out + "/report.html";
   if (found.is_map_interrupted) return exit_code_of_interruption();

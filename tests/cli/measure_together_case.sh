@@ -1,4 +1,4 @@
-# Two photographs of one arc from places 80 km apart: the height of its border by geometry alone, and clear answers where there is none.
+# Two photographs of one arc from places 80 km apart: the height of its border by geometry alone, then with the map of both, and clear answers where there is none.
 source "$(dirname "$0")/case.sh"
 # One arc for two observers: the second one stands 80 km to the south, for whom it is 80 km farther north.
 for station in a b; do
@@ -9,8 +9,9 @@ seed = 47
 [site]
 latitude_deg = $latitude
 longitude_deg = 20.0
+time_utc = "2014-02-21T19:30:40Z"
 [field]
-model = "dipole"
+model = "igrf" # that of the Earth, as the maps of several pictures have it
 [camera]
 model = "equidistant"
 width = 280
@@ -20,7 +21,7 @@ elevation_deg = 90.0
 [sensor]
 gain_per_kilorayleigh = 0.05
 [[sheet]]
-form = "homogeneous_arc"
+form = "rayed_arc"
 center_km = [0.0, $north]
 bearing_deg = 90.0
 profile = "maxwellian"
@@ -34,9 +35,11 @@ done
 { printf 'P5 280 280 255\n' && head -c 78400 /dev/zero | tr '\0' '\377'; } >sky.pgm
 both=(a.png b.png --mask sky.pgm --mask sky.pgm --camera a.toml --camera b.toml --earth sphere --pointing-error 0.05)
 status=0
-"$VEGARD" measure "${both[@]}" --time 2014-02-21T19:30:40Z --time 2014-02-21T19:30:43Z --out run >"$stdout" 2>"$stderr" || status=$?
+times=(--time 2014-02-21T19:30:40Z --time 2014-02-21T19:30:43Z)
+"$VEGARD" measure "${both[@]}" "${times[@]}" --no-map --out run >"$stdout" 2>"$stderr" || status=$?
 [[ $status -eq 0 || $status -eq 5 ]] || fail "exit $status"
 for file in report.html together.json picture_1/report.html picture_2/report.html; do expect_file "run/$file"; done
+[[ ! -e run/map && ! -e run/picture_1/map ]] || fail "a map that is not wanted"
 python3 - run/together.json <<'PYTHON' || fail "another height"
 import json, sys
 pair = json.load(open(sys.argv[1]))["pairs"][0]
@@ -50,6 +53,44 @@ assert 0 <= check["covered"] <= check["points"] and check["sentence"], check
 for picture in json.load(open(sys.argv[1]))["pictures"]:
     assert abs(picture["clock_offset_s"]) < 2 and 0 < picture["clock_offset_error_s"] < 2.1, picture
 PYTHON
+# Ctrl-C during the map of both: the geometry's answer is there, and --resume goes on to the end.
+set -m # jobs of their own; else the shell has them ignore the signal
+"$VEGARD" measure "${both[@]}" "${times[@]}" --replicates 0 --out mapped >"$stdout" 2>"$stderr" </dev/null &
+job=$!
+until grep -qs '"place"' mapped/map.part; do # a step is finished
+  kill -0 "$job" 2>/dev/null || fail "ended before the map of both had begun"
+  sleep 0.02
+done
+kill -INT "$job"
+status=0
+wait "$job" || status=$?
+[[ $status == 130 ]] || fail "exit code $status of an interrupted measurement"
+python3 - run/together.json mapped/together.json <<'PYTHON' || fail "another answer after Ctrl-C"
+import json, sys
+whole, interrupted = (json.load(open(file)) for file in sys.argv[1:])
+assert interrupted["interrupted"] and "interrupted" not in whole
+assert interrupted["pairs"][0]["border"] == whole["pairs"][0]["border"]
+PYTHON
+expect_exit 2 measure "${both[@]}" "${times[@]}" --out run --resume # nothing interrupted it
+status=0
+"$VEGARD" measure "${both[@]}" "${times[@]}" --replicates 0 --out mapped --resume >"$stdout" 2>"$stderr" || status=$?
+[[ $status -eq 0 || $status -eq 5 ]] || fail "exit $status"
+for file in scene.toml map/report.html; do expect_file "mapped/$file"; done
+[[ -z $(find mapped -name '*.part') ]] || fail "a finished measurement leaves journals"
+grep -q 'href="map/report.html"' mapped/report.html || fail "the report does not show the map"
+python3 - mapped/together.json <<'PYTHON' || fail "another map"
+import json, sys
+answer = json.load(open(sys.argv[1]))
+made = answer["map"]
+assert "interrupted" not in answer and made["missing"] is None and made["pictures"] == [1, 2], answer["map"]
+curtain = made["main_curtain"]
+# The arc is 110 km to the north of the first camera; half of the peak's light is 96 km high.
+# A pixel is 6 km of the distance from the second camera.
+assert abs(made["nearest_km"]["value"] - 110) < 9 and abs(curtain["lower_border_km"]["value"] - 96.2) < 4, made
+# So small a picture may have no light above its noise for a map of its own.
+assert any("main_curtain" in picture for picture in answer["pictures"]), answer["pictures"]
+assert not made["contradictions"], made
+PYTHON
 # A minute and more apart; the same place; the same picture; a folder that is there; too few cameras.
 # An earlier measurement of three pictures is replaced as a whole.
 mkdir -p late/picture_3
@@ -57,6 +98,8 @@ for file in late/together.json late/picture_3/measure.json; do echo '{}' >$file;
 expect_exit 5 measure "${both[@]}" --time 2014-02-21T19:30:40Z --time 2014-02-21T19:33:40Z --out late --overwrite
 [[ ! -e late/picture_3 ]] || fail "a picture of an earlier measurement is left"
 grep -q '180 s apart' late/together.json || fail "pictures three minutes apart are compared"
+grep -q '"missing": ".*180 s apart' late/together.json || fail "no reason why there is no map"
+[[ ! -e late/map ]] || fail "a map of pictures three minutes apart"
 expect_exit 2 measure a.png a.png --camera a.toml --camera b.toml --out same
 expect_one_message
 [[ ! -e same ]] || fail "a refused measurement leaves a folder"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
@@ -11,7 +12,9 @@
 
 #include "fit/measurement/main_border.h"
 #include "fit/measurement/measure_run.h"
+#include "fit/measurement/measure_stages.h"
 #include "fit/photo/frames/frame_name.h"
+#include "fit/search/file_journal.h"
 #include "sim/base/error.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/number_text.h"
@@ -53,13 +56,26 @@ void refuse_same_pictures(const TogetherRequest& request) {
   }
 }
 
+bool is_interrupted(const std::string& together_json) {
+  constexpr std::size_t kLargest = 1 << 24;
+  if (!sim::why_no_input(together_json).empty()) return false;
+  const nlohmann::json json =
+      nlohmann::json::parse(sim::read_input(together_json, kLargest).bytes, nullptr, false);
+  return json.is_object() && json.value("interrupted", nlohmann::json(false)) == nlohmann::json(true);
+}
+
 void claim_folder(const TogetherRequest& request) {
   std::error_code failed;
   const bool is_there = fs::exists(request.out, failed);
   if (is_there && !fs::is_directory(request.out, failed))
     throw sim::Error(sim::ErrorKind::existing_output, "is no folder").file(request.out);
   if (is_there && !fs::is_empty(request.out, failed)) {
-    if (!request.overwrite) throw sim::already_exists(request.out);
+    const bool is_resumed = request.resume && is_interrupted(request.out + "/together.json");
+    if (request.resume && !request.overwrite && !is_resumed)
+      throw sim::Error(sim::ErrorKind::existing_output,
+                       "is no interrupted measurement (--overwrite replaces what vegard wrote there)")
+          .file(request.out);
+    if (!request.overwrite && !is_resumed) throw sim::already_exists(request.out);
     if (!fs::exists(request.out + "/together.json"))
       throw sim::Error(sim::ErrorKind::existing_output,
                        "holds something that is no measurement of several pictures")
@@ -136,7 +152,57 @@ std::vector<std::string> sentences_of(const PairOfPictures& pair, const std::opt
   return said;
 }
 
+/// "the lower border 98 ± 3 km high and its nearest part 131 ± 4 km away, with electrons of 4.1 ± 0.3 keV"
+std::string curtain_words(const MainCurtain& c, const WithError& nearest_km) {
+  const std::string away = std::isfinite(nearest_km.value)
+                               ? fmt::format(" and its nearest part {} km away",
+                                             sim::number_with_error(nearest_km.value, nearest_km.error))
+                               : "";
+  return fmt::format("the lower border {} km high{}, with electrons of {} keV",
+                     sim::number_with_error(c.lower_border_km.value, c.lower_border_km.error), away,
+                     sim::number_with_error(c.energy_kev.value, c.energy_kev.error));
+}
+
+/// What the map of all pictures says, and what it and the geometry contradict each other in.
+void conclude_map(TogetherMeasurement& m) {
+  if (!m.joint_map) return;
+  const JointMap& map = *m.joint_map;
+  if (map.is_interrupted) {
+    m.answer.push_back("The map of all pictures was interrupted; the same command with --resume goes on.");
+  } else if (!map.missing.empty()) {
+    m.answer.push_back("There is no map of all pictures: " + map.missing + ".");
+  } else if (!map.curtain) {
+    m.answer.push_back("The map of all pictures has no curtain whose lower border is in view.");
+  } else {
+    const Measurement& home = m.alone[map.home];
+    m.answer.push_back(fmt::format("One map of {} pictures puts {}{}{}.", map.pictures.size(),
+                                   curtain_words(*map.curtain, map.nearest_km),
+                                   map.home == 0 ? "" : " (from " + home.photo + ")",
+                                   map.is_good ? "" : ", with care"));
+    const bool is_same_border =
+        home.main_border && compared_trace(m.pairs[map.pair], home, 0) == home.main_border->trace;
+    if (home.main_curtain && is_same_border)
+      m.answer.push_back(
+          "Alone, " + home.photo + " has " +
+          curtain_words(*home.main_curtain, nearest_by(*home.main_curtain, *home.main_border)) + ".");
+  }
+  if (m.is_map_interrupted && !map.is_interrupted)
+    m.answer.push_back(
+        "The map of one picture alone was interrupted; the same command with --resume goes on.");
+  const std::optional<PairHeight> height = compared_height(m);
+  if (map.curtain && height)
+    m.contradictions =
+        contradictions(map, *height, distance_by(m.pairs[map.pair], *height, m.alone[map.home], 0));
+  for (const Contradiction& c : m.contradictions)
+    m.answer.push_back(fmt::format(
+        "With care: the {} is {} km by geometry and {} km by the map, beyond two standard errors.",
+        c.quantity, sim::number_with_error(c.geometry_km.value, c.geometry_km.error),
+        sim::number_with_error(c.map_km.value, c.map_km.error)));
+}
+
+/// The answer by what is there up to now.
 void conclude(TogetherMeasurement& m) {
+  m.answer.clear();
   std::vector<PairHeight> good;
   bool has_height = false;
   for (const PairOfPictures& pair : m.pairs) {
@@ -161,12 +227,73 @@ void conclude(TogetherMeasurement& m) {
   const bool is_contradicted = contradict(good);
   if (is_contradicted)
     m.answer.push_back("With care: the heights of the pairs contradict each other beyond their errors.");
-  const bool is_good = !good.empty() && !is_contradicted;
+  conclude_map(m);
+  const bool is_good = !good.empty() && !is_contradicted && m.contradictions.empty();
   m.trust = is_good ? Trust::good : has_height ? Trust::doubtful : Trust::unconstrained;
   m.word = is_good ? "Measured" : has_height ? "With care" : "No height";
 }
 
+/// The requests of the single pictures, each with its folder.
+std::deque<MeasureRequest> requests_alone(const TogetherRequest& request) {
+  std::deque<MeasureRequest> alone;
+  for (std::size_t i = 0; i < request.pictures.size(); ++i) {
+    alone.push_back(request.pictures[i]);
+    alone.back().out = folder_of(request, i);
+    alone.back().overwrite = alone.back().keep_journal = alone.back().reference_field = true;
+    alone.back().no_map = request.no_map;
+    alone.back().resume = request.resume;
+    alone.back().command = request.command;
+  }
+  return alone;
+}
+
+void write_pages(const TogetherMeasurement& m) {
+  sim::write_whole(m.out + "/report.html", together_page(m), true);
+  sim::write_whole(m.out + "/together.json", together_json(m), true);
+}
+
+/// The map of all pictures, and those of each alone.
+void add_maps(TogetherMeasurement& m, std::deque<MeasureRun>& runs, const MeasureFollower& follower) {
+  JointMap map = planned_map(m.pairs, m.alone);
+  for (std::size_t k = 0; k < map.pictures.size(); ++k) {
+    MeasureRun& run = runs[map.pictures[k]];
+    follower.tell("");
+    follower.tell(run.result.photo);
+    if (!prepare_map(run) && map.missing.empty())
+      map.missing = run.result.photo + " has none: " + run.result.stages.back().found;
+  }
+  follower.tell("");
+  follower.tell("The map of all pictures");
+  if (map.missing.empty()) {
+    m.is_map_interrupted = true;  // until it is not
+    write_pages(m);
+    make_joint_map(map, runs, m.pairs[map.pair], m.out, follower);
+    m.is_map_interrupted = map.is_interrupted;
+  }
+  for (const std::size_t i : map.pictures) {
+    MeasureRun& run = runs[i];
+    if (m.is_map_interrupted || !map.missing.empty()) break;
+    follower.tell("");
+    follower.tell(run.result.photo + " alone");
+    finish_map(run);
+    conclude_measurement(run);
+    m.is_map_interrupted = run.result.is_map_interrupted;
+  }
+  m.joint_map = std::move(map);
+}
+
+/// The finished maps have nothing left to go on with.
+void remove_journals(const TogetherMeasurement& m) {
+  std::error_code ignored;
+  fs::remove(journal_file(m.out + "/map"), ignored);
+  for (const Measurement& one : m.alone) fs::remove(journal_file(one.out + "/map"), ignored);
+}
+
 }  // namespace together
+
+std::optional<PairHeight> compared_height(const TogetherMeasurement& m) {
+  return m.common_border ? m.common_border : height_of(m.pairs[m.joint_map->pair]);
+}
 
 TogetherMeasurement measure_together(const TogetherRequest& request, const MeasureFollower& follower) {
   using namespace together;
@@ -176,21 +303,31 @@ TogetherMeasurement measure_together(const TogetherRequest& request, const Measu
   TogetherMeasurement m;
   m.command = request.command;
   m.out = request.out;
-  for (std::size_t i = 0; i < request.pictures.size(); ++i) {
-    MeasureRequest picture = request.pictures[i];
-    picture.out = folder_of(request, i);
-    picture.no_map = picture.overwrite = true;
-    picture.command = request.command;
+  const std::deque<MeasureRequest> requests = requests_alone(request);
+  std::deque<MeasureRun> runs;
+  for (const MeasureRequest& picture : requests) {
     follower.tell("");
-    follower.tell("Picture " + std::to_string(i + 1) + ": " + picture.photo);
-    m.alone.push_back(measure(picture, follower));
+    follower.tell("Picture " + std::to_string(runs.size() + 1) + ": " + picture.photo);
+    MeasureRun& run = runs.emplace_back(picture, follower);
+    run.read_given();
+    run.claim_folder();
+    measure_before_map(run);
+    conclude_measurement(run);
+    m.alone.push_back(run.result);
   }
   for (std::size_t a = 0; a < m.alone.size(); ++a)
     for (std::size_t b = a + 1; b < m.alone.size(); ++b) m.pairs.push_back(pair_of(request, m.alone, a, b));
   m.clocks = clocks_of(m, request);
   conclude(m);
-  sim::write_whole(m.out + "/report.html", together_page(m), true);
-  sim::write_whole(m.out + "/together.json", together_json(m), true);
+  if (!request.no_map) {
+    follower.tell("");
+    for (const std::string& sentence : m.answer) follower.tell(sentence);
+    add_maps(m, runs, follower);
+    for (std::size_t i = 0; i < runs.size(); ++i) m.alone[i] = std::move(runs[i].result);
+    conclude(m);
+  }
+  write_pages(m);
+  if (!m.is_map_interrupted) remove_journals(m);
   follower.tell("");
   for (const std::string& sentence : m.answer) follower.tell(sentence);
   follower.tell(m.out + "/report.html");

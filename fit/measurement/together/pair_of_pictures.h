@@ -22,6 +22,8 @@ struct TogetherRequest {
   double drift_km_s = 0.5;                   ///< standard deviation of each horizontal component
   std::optional<double> pointing_error_deg;  ///< none: as the cameras' files say
   bool overwrite = false;
+  bool no_map = false;  ///< the geometry alone
+  bool resume = false;  ///< of an interrupted measurement: the finished steps of its maps are taken
   std::string command;
 };
 

@@ -21,6 +21,37 @@ Json height_json(const std::optional<PairHeight>& height) {
           {"doubts", height->doubts}};
 }
 
+Json value_json(const WithError& number) {
+  return {{"value", number_or_null(number.value)}, {"error", number_or_null(number.error)}};
+}
+
+Json curtain_json(const std::optional<MainCurtain>& curtain) {
+  if (!curtain) return nullptr;
+  return {{"distance_km", value_json(curtain->distance_km)},
+          {"lower_border_km", value_json(curtain->lower_border_km)},
+          {"energy_kev", value_json(curtain->energy_kev)},
+          {"is_along_border", curtain->is_along_border}};
+}
+
+Json map_json(const JointMap& map, const std::vector<Contradiction>& contradictions) {
+  Json json = {{"pictures", Json::array()},
+               {"missing", map.missing.empty() ? Json(nullptr) : Json(map.missing)},
+               {"command", map.command}};
+  for (const std::size_t i : map.pictures) json["pictures"].push_back(i + 1);
+  if (!map.missing.empty() || map.is_interrupted) return json;
+  json["is_good"] = map.is_good;
+  json["chi2_per_value"] = map.chi2_per_value;
+  json["distance_from_picture"] = map.home + 1;
+  json["main_curtain"] = curtain_json(map.curtain);
+  json["nearest_km"] = value_json(map.nearest_km);
+  json["contradictions"] = Json::array();
+  for (const Contradiction& c : contradictions)
+    json["contradictions"].push_back({{"quantity", c.quantity},
+                                      {"geometry_km", value_json(c.geometry_km)},
+                                      {"map_km", value_json(c.map_km)}});
+  return json;
+}
+
 }  // namespace together_numbers
 
 std::string together_json(const TogetherMeasurement& m) {
@@ -31,6 +62,7 @@ std::string together_json(const TogetherMeasurement& m) {
                {"trust", trust_name(m.trust)},
                {"word", m.word},
                {"answer", m.answer}};
+  if (m.is_map_interrupted) json["interrupted"] = true;
   json["pictures"] = Json::array();
   for (std::size_t i = 0; i < m.alone.size(); ++i) {
     const Measurement& one = m.alone[i];
@@ -39,6 +71,7 @@ std::string together_json(const TogetherMeasurement& m) {
       alone["main_border"] = {{"azimuth_deg", one.main_border->azimuth_deg},
                               {"distance_km", number_or_null(one.main_border->distance_km)},
                               {"distance_error_km", number_or_null(one.main_border->distance_error_km)}};
+    if (one.main_curtain) alone["main_curtain"] = curtain_json(one.main_curtain);
     const ClockOffset& clock = m.clocks.offsets[i];
     alone["clock_offset_s"] = std::round(1e3 * clock.s) / 1e3 + 0.0;  // no negative zero
     alone["clock_offset_error_s"] = clock.error_s;
@@ -46,6 +79,7 @@ std::string together_json(const TogetherMeasurement& m) {
     json["pictures"].push_back(std::move(alone));
   }
   json["border"] = height_json(m.common_border);
+  if (m.joint_map) json["map"] = map_json(*m.joint_map, m.contradictions);
   json["pairs"] = Json::array();
   for (const PairOfPictures& pair : m.pairs) {
     Json one = {{"pictures", {pair.first + 1, pair.second + 1}},

@@ -284,6 +284,56 @@ std::string alone_section(const TogetherMeasurement& m) {
   return html + "</tbody></table>\n</section>\n";
 }
 
+std::string number_cell(const WithError& number) {
+  return "<td>" + (std::isfinite(number.value) ? sim::number_with_error(number.value, number.error) : "") +
+         "</td>";
+}
+
+std::string curtain_row(const std::string& name, const MainCurtain& curtain, const WithError& nearest_km) {
+  return "<tr><td>" + name + "</td>" + number_cell(curtain.lower_border_km) + number_cell(nearest_km) +
+         number_cell(curtain.energy_kev) + "</tr>\n";
+}
+
+/// The map of all pictures, beside the geometry and what each picture says alone.
+std::string physics_section(const TogetherMeasurement& m) {
+  std::string html = "<section>\n<h2>With the physics of electrons</h2>\n";
+  if (!m.joint_map)
+    return html +
+           (m.is_map_interrupted ? "<p>The map of all pictures is not finished.</p>\n"
+                                 : "<p>No map was made.</p>\n") +
+           "</section>\n";
+  const JointMap& map = *m.joint_map;
+  if (!map.missing.empty())
+    html += "<p>There is no map of all pictures: " + html_text(map.missing) + ".</p>\n";
+  if (map.is_interrupted) html += "<p>The map of all pictures was interrupted.</p>\n";
+  if (!map.missing.empty() || map.is_interrupted) return html + "</section>\n";
+  html += fmt::format(
+      "<p><a href=\"map/report.html\">One map explains {} pictures</a>, chi² per value {:.2f}. Means along "
+      "the "
+      "main border, weighted by energy flux.</p>\n<table class=\"wide\">\n<thead><tr><th>by</th><th>height "
+      "of "
+      "the lower border (km)</th><th>distance of its nearest part (km)</th><th>E0 "
+      "(keV)</th></tr></thead>\n<tbody>\n",
+      map.pictures.size(), map.chi2_per_value);
+  const Measurement& home = m.alone[map.home];
+  if (const std::optional<PairHeight> height = compared_height(m)) {
+    html += "<tr><td>geometry alone</td>" + number_cell({height->km, height->error_km});
+    const BorderDistance distance = distance_by(m.pairs[map.pair], *height, home, 0);
+    html += number_cell({distance.km, distance.error_km}) + "<td></td></tr>\n";
+  }
+  if (map.curtain) html += curtain_row("the map of all pictures", *map.curtain, map.nearest_km);
+  for (const std::size_t i : map.pictures)
+    if (m.alone[i].main_curtain)
+      html += curtain_row(
+          fmt::format("<a href=\"picture_{}/map/report.html\">the map of {} alone</a>{}", i + 1,
+                      html_text(m.alone[i].photo), i == map.home ? "" : ", from its own place"),
+          *m.alone[i].main_curtain, nearest_by(*m.alone[i].main_curtain, *m.alone[i].main_border));
+  html += "</tbody></table>\n<p>Distances are from " + html_text(home.photo) + ".</p>\n";
+  for (const Contradiction& c : m.contradictions)
+    html += "<p>Geometry and map contradict each other in the " + html_text(c.quantity) + ".</p>\n";
+  return html + "</section>\n";
+}
+
 }  // namespace together_page_parts
 
 std::string together_page(const TogetherMeasurement& m) {
@@ -298,11 +348,8 @@ std::string together_page(const TogetherMeasurement& m) {
   html += "</div></div></div>\n<main>\n";
   for (const PairOfPictures& pair : m.pairs) html += pair_section(m, pair);
   html += clocks_section(m) + alone_section(m);
-  html +=
-      "<section>\n<h2>With the physics of electrons</h2>\n<p>One map explains all pictures: name each in a "
-      "[[fit.photo]] of a scene, with its camera in <code>set</code>, and run <code>vegard map</code>.</p>\n"
-      "</section>\n<section>\n<h2>Command</h2>\n<pre><code>" +
-      html_text(m.command) + "</code></pre>\n</section>\n";
+  html += physics_section(m) + "<section>\n<h2>Command</h2>\n<pre><code>" + html_text(m.command) +
+          "</code></pre>\n</section>\n";
   return html + "</main>\n</body>\n</html>\n";
 }
 

@@ -154,7 +154,7 @@ def measured(vegard, folder, options):
         subprocess.run([vegard, "render", f"{folder}/{i}.scene.toml", "-o", f"{folder}/{i}.png", "--overwrite"],
                        check=True, capture_output=True)
     code = subprocess.run([vegard, "measure", f"{folder}/0.png", f"{folder}/1.png", *options, "--earth", "sphere",
-                           "--pointing-error", str(POINTING_DEG), "--out", f"{folder}/run", "--overwrite"],
+                           "--pointing-error", str(POINTING_DEG), "--no-map", "--out", f"{folder}/run", "--overwrite"],
                           capture_output=True, check=False).returncode
     if code not in (0, 5):
         raise RuntimeError(f"vegard measure: exit code {code}")
