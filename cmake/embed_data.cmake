@@ -21,6 +21,7 @@ set(VEGARD_EMBEDDED_TABLES
     ${PROJECT_SOURCE_DIR}/data/cameras/nikon_d700.csv
     ${PROJECT_SOURCE_DIR}/data/cameras/sony_a7s_ii.csv
     ${PROJECT_SOURCE_DIR}/data/stars/bright_stars.csv
+    ${PROJECT_SOURCE_DIR}/data/stars/faint_stars.csv
     ${PROJECT_SOURCE_DIR}/data/filter/kinds.json
     ${PROJECT_SOURCE_DIR}/data/filter/sky_kinds.json)
 # The emission tables that are compiled in, by their folders in data/: those of kDefaultEmissionTables (sim/scene/structs/scene.h) must

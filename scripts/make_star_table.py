@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
-"""Makes data/stars/bright_stars.csv: the stars to magnitude 6 with the numbers of the Hipparcos catalogue.
+"""Makes data/stars/bright_stars.csv and faint_stars.csv: the stars to magnitude 6, and those from there to magnitude 8, with the
+numbers of the Hipparcos catalogue.
 
   apt-get download kstars-data && dpkg-deb -x kstars-data_*.deb kstars
   npm pack d3-celestial && tar xzf d3-celestial-*.tgz
-  scripts/make_star_table.py kstars/usr/share/kstars package/data data/stars/bright_stars.csv
+  scripts/make_star_table.py kstars/usr/share/kstars package/data data/stars
 
 Which stars there are, their places (equinox and epoch J2000, to 1e-4 degrees), magnitudes, colours, names and numbers come from
-d3-celestial (stars.6.json, starnames.json); their proper motions from the binary star files of KStars, whose own places
+d3-celestial (stars.8.json, starnames.json); their proper motions from the binary star files of KStars, whose own places
 are in part those of 1991.25, Hipparcos's epoch. A star of the one is that star of the other which stands within 5
 seconds of arc of it at J2000 or at 1991.25. A star that has no partner (doubles) is told and has no motion.
 """
+import collections
 import json
 import math
 import struct
 import sys
 
-FAINTEST = 6.0
+FAINTEST, FAINTEST_OF_ALL = 6.0, 8.0
+ZONE_DEG = 0.02  # of declination, in which a star's partner is looked for
 YEARS_TO_2000 = 8.75
 RECORDS_BEGIN = 6458  # after the header of 305 bytes and the index of the 512 fields of the sky
 RECORD = struct.Struct("<iiiiiihh2sBB")
@@ -40,13 +43,16 @@ def designation(names):
     return f"{first} {names['c']}" if first and names.get("c") else ""
 
 
-def main(kstars, celestial, output):
+def main(kstars, celestial, folder):
     names = json.load(open(f"{celestial}/starnames.json"))
-    moving = [star for file in ("namedstars", "unnamedstars") for star in motions(f"{kstars}/{file}.dat")]
-    rows, still = [], []
-    for star in json.load(open(f"{celestial}/stars.6.json"))["features"]:
+    zones = collections.defaultdict(list)
+    for file in ("namedstars", "unnamedstars"):
+        for star in motions(f"{kstars}/{file}.dat"):
+            zones[math.floor(star[1] / ZONE_DEG)].append(star)
+    rows, faint_rows, still = [], [], []
+    for star in json.load(open(f"{celestial}/stars.8.json"))["features"]:
         magnitude, hip = star["properties"]["mag"], star["id"]
-        if magnitude > FAINTEST:
+        if magnitude > FAINTEST_OF_ALL:
             continue
         east, north = star["geometry"]["coordinates"]
         shrink = math.cos(math.radians(north))
@@ -57,23 +63,34 @@ def main(kstars, celestial, output):
             years = YEARS_TO_2000 * 1e-3
             return min(math.hypot(x, y), math.hypot(x + pm_ra * years, y + pm_dec * years))
 
-        near = min((other for other in moving if abs(other[1] - north) < 0.02), key=seconds_apart, default=None)
+        zone = math.floor(north / ZONE_DEG)
+        near = min(zones[zone - 1] + zones[zone] + zones[zone + 1], key=seconds_apart, default=None)
         if near is None or seconds_apart(near) > 5:
-            still.append(hip)
+            if magnitude <= FAINTEST:
+                still.append(hip)
             near = (0.0, 0.0, 0.0, 0.0)
+        if magnitude > FAINTEST:
+            faint_rows.append((magnitude, hip, east % 360, north, *near[2:]))
+            continue
         name = names.get(str(hip), {"bayer": "", "flam": "", "name": "", "hd": ""})
         hd = name["hd"].split()[-1] if name.get("hd") else ""
         rows.append((magnitude, hip, hd, designation(name), name["name"], east % 360, north, *near[2:],
                      star["properties"].get("bv") or ""))
     rows.sort()
-    with open(output, "w") as out:
+    with open(f"{folder}/bright_stars.csv", "w") as out:
         out.write("hip,hd,designation,name,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude,"
                   "colour_index\n")
         for magnitude, hip, hd, letter, name, ra, dec, pm_ra, pm_dec, colour in rows:
             colour = f"{float(colour):.2f}" if colour != "" else ""
             out.write(f"{hip},{hd},{letter},{name},{ra:.4f},{dec:.4f},{pm_ra:.1f},{pm_dec:.1f},{magnitude:.2f},"
                       f"{colour}\n")
-    print(f"{len(rows)} stars, {len(still)} of them without a motion: HIP {', '.join(map(str, sorted(still)))}")
+    faint_rows.sort()
+    with open(f"{folder}/faint_stars.csv", "w") as out:
+        out.write("hip,ra_deg,dec_deg,pm_ra_mas_per_year,pm_dec_mas_per_year,magnitude\n")
+        for magnitude, hip, ra, dec, pm_ra, pm_dec in faint_rows:
+            out.write(f"{hip},{ra:.4f},{dec:.4f},{round(pm_ra)},{round(pm_dec)},{magnitude:.2f}\n")
+    print(f"{len(rows)} stars, {len(still)} of them without a motion: HIP {', '.join(map(str, sorted(still)))}; "
+          f"{len(faint_rows)} fainter ones, {sum(row[4:] == (0.0, 0.0) for row in faint_rows)} of them without a motion")
 
 
 if __name__ == "__main__":

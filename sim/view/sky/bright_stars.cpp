@@ -8,7 +8,6 @@
 
 #include "sim/base/data_folders.h"
 
-
 namespace vegard::sim {
 namespace {
 
@@ -62,6 +61,25 @@ std::vector<BrightStar> read_star_table() {
   return stars;
 }
 
+void append_faint_stars(std::vector<BrightStar>& stars) {
+  const std::string_view text = embedded_table("faint_stars.csv");
+  const char *at = text.data() + std::min(text.find('\n') + 1, text.size()), *const end =
+                                                                                 text.data() + text.size();
+  const auto read = [&](auto& number) {
+    at = std::min(std::from_chars(at, end, number).ptr + 1, end);  // behind the comma or the line's end
+  };
+  while (at < end) {
+    BrightStar star;
+    read(star.hip);
+    read(star.place.j2000.right_ascension_deg);
+    read(star.place.j2000.declination_deg);
+    read(star.place.motion_ra_mas_per_year);
+    read(star.place.motion_dec_mas_per_year);
+    read(star.magnitude);
+    stars.push_back(star);
+  }
+}
+
 /// Returns the words in small letters without blanks.
 std::string name_without_blanks(const std::string& words) {
   std::string out;
@@ -91,6 +109,15 @@ const std::vector<BrightStar>& bright_stars() {
     for (const BrightStar& star : catalogue_stars())
       if (star.magnitude <= kFaintestBright) bright.push_back(star);
     return bright;
+  }();
+  return stars;
+}
+
+const std::vector<BrightStar>& deep_stars() {
+  static const std::vector<BrightStar> stars = [] {
+    std::vector<BrightStar> all = catalogue_stars();
+    append_faint_stars(all);
+    return all;
   }();
   return stars;
 }

@@ -1,4 +1,5 @@
-// The catalogue of naked-eye stars: data/stars/bright_stars.csv, 5044 stars to magnitude 6.
+// The catalogue of naked-eye stars, data/stars/bright_stars.csv, 5044 stars to magnitude 6, and those that
+// only narrow fields need: data/stars/faint_stars.csv, 36 367 stars from there to magnitude 8.
 #pragma once
 
 #include <string>
@@ -25,6 +26,12 @@ const std::vector<BrightStar>& catalogue_stars();
 
 /// Returns the 921 stars to magnitude 4.5, with which cameras are calibrated.
 const std::vector<BrightStar>& bright_stars();
+
+/// The faintest of catalogue_stars(), and of deep_stars().
+inline constexpr double kFaintestCatalogued = 6.0, kFaintestDeep = 8.0;
+
+/// Returns catalogue_stars() and behind them, the brightest first, the stars of faint_stars.csv.
+const std::vector<BrightStar>& deep_stars();
 
 /// Finds a star by name or designation, without regard to case, or by "HIP 91262" or "HD 172167"; else null.
 const BrightStar* find_bright_star(const std::string& words);
