@@ -27,6 +27,7 @@
 #include "sim/base/number/constants.h"
 #include "sim/scene/file/scene_toml.h"
 #include "sim/scene/table/parameter_table.h"
+#include "sim/view/sky/bright_stars.h"
 #include "sim/view/sky/planets.h"
 #include "sim/view/sky/star_place.h"
 
@@ -67,7 +68,7 @@ std::string narrow_line(std::size_t in_view) {
       ". The field is too narrow for the star table: it should show {} of its stars to magnitude {:.0f}, and "
       "ten or so are needed. What would help: a shorter focal length, or Astrometry.net's solution, whose "
       "tables are deeper (--wcs FIELD.wcs)",
-      in_view, kFaintestKnown);
+      in_view, sim::kFaintestDeep);
 }
 
 constexpr double kFirstRange = 1.5;  // magnitudes: stars are matched first to so much less than the faintest
@@ -224,8 +225,8 @@ Identification CameraCalibrator::identified(const SkyCamera& start, const std::v
   if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
   if (catalogue_.empty())
-    catalogue_ = catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
-                               sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
+    catalogue_ = field_sky(start, found_.frame, *sky.observer, *sky.julian_date,
+                           sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
   settings.faintest = request_.faintest.value_or(
       faintest_for_field(start, found_.frame, catalogue_, request_.first_faintest()));
   std::vector<StarSighting> bright = catalogue_;
@@ -394,7 +395,7 @@ bool CameraCalibrator::is_placed() {
   tell_(fmt::format(
       "with time and site: {} of the {} stars to magnitude {:.1f} that should be seen have a point within "
       "{:.1f} px ({:.1f} would by chance)",
-      stars_.size(), again.in_frame, request_.first_faintest(), again.last_radius_px, again.by_chance));
+      stars_.size(), again.in_frame, blind.local->faintest, again.last_radius_px, again.by_chance));
   return true;
 }
 
@@ -545,8 +546,8 @@ void CameraCalibrator::deepen(const std::string& from) {
   const Calibration& before = *found_.calibration;
   std::vector<StarSighting> deeper = with_deeper_stars(
       before,
-      catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
-                    sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg, 0.0),
+      field_sky(before.camera, found_.frame, *sky.observer, *sky.julian_date,
+                sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg, 0.0),
       points_of_smaller(found_.photo->linear, many, usable(), smaller), SkyPixels(usable()), smaller);
   const std::size_t added = deeper.size() - before.stars.size();
   if (added == 0) return;

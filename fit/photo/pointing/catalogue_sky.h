@@ -7,8 +7,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
+#include "fit/photo/pointing/sky_camera.h"
 #include "fit/photo/pointing/star_sighting.h"
 #include "sim/view/sky/star_place.h"
 
@@ -19,9 +21,34 @@ namespace vegard::fit {
 std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double julian_date, double faintest,
                                         double min_elevation_deg = 5.0, double apart_deg = 0.3);
 
-/// Returns all stars of data/stars in its order, the brightest first, at the epoch J2000; x_px and y_px are
-/// 0.
+/// The part of the sky in a frame: its middle, in the axes of the camera's sky, and the angle to the farthest
+/// corner.
+struct FieldCone {
+  Eigen::Vector3d middle = Eigen::Vector3d::UnitZ();
+  double radius_rad = 0.0;
+};
+/// None if the lens has no image of the middle or of a corner.
+std::optional<FieldCone> field_cone(const SkyCamera& camera, const Frame& frame);
+
+/// What a camera should see: stars up to magnitude 6 as catalogue_sky() has them, or, if its frame is no
+/// larger than 20 degrees across and shows fewer than `enough` of them, those of sim::deep_stars() in and
+/// around its frame. Of these a star is left out that stands nearer to a brighter one than 0.5 % of the
+/// frame's longer side, unless `apart_deg` is 0.
+std::vector<StarSighting> field_sky(const SkyCamera& camera, const Frame& frame,
+                                    const sim::Observer& observer, double julian_date,
+                                    double min_elevation_deg, double apart_deg = 0.3, int enough = 60);
+
+/// Returns the 921 stars to magnitude 4.5, with which wide pictures are recognised, the brightest first, at
+/// the epoch J2000; x_px and y_px are 0.
 const std::vector<StarSighting>& equatorial_sky();
+
+/// Returns all of sim::deep_stars() in their order, in the same way; equatorial_sky() is their beginning.
+const std::vector<StarSighting>& deep_equatorial_sky();
+
+/// Returns one of them; all are only made if it is a faint one.
+const StarSighting& equatorial_star(int index);
+/// Returns its place in the catalogue.
+const sim::CataloguePlace& catalogue_place(int index);
 
 /// Convert a place to a vector (x, y, z) of length 1, and back.
 Eigen::Vector3d equatorial_vector(const sim::Equatorial& place);

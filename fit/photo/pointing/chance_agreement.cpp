@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/base/file/number_text.h"
+#include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {
 namespace {
@@ -131,7 +132,9 @@ ChanceAgreement agreement_against_chance(const SkyCamera& camera, const Frame& f
   const auto bright = std::count_if(expected.begin(), expected.end(), [&](const ExpectedStar& one) {
     return stars[static_cast<std::size_t>(one.star)].magnitude <= faintest.back();
   });
+  const bool is_deep = !stars.empty() && stars.back().magnitude > sim::kFaintestCatalogued;
   if (bright < kFewBright) faintest.insert(faintest.end(), {5.2, 6.0});
+  if (is_deep) faintest.insert(faintest.end(), {6.5, 7.0, 7.5, 8.0});
   const double ways = static_cast<double>(radii.size() * faintest.size());
   ChanceAgreement best;
   best.log10_false = std::log10(trials * ways);

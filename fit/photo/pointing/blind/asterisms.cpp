@@ -12,8 +12,14 @@ namespace {
 
 constexpr int kCellsAcross = 20, kCellsUp = 28;  // x from -0.3 to 1.3, y from -1.12 to 1.12
 constexpr double kCodeCell = 0.08, kCodeLeft = -0.3, kCodeBottom = -1.12;
-constexpr int kSkyNeighbours = 8;
+constexpr int kSkyNeighbours = 8, kDeepNeighbours = 5;
 constexpr double kMinMiddle = 0.15;  // the middle of directions that surround the observer means nothing
+
+std::vector<Eigen::Vector3d> directions_of(const std::vector<StarSighting>& sky) {
+  std::vector<Eigen::Vector3d> directions;
+  for (const StarSighting& star : sky) directions.emplace_back(star.enu[0], star.enu[1], star.enu[2]);
+  return directions;
+}
 
 }  // namespace
 
@@ -95,20 +101,39 @@ std::vector<AsterismMembers> neighbour_sets(const std::vector<Eigen::Vector3d>& 
   const int k = std::min(neighbours, n - 1);
   std::vector<AsterismMembers> sets;
   if (n < 4) return sets;
-  std::vector<int> order(n);
-  std::vector<double> square(n);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j) {
-      order[j] = j;
-      square[j] = (places[j] - places[i]).squaredNorm();
+  // A place's neighbours are looked for among those that stand near it by one coordinate.
+  constexpr int kSorted = 1;
+  std::vector<int> by_height(n);
+  for (int i = 0; i < n; ++i) by_height[i] = i;
+  std::sort(by_height.begin(), by_height.end(), [&](int a, int b) {
+    return places[a][kSorted] != places[b][kSorted] ? places[a][kSorted] < places[b][kSorted] : a < b;
+  });
+  using Neighbour = std::pair<double, int>;  // the square of the distance, the place
+  std::vector<Neighbour> nearest;
+  const auto offer = [&](int i, int j) {
+    const Neighbour one = {(places[j] - places[i]).squaredNorm(), j};
+    if (static_cast<int>(nearest.size()) == k && !(one < nearest.back())) return;
+    nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), one), one);
+    if (static_cast<int>(nearest.size()) > k) nearest.pop_back();
+  };
+  const auto may_be_nearer = [&](int i, int j) {
+    const double apart = places[j][kSorted] - places[i][kSorted];
+    return static_cast<int>(nearest.size()) < k || apart * apart <= nearest.back().first;
+  };
+  for (int r = 0; r < n; ++r) {
+    const int i = by_height[r];
+    nearest.clear();
+    int below = r - 1, above = r + 1;
+    while (below >= 0 || above < n) {
+      if (below >= 0 && !may_be_nearer(i, by_height[below])) below = -1;
+      if (below >= 0) offer(i, by_height[below--]);
+      if (above < n && !may_be_nearer(i, by_height[above])) above = n;
+      if (above < n) offer(i, by_height[above++]);
     }
-    std::swap(order[0], order[i]);
-    std::partial_sort(order.begin() + 1, order.begin() + 1 + k, order.end(),
-                      [&](int a, int b) { return square[a] != square[b] ? square[a] < square[b] : a < b; });
-    for (int a = 1; a <= k; ++a)
-      for (int b = a + 1; b <= k; ++b)
-        for (int c = b + 1; c <= k; ++c) {
-          AsterismMembers set = {i, order[a], order[b], order[c]};
+    for (int a = 0; a < k; ++a)
+      for (int b = a + 1; b < k; ++b)
+        for (int c = b + 1; c < k; ++c) {
+          AsterismMembers set = {i, nearest[a].second, nearest[b].second, nearest[c].second};
           std::sort(set.begin(), set.end());
           sets.push_back(set);
         }
@@ -118,10 +143,11 @@ std::vector<AsterismMembers> neighbour_sets(const std::vector<Eigen::Vector3d>& 
   return sets;
 }
 
-AsterismIndex::AsterismIndex(const std::vector<Eigen::Vector3d>& stars) {
+AsterismIndex::AsterismIndex(const std::vector<Eigen::Vector3d>& stars, const std::vector<int>& levels,
+                             int neighbours) {
   std::vector<AsterismMembers> sets;
-  for (const int first : {24, 40, 68, 115, 195, 330, 560, kFigureStars}) {
-    const std::vector<AsterismMembers> more = neighbour_sets(stars, first, kSkyNeighbours);
+  for (const int first : levels) {
+    const std::vector<AsterismMembers> more = neighbour_sets(stars, first, neighbours);
     sets.insert(sets.end(), more.begin(), more.end());
   }
   std::sort(sets.begin(), sets.end());
@@ -183,11 +209,18 @@ void AsterismIndex::find(const Asterism& like, double tolerance, double size_fac
 }
 
 const AsterismIndex& bright_star_asterisms() {
+  static const AsterismIndex index(directions_of(equatorial_sky()),
+                                   {24, 40, 68, 115, 195, 330, 560, kFigureStars}, kSkyNeighbours);
+  return index;
+}
+
+const AsterismIndex& deep_star_asterisms() {
   static const AsterismIndex index = [] {
-    std::vector<Eigen::Vector3d> places;
-    for (const StarSighting& star : equatorial_sky())
-      places.emplace_back(star.enu[0], star.enu[1], star.enu[2]);
-    return AsterismIndex(places);
+    const std::vector<Eigen::Vector3d> stars = directions_of(deep_equatorial_sky());
+    std::vector<int> levels;
+    for (auto level = static_cast<double>(stars.size()); level > kFigureStars; level /= 1.7)
+      levels.push_back(static_cast<int>(level));
+    return AsterismIndex(stars, levels, kDeepNeighbours);
   }();
   return index;
 }

@@ -45,8 +45,9 @@ std::vector<AsterismMembers> neighbour_sets(const std::vector<Eigen::Vector3d>& 
 /// The sky's asterisms by their codes.
 class AsterismIndex {
  public:
-  /// `stars`: directions, the brightest first.
-  explicit AsterismIndex(const std::vector<Eigen::Vector3d>& stars);
+  /// `stars`: directions, the brightest first. The members of an asterism are a star and three of its
+  /// `neighbours` nearest neighbours among the first so many stars, for each of `levels`.
+  AsterismIndex(const std::vector<Eigen::Vector3d>& stars, const std::vector<int>& levels, int neighbours);
 
   /// Appends to `found` the asterisms whose code is within `tolerance` of this one's (a distance in four
   /// dimensions) and whose size is within a factor `size_factor`.
@@ -65,5 +66,8 @@ class AsterismIndex {
 
 /// Returns the index of data/stars at J2000, with bright_stars() in their order.
 const AsterismIndex& bright_star_asterisms();
+
+/// Returns that of the small asterisms of all sim::deep_stars(), for fields of 3 to 30 degrees.
+const AsterismIndex& deep_star_asterisms();
 
 }  // namespace vegard::fit

@@ -56,7 +56,8 @@ std::vector<StarSighting> with_deeper_stars(const Calibration& calibration,
       each_others_nearest(alone, free, cells, [&](const ExpectedStar&) { return radius; });
   const double around = std::max(25.0, 0.06 * std::max(frame.width_px, frame.height_px));
   double begin = -3.0;
-  for (double end = 4.0; end <= kFaintestKnown + 1e-9; begin = end, end += kDeeperStep) {
+  const double faintest = sky.empty() ? 0.0 : std::ceil(sky.back().magnitude / kDeeperStep) * kDeeperStep;
+  for (double end = 4.0; end <= faintest + 1e-9; begin = end, end += kDeeperStep) {
     int in_frame = 0;
     double by_chance = 0.0;
     const auto is_in_step = [&](int star) {

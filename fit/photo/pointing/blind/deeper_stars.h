@@ -14,9 +14,6 @@
 
 namespace vegard::fit {
 
-/// The faintest stars of data/stars.
-inline constexpr double kFaintestKnown = 6.0;
-
 /// Returns the calibration's stars and the fainter ones. `sky`: the catalogue in that sky, the brightest
 /// first, close pairs not left out; `smaller`: the factor by which the picture of the points was reduced.
 std::vector<StarSighting> with_deeper_stars(const Calibration& calibration,

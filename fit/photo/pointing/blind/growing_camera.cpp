@@ -55,8 +55,10 @@ SkyCamera as_model(const SkyCamera& camera, const LensForm& form) {
   return other;
 }
 
-std::vector<LensForm> forms_for(std::size_t matches) {
+std::vector<LensForm> forms_for(std::size_t matches, bool is_narrow) {
   using sim::LensModel;
+  if (is_narrow && matches < 12) return {{LensModel::pinhole, 0, false, false}};
+  if (is_narrow) return {{LensModel::pinhole, 0, false, false}, {LensModel::pinhole, 1, false, false}};
   std::vector<LensForm> forms = {{LensModel::pinhole, 0, false, false},
                                  {LensModel::stereographic, 0, false, false},
                                  {LensModel::equidistant, 0, false, false},
@@ -70,8 +72,9 @@ std::vector<LensForm> forms_for(std::size_t matches) {
 }
 
 /// The lens with the least loss, each number that it has more paid by two residuals of the scale.
-void fit_best_form(GrownCamera& grown, const std::vector<StarSighting>& seen, double scale_px) {
-  const bool centre_free = seen.size() >= 8;
+void fit_best_form(GrownCamera& grown, const std::vector<StarSighting>& seen, double scale_px,
+                   bool is_narrow) {
+  const bool centre_free = seen.size() >= 8 && !is_narrow;
   if (seen.size() < 7) {
     const CameraFit fit = fit_camera(grown.camera, free_numbers(grown.form, false), seen, {}, scale_px);
     if (fit.good) grown.camera = fit.camera;
@@ -79,7 +82,7 @@ void fit_best_form(GrownCamera& grown, const std::vector<StarSighting>& seen, do
   }
   double least = std::numeric_limits<double>::infinity();
   const SkyCamera before = grown.camera;
-  for (const LensForm& form : forms_for(seen.size())) {
+  for (const LensForm& form : forms_for(seen.size(), is_narrow)) {
     CameraFit fit = fit_camera(as_model(before, form), free_numbers(form, centre_free), seen, {}, scale_px);
     if (!fit.good || !(fit.camera.numbers[focal_px_number] > 0.0)) continue;
     const double loss = loss_of(fit.camera, seen, scale_px) + 2.0 * form.radial * scale_px * scale_px;
@@ -93,8 +96,9 @@ void fit_best_form(GrownCamera& grown, const std::vector<StarSighting>& seen, do
 
 void tell_chance(GrownCamera& grown, const Frame& frame, const std::vector<StarSighting>& stars,
                  const std::vector<FoundStar>& points, const PointCells& cells, double trials,
-                 const SkyPixels& pixels) {
-  const double numbers = 4.0 + (grown.agreement.matches.size() >= 8 ? 2.0 : 0.0) + grown.form.radial;
+                 const SkyPixels& pixels, bool is_narrow) {
+  const bool centre_free = grown.agreement.matches.size() >= 8 && !is_narrow;
+  const double numbers = 4.0 + (centre_free ? 2.0 : 0.0) + grown.form.radial;
   grown.agreement =
       agreement_against_chance(grown.camera, frame, stars, points, cells, numbers, trials, pixels);
   const std::vector<StarSighting> matched = sightings(stars, points, grown.agreement.matches);
@@ -108,7 +112,7 @@ void tell_chance(GrownCamera& grown, const Frame& frame, const std::vector<StarS
 GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::vector<StarSighting>& stars,
                         const std::vector<FoundStar>& points, const PointCells& cells,
                         const std::vector<StarMatch>& seed, double reach_px, double trials,
-                        const SkyPixels& pixels) {
+                        const SkyPixels& pixels, bool is_narrow) {
   GrownCamera grown;
   grown.camera = start;
   grown.form = {start.model, 0, false, false};
@@ -120,7 +124,7 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
   }
   const double whole = std::hypot(frame.width_px, frame.height_px);
   const double unit = std::max(1.0, whole / 1800.0);
-  fit_best_form(grown, sightings(stars, points, seed), 4.0 * unit);
+  fit_best_form(grown, sightings(stars, points, seed), 4.0 * unit, is_narrow);
   const double overall = points.size() / (static_cast<double>(frame.width_px) * frame.height_px);
   double reach = reach_px;
   int at_whole = 0;
@@ -142,9 +146,9 @@ GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::v
         (round >= 2 && excess < 3.0 + 3.0 * std::sqrt(by_chance)))
       break;
     grown.agreement.matches = matches;
-    fit_best_form(grown, sightings(stars, points, matches), (at_whole >= 2 ? 1.0 : 2.0) * unit);
+    fit_best_form(grown, sightings(stars, points, matches), (at_whole >= 2 ? 1.0 : 2.0) * unit, is_narrow);
   }
-  tell_chance(grown, frame, stars, points, cells, trials, pixels);
+  tell_chance(grown, frame, stars, points, cells, trials, pixels, is_narrow);
   return grown;
 }
 

@@ -27,11 +27,12 @@ struct GrownCamera {
 
 /// Grows `start`. `stars`: in any axes, the brightest first. `seed`: the stars recognised so far; `reach_px`:
 /// radius around their middle within which they constrain the camera. `trials`: number of cameras tried
-/// before; `pixels`: where the picture shows sky.
+/// before; `pixels`: where the picture shows sky. Of a narrow field, by which lenses and the place of the
+/// centre cannot be told apart, only pinholes are fitted, the centre held.
 GrownCamera grow_camera(const SkyCamera& start, const Frame& frame, const std::vector<StarSighting>& stars,
                         const std::vector<FoundStar>& points, const PointCells& cells,
                         const std::vector<StarMatch>& seed, double reach_px, double trials,
-                        const SkyPixels& pixels = {});
+                        const SkyPixels& pixels = {}, bool is_narrow = false);
 
 /// True if the recognition is certain: is_no_chance() of its count.
 bool is_certain(const GrownCamera& grown);

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kDegreesPerRadian = 1.0 / sim::kRadiansPerDegree;
 constexpr double kDarkSun_deg = -6.0, kLevelRoll_deg = 2.0;
+constexpr double kInAir_px = 4.0;  // the scale of Cauchy's loss
 constexpr double kMinute_days = 1.0 / 1440.0;
 
 bool looks_at(const sim::Lens<double>& lens, double x, double y, Eigen::Vector3d& direction) {
@@ -152,8 +153,8 @@ LocalSky local_sky(const StarRecognition& recognition, const sim::Observer& obse
   sky.camera.camera_from_enu =
       recognition.best.camera.camera_from_enu * enu_from_equatorial(observer, julian_date).transpose();
   for (const StarMatch& one : recognition.best.agreement.matches) {
-    StarSighting star = equatorial_sky()[one.star];
-    star.enu = sim::direction_of_star(sim::bright_stars()[one.star].place, observer, julian_date);
+    StarSighting star = equatorial_star(one.star);
+    star.enu = sim::direction_of_star(catalogue_place(one.star), observer, julian_date);
     star.x_px = recognition.points[one.point].x_px;
     star.y_px = recognition.points[one.point].y_px;
     sky.below_horizon += star.enu[2] < lowest_up;
@@ -223,16 +224,28 @@ LocalStars local_stars(const PictureStars& picture, const Frame& frame, const si
   // Once more among all points, now that air and the site's own horizon are known.
   IdentificationSettings settings;
   const double unit = picture.smaller;
-  settings.faintest = faintest;
-  settings.first_magnitude = faintest;
+  const std::vector<StarSighting> catalogue =
+      field_sky(local.camera, frame, observer, julian_date,
+                sim::horizon_elevation_deg(observer) + std::max(0.0, min_elevation_deg));
+  const bool is_narrow = !catalogue.empty() && catalogue.back().magnitude > sim::kFaintestCatalogued;
+  settings.faintest = is_narrow ? faintest_for_field(local.camera, frame, catalogue, faintest) : faintest;
+  settings.first_magnitude = answer.faintest = settings.faintest;
   settings.twist_deg = settings.shift_px = 0.0;
   settings.first_radius_px = 4.0 * unit;
   settings.last_radius_px = 2.5 * unit;
-  settings.free = free_numbers(picture.recognition.best.form, true);
-  const std::vector<StarSighting> catalogue =
-      catalogue_sky(observer, julian_date, faintest,
-                    sim::horizon_elevation_deg(observer) + std::max(0.0, min_elevation_deg));
-  answer.again = identify(local.camera, frame, catalogue, picture.found, settings);
+  settings.free = free_numbers(picture.recognition.best.form, !is_narrow);
+  // Near the horizon the air moves a narrow field by many pixels.
+  if (is_narrow) {
+    const CameraFit in_air =
+        fit_camera(local.camera, free_numbers({local.camera.model, 0, false, false}, false), local.stars, {},
+                   kInAir_px * unit);
+    if (in_air.good) local.camera = in_air.camera;
+  }
+  std::vector<StarSighting> bright = catalogue;
+  bright.erase(std::find_if(bright.begin(), bright.end(),
+                            [&](const StarSighting& one) { return one.magnitude > settings.faintest; }),
+               bright.end());
+  answer.again = identify(local.camera, frame, bright, picture.found, settings);
   const bool trusted = is_trustworthy(answer.again);
   answer.camera = trusted ? answer.again.camera : local.camera;
   answer.stars = trusted ? answer.again.stars : std::move(local.stars);

@@ -84,11 +84,13 @@ struct LocalStars {
   int recognised = 0, below_horizon = 0;
   std::vector<StarSighting> stars;  ///< for the calibration
   SkyCamera camera;                 ///< the start of the calibration
+  double faintest = 0.0;            ///< magnitude to which stars were identified
   Identification again;             ///< the catalogue's stars identified among all points, in the local sky
 };
 
 /// Converts the stars of a recognised picture. Stars of the catalogue are those up to the magnitude
-/// `faintest` and at least `min_elevation_deg`, and at least 0, above the horizon.
+/// `faintest`, or as much deeper as a narrow field needs (field_sky()), and at least `min_elevation_deg`, and
+/// at least 0, above the horizon.
 LocalStars local_stars(const PictureStars& picture, const Frame& frame, const sim::Observer& observer,
                        double julian_date, double faintest, double min_elevation_deg);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "fit/photo/mask/circle.h"
-#include "fit/photo/pointing/blind/deeper_stars.h"
 #include "fit/photo/pointing/calibration_doubts.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/held_out.h"
@@ -54,8 +53,8 @@ void add_star_doubts(Calibration& calibration, const StarEvidence& evidence) {
                               faintest, points, evidence.usable)));
     calibration.explained = explained_points(
         calibration, points,
-        catalogue_sky(*sky.observer, *sky.julian_date, kFaintestKnown,
-                      sim::horizon_elevation_deg(*sky.observer) + evidence.min_elevation_deg, 0.0));
+        field_sky(calibration.camera, calibration.frame, *sky.observer, *sky.julian_date,
+                  sim::horizon_elevation_deg(*sky.observer) + evidence.min_elevation_deg, 0.0));
   }
   if (sky.observer) {
     const std::string why =

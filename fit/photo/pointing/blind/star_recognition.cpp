@@ -8,6 +8,7 @@
 
 #include "fit/photo/pointing/blind/assumed_lens.h"
 #include "fit/photo/pointing/blind/asterisms.h"
+#include "fit/photo/pointing/blind/narrow_search.h"
 #include "fit/photo/pointing/blind/pair_search.h"
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "sim/base/file/number_text.h"
@@ -22,7 +23,8 @@ constexpr int kPictureNeighbours = 7;
 constexpr int kGrownPerLevel = 16, kGrownOffCentre = 6;
 constexpr std::size_t kGrownPairs = 48, kGrownTogether = 4;
 constexpr std::size_t kOffCentrePoints = 40;
-constexpr double kMinScore = 3.0;  // natural log of the odds, four stars of the figure not counted
+constexpr int kNarrowestStars = 8;  // that chance does not explain after so long a search
+constexpr double kMinScore = 3.0;   // natural log of the odds, four stars of the figure not counted
 
 /// Points that stand in a crowd of brighter ones are put behind the others, and whole crowds of about the
 /// same brightness farther still: trees, houses, the aurora's folds and letters give many, the sky few.
@@ -322,7 +324,7 @@ std::vector<char> made_smaller(const std::vector<char>& usable, int width, int h
 std::vector<StarSighting> StarRecognition::stars() const {
   std::vector<StarSighting> all;
   for (const StarMatch& one : best.agreement.matches) {
-    all.push_back(equatorial_sky()[one.star]);
+    all.push_back(equatorial_star(one.star));
     all.back().x_px = points[one.point].x_px;
     all.back().y_px = points[one.point].y_px;
   }
@@ -335,13 +337,25 @@ namespace {
 
 StarRecognition empty_answer(const std::vector<FoundStar>& points, const Frame& frame,
                              const RecognitionSettings& settings) {
-  constexpr double kSkySquareDegrees = 41253.0, kNeeded = 6.0;
+  constexpr double kSkySquareDegrees = 41253.0;
   StarRecognition answer;
   answer.points = spread_out(points, frame, settings.max_points);
   const double longer = std::max(frame.width_px, frame.height_px),
                shorter = std::min(frame.width_px, frame.height_px);
-  answer.narrowest_deg = std::sqrt(kNeeded * kSkySquareDegrees / kFigureStars * longer / shorter);
+  answer.narrowest_deg = std::sqrt(kNarrowestStars * kSkySquareDegrees /
+                                   static_cast<double>(deep_equatorial_sky().size()) * longer / shorter);
   return answer;
+}
+
+/// Among all stars of the catalogue, as a narrow field shows them.
+bool search_as_narrow(const Frame& frame, const RecognitionSettings& settings, StarRecognition& answer) {
+  const NarrowSearch narrow = search_narrow(answer.points, frame, settings.pixels, settings.zenith);
+  answer.cameras += narrow.cameras;
+  answer.figures += narrow.figures;
+  if (narrow.has_best && (answer.best.agreement.matches.empty() ||
+                          narrow.best.agreement.log10_false < answer.best.agreement.log10_false))
+    answer.best = narrow.best;
+  return narrow.found;
 }
 
 /// With the lens's centre off the middle; `answer` is that of the middle, whose cameras count as tried.
@@ -371,7 +385,7 @@ StarRecognition recognise_stars(const std::vector<FoundStar>& points, const Fram
   star_recognition::Search search(answer.points, frame, settings, false);
   answer.found =
       search.run(0.5 * frame.width_px, 0.5 * frame.height_px, answer.points.size(), kGrownPerLevel, answer) ||
-      search.run_known_sky(answer);
+      search_as_narrow(frame, settings, answer) || search.run_known_sky(answer);
   if (settings.off_centre) search_off_centre(frame, settings, answer);
   return answer;
 }
@@ -400,9 +414,9 @@ std::string words_of(const StarRecognition& recognition) {
          "What would help: a --mask that leaves only sky, --signal higher where trees or noise give false "
          "points and lower where few stars are found, a picture in which stars are points and not trails, or "
          "a rough --camera with --time and --site. A picture of less than " +
-         sim::short_number(recognition.narrowest_deg, 2) + " degrees across shows fewer than six of the " +
-         std::to_string(kFigureStars) +
-         " stars whose figures are known: it needs such a camera, by which stars to magnitude 6 count.";
+         sim::short_number(recognition.narrowest_deg, 2) + " degrees across shows fewer than " +
+         std::to_string(kNarrowestStars) + " of the " + std::to_string(deep_equatorial_sky().size()) +
+         " stars that are known: such a field needs Astrometry.net's solution (--wcs FIELD.wcs).";
 }
 
 std::vector<FoundStar> points_of_smaller(const sim::Image& linear, const StarFinderSettings& finder,

@@ -7,7 +7,8 @@
 // than the tolerance; mirrored and not; with the centre in the middle and, for crops of a wide picture
 // (`off_centre`), at eight places around it. Each match gives a rotation and a scale; stars around it are
 // searched for, and the best matches are grown to a camera (growing_camera.h). The search proceeds from the
-// few brightest points to many and ends with the first camera that cannot be by chance.
+// few brightest points to many and ends with the first camera that cannot be by chance. What is not found so
+// may be a narrow field (narrow_search.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -36,12 +37,12 @@ struct RecognitionSettings {
 
 struct StarRecognition {
   bool found = false;             ///< is_certain() of `best`
-  GrownCamera best;               ///< its matches have the indices of equatorial_sky()
+  GrownCamera best;               ///< its matches have the indices of deep_equatorial_sky()
   std::vector<FoundStar> points;  ///< the points that were used, in the order of `best.agreement.matches`
   int figures = 0;                ///< number of the picture's asterisms that were looked up
   double cameras = 0.0;           ///< number of cameras that were tried
-  /// Degrees across the longer side: a narrower picture shows fewer than six of the stars whose figures are
-  /// looked up.
+  /// Degrees across the longer side: a narrower picture shows, on average, fewer than eight of the
+  /// catalogue's stars.
   double narrowest_deg = 0.0;
 
   /// Returns the recognised stars with x_px, y_px; directions as in equatorial_sky(), J2000.
