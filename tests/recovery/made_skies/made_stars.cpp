@@ -7,6 +7,7 @@
 
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "fit/photo/pointing/chance_agreement.h"
+#include "sim/view/sky/bright_stars.h"
 #include "tests/support/star_field.h"
 
 namespace vegard::tests {
@@ -98,7 +99,8 @@ MadeStars made_stars(std::uint64_t seed, std::uint32_t number, bool with_stars, 
   constexpr double kStarsPerMagnitude = 0.46;  // log10 of how many more there are to each magnitude
   const auto wanted = static_cast<std::size_t>(5.0 * std::pow(40.0, draw(24)));
   std::vector<fit::StarSighting> seen;
-  for (const fit::StarSighting& star : fit::catalogue_sky(sky.observer, sky.julian_date, 6.0, 0.0, 0.0)) {
+  for (const fit::StarSighting& star :
+       fit::catalogue_sky(sky.observer, sky.julian_date, sim::kFaintestDeep, 0.0, 0.0)) {
     fit::StarSighting one = star;
     const Eigen::Vector3d v =
         sky.truth.camera_from_enu * Eigen::Vector3d(star.enu[0], star.enu[1], star.enu[2]);
@@ -110,7 +112,7 @@ MadeStars made_stars(std::uint64_t seed, std::uint32_t number, bool with_stars, 
   }
   // Fainter stars than the catalogue's, to about twice as many as are wanted.
   const double corner = std::min(M_PI, 1.25 * half), share_of_sky = 0.5 * (1.0 - std::cos(corner));
-  const double in_catalogue = 5044.0 * share_of_sky;
+  const double in_catalogue = static_cast<double>(sim::deep_stars().size()) * share_of_sky;
   const auto strewn =
       static_cast<std::uint32_t>(std::max(0.0, 4.0 * static_cast<double>(wanted) - in_catalogue));
   for (std::uint32_t i = 0; i < strewn; ++i) {
@@ -118,7 +120,8 @@ MadeStars made_stars(std::uint64_t seed, std::uint32_t number, bool with_stars, 
     const double cosine = 1.0 - draw(61, i) * (1.0 - std::cos(corner)), turn = 2.0 * M_PI * draw(62, i);
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const double in_camera[3] = {sine * std::cos(turn), sine * std::sin(turn), cosine};
-    one.magnitude = 6.0 + std::log10(1.0 + draw(63, i) * strewn / in_catalogue) / kStarsPerMagnitude;
+    one.magnitude =
+        sim::kFaintestDeep + std::log10(1.0 + draw(63, i) * strewn / in_catalogue) / kStarsPerMagnitude;
     if (!sim::project(lens, in_camera, one.x_px, one.y_px) || one.x_px < 8.0 || one.y_px < 8.0 ||
         one.x_px > width - 8.0 || one.y_px > height - 8.0 || clear_at(one.x_px, one.y_px) < 0.02)
       continue;
@@ -164,7 +167,7 @@ MadeStars made_stars(std::uint64_t seed, std::uint32_t number, bool with_stars, 
           faintest_height * std::pow(10.0, 0.4 * (limit - star.magnitude)) * clear_at(star.x_px, star.y_px);
       const double behind = ground_at(star.x_px, star.y_px) * (1.6 - 0.6 * clear_at(star.x_px, star.y_px));
       const bool stands_out = peak / (noise * std::sqrt(behind)) >= 6.0;
-      (star.magnitude > 6.0 ? sky.nameless : sky.findable) += stands_out;
+      (star.magnitude > sim::kFaintestDeep ? sky.nameless : sky.findable) += stands_out;
       add(star.x_px, star.y_px, peak, 1.1);
     }
   const auto lamps = static_cast<std::uint32_t>(5.0 * draw(40)),
@@ -188,7 +191,7 @@ MadeStars made_stars(std::uint64_t seed, std::uint32_t number, bool with_stars, 
 bool is_right(const MadeStars& sky, const fit::SkyCamera& found) {
   if (found.mirrored != sky.truth.mirrored) return false;
   const std::vector<fit::StarSighting> stars =
-      fit::catalogue_sky(sky.observer, sky.julian_date, 6.0, 5.0, 0.0);
+      fit::catalogue_sky(sky.observer, sky.julian_date, sim::kFaintestDeep, 5.0, 0.0);
   double sum = 0.0;
   int n = 0;
   for (const fit::ExpectedStar& star : fit::expected_stars(sky.truth, sky.frame, stars)) {
