@@ -3,6 +3,7 @@
 #include <cstdio>  // jpeglib.h needs it before
 #include <cstdlib>
 
+#include <jerror.h>
 #include <jpeglib.h>
 
 #include <algorithm>
@@ -16,14 +17,21 @@ namespace {
 /// EXIF shares the 65 533 bytes of its segment with nothing else, but programs give up far below.
 constexpr std::size_t kDescriptionLimit = 30000;
 constexpr std::size_t kExifTimeBytes = 19;
-constexpr std::size_t kShortestText = 4;  // whose bytes stand apart from their entry
 
 void append_number(std::string& bytes, std::uint32_t number, int size) {
   for (int i = 0; i < size; ++i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
 }
 
+/// Of UTF-8, no character of which is cut.
+std::string first_bytes(std::string text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+  text.resize(most);
+  return text;
+}
+
 /// A TIFF of one directory, little-endian, with texts by their tags (TIFF 6.0, section 2; EXIF 2.32, 4.6.4),
-/// of at least kShortestText each, as it stands in a JPEG's segment APP1. Empty for no texts.
+/// as it stands in a JPEG's segment APP1. Empty for no texts.
 std::string exif_segment(const std::vector<std::pair<std::uint32_t, std::string>>& texts) {
   if (texts.empty()) return {};
   constexpr std::uint32_t kAscii = 2, kHeadBytes = 8, kEntryBytes = 12;
@@ -33,14 +41,20 @@ std::string exif_segment(const std::vector<std::pair<std::uint32_t, std::string>
   append_number(segment, kHeadBytes, 4);
   append_number(segment, count, 2);
   for (const auto& [tag, text] : texts) {
+    constexpr std::uint32_t kShort = 4;  // what stands in the entry itself
     const auto length = static_cast<std::uint32_t>(text.size() + 1);
     append_number(segment, tag, 2);
     append_number(segment, kAscii, 2);
     append_number(segment, length, 4);
+    if (length <= kShort) {
+      segment += text;
+      segment.append(kShort - text.size(), '\0');
+      continue;
+    }
     append_number(segment, place, 4);
     values += text;
-    values += '\0';
-    place += length;
+    values.append(1 + length % 2, '\0');  // each begins at an even place
+    place += length + length % 2;
   }
   append_number(segment, 0, 4);  // no directory follows
   return segment + values;
@@ -58,9 +72,10 @@ struct JpegContent {
 struct JpegWriter {
   jpeg_compress_struct info{};
   jpeg_error_mgr errors{};
+  jpeg_destination_mgr destination{};
   std::jmp_buf out{};
-  unsigned char* bytes = nullptr;  // libjpeg's, of malloc()
-  unsigned long size = 0;
+  unsigned char* bytes = nullptr;  // of malloc(): nothing may be thrown through libjpeg
+  std::size_t room = 0, size = 0;
   char complaint[JMSG_LENGTH_MAX] = {};
 
   JpegWriter() = default;
@@ -78,6 +93,27 @@ struct JpegWriter {
   }
   static void be_silent(j_common_ptr) {}
 
+  /// Doubles the room; what is in it stays.
+  static void grow(j_compress_ptr info) {
+    constexpr std::size_t kFirst = std::size_t{1} << 16;
+    auto* const writer = static_cast<JpegWriter*>(info->client_data);
+    const std::size_t more = writer->room == 0 ? kFirst : writer->room;
+    void* const larger = std::realloc(writer->bytes, writer->room + more);
+    if (larger == nullptr) ERREXIT1(info, JERR_OUT_OF_MEMORY, 0);
+    writer->bytes = static_cast<unsigned char*>(larger);
+    info->dest->next_output_byte = writer->bytes + writer->room;
+    info->dest->free_in_buffer = more;
+    writer->room += more;
+  }
+  static boolean grow_when_full(j_compress_ptr info) {
+    grow(info);
+    return TRUE;
+  }
+  static void finish(j_compress_ptr info) {
+    auto* const writer = static_cast<JpegWriter*>(info->client_data);
+    writer->size = writer->room - info->dest->free_in_buffer;
+  }
+
   /// False where libjpeg has given up.
   bool put(const JpegContent& content) {
     info.err = jpeg_std_error(&errors);
@@ -87,7 +123,10 @@ struct JpegWriter {
     if (setjmp(out) != 0) return false;
     jpeg_create_compress(&info);
     info.client_data = this;
-    jpeg_mem_dest(&info, &bytes, &size);
+    destination.init_destination = grow;
+    destination.empty_output_buffer = grow_when_full;
+    destination.term_destination = finish;
+    info.dest = &destination;
     info.image_width = content.width;
     info.image_height = content.height;
     info.input_components = content.channels;
@@ -114,10 +153,8 @@ std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAtt
                         const unsigned char* pixels, const std::string& name) {
   constexpr std::uint32_t kImageDescription = 270, kDateTime = 306;
   std::vector<std::pair<std::uint32_t, std::string>> texts;
-  if (std::string words = description_of(attributes).substr(0, kDescriptionLimit); !words.empty()) {
-    words.resize(std::max(words.size(), kShortestText), ' ');
+  if (const std::string words = first_bytes(description_of(attributes), kDescriptionLimit); !words.empty())
     texts.emplace_back(kImageDescription, words);
-  }
   if (const std::string time = exif_time(value_or_empty(attributes, "DateTime"));
       time.size() == kExifTimeBytes && time != unknown_time)
     texts.emplace_back(kDateTime, time);

@@ -26,7 +26,7 @@ struct PictureLayout {
   bool floating = false;
   bool unassociated_alpha = false;                         ///< the colours are not multiplied by it
   int orientation = 1;                                     ///< EXIF 2.3, tag 274
-  std::vector<std::pair<std::string, std::string>> texts;  ///< attributes, in the order of the file
+  std::vector<std::pair<std::string, std::string>> texts;  ///< attributes, in the decoder's order
 };
 
 /// Settings of a decoder or encoder by the library's names, among them the attributes that are written.

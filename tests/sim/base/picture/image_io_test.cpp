@@ -222,16 +222,25 @@ TEST(ImageIo, APngIsWhatOpenImageIoWrites) {
     }
 }
 
-/// Its words stand in EXIF, where other programs look for them.
+/// Its words stand in EXIF, where other programs look for them; no character of long ones is cut.
 TEST(ImageIo, AJpegsWordsAreItsExif) {
   TemporaryFolder folder;
-  write_display(folder / "a.jpg", pattern(8, 8, {"R", "G", "B"}), 8, 90,
-                {{"DateTime", "2019-09-05T10:11:12Z"}, {"ImageDescription", "x"}});
-  const std::string bytes = bytes_of(folder / "a.jpg");
-  const TiffDirectory exif(find_exif_block(bytes).tiff);
-  EXPECT_EQ(exif.text(270), "x");
-  EXPECT_EQ(exif.text(306), "2019:09:05 10:11:12");
-  EXPECT_TRUE(exif.complete() && exif.inside());
+  std::string many_characters = "x";
+  while (many_characters.size() < 40000) many_characters += "\xc3\xa5";
+  for (const std::string& words :
+       {std::string("x"), std::string("xyz"), std::string("an arc"), many_characters}) {
+    write_display(folder / "a.jpg", pattern(300, 200, {"R", "G", "B"}), 8, 98,
+                  {{"DateTime", "2019-09-05T10:11:12Z"}, {"ImageDescription", words}}, true);
+    const std::string bytes = bytes_of(folder / "a.jpg");
+    const std::string_view tiff = find_exif_block(bytes).tiff;
+    const TiffDirectory exif(tiff);
+    EXPECT_EQ(exif.text(306), "2019:09:05 10:11:12");
+    const std::string kept = words.size() > 30000 ? words.substr(0, 29999) : words;
+    EXPECT_NE(tiff.find(kept + std::string(1, '\0')), std::string_view::npos);
+    EXPECT_TRUE(exif.text(270).has_value());
+    EXPECT_EQ(decoded(folder / "a.jpg").values.size(), 180000u);
+    EXPECT_TRUE(exif.complete() && exif.inside());
+  }
 }
 
 TEST(ImageIo, EmptyAttributesAreLeftOut) {
