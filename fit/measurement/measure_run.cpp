@@ -48,15 +48,14 @@ std::string unfinished_json(const Measurement& m) {
   return json_line(json) + "\n";
 }
 
-/// Whether a folder's measure.json says that its measurement was interrupted.
-bool is_interrupted(const std::string& measure_json) {
+}  // namespace
+
+bool is_interrupted_measurement(const std::string& json_file) {
   constexpr std::size_t kLargest = 1 << 24;
   const nlohmann::json json =
-      nlohmann::json::parse(sim::read_input(measure_json, kLargest).bytes, nullptr, false);
+      nlohmann::json::parse(sim::read_input(json_file, kLargest).bytes, nullptr, false);
   return json.is_object() && json.value("interrupted", nlohmann::json(false)) == nlohmann::json(true);
 }
-
-}  // namespace
 
 double as_written(const std::string& text) {
   double value = 0.0;
@@ -101,7 +100,7 @@ void MeasureRun::claim_folder() const {
   const bool is_there = fs::exists(out, failed);
   if (is_there && !fs::is_directory(out, failed))
     throw sim::Error(sim::ErrorKind::existing_output, "is no folder").file(out);
-  const bool is_resumed = request.resume && is_interrupted(in_run("measure.json"));
+  const bool is_resumed = request.resume && is_interrupted_measurement(in_run("measure.json"));
   if (is_there && !fs::is_empty(out, failed) && !request.overwrite && !is_resumed)
     throw sim::Error(sim::ErrorKind::existing_output,
                      request.resume

@@ -78,6 +78,10 @@ class MeasureRun {
   std::vector<std::pair<std::string, std::string>> changes_of_site() const;
 };
 
+/// Whether the JSON file of a measurement says that it was interrupted; false for a file that nobody can
+/// read.
+bool is_interrupted_measurement(const std::string& json_file);
+
 /// Returns a number as a command has it that was shown it as text.
 double as_written(const std::string& text);
 

@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include <nlohmann/json.hpp>
-
 #include <fmt/format.h>
 
 #include "fit/measurement/main_border.h"
@@ -56,21 +54,13 @@ void refuse_same_pictures(const TogetherRequest& request) {
   }
 }
 
-bool is_interrupted(const std::string& together_json) {
-  constexpr std::size_t kLargest = 1 << 24;
-  if (!sim::why_no_input(together_json).empty()) return false;
-  const nlohmann::json json =
-      nlohmann::json::parse(sim::read_input(together_json, kLargest).bytes, nullptr, false);
-  return json.is_object() && json.value("interrupted", nlohmann::json(false)) == nlohmann::json(true);
-}
-
 void claim_folder(const TogetherRequest& request) {
   std::error_code failed;
   const bool is_there = fs::exists(request.out, failed);
   if (is_there && !fs::is_directory(request.out, failed))
     throw sim::Error(sim::ErrorKind::existing_output, "is no folder").file(request.out);
   if (is_there && !fs::is_empty(request.out, failed)) {
-    const bool is_resumed = request.resume && is_interrupted(request.out + "/together.json");
+    const bool is_resumed = request.resume && is_interrupted_measurement(request.out + "/together.json");
     if (request.resume && !request.overwrite && !is_resumed)
       throw sim::Error(sim::ErrorKind::existing_output,
                        "is no interrupted measurement (--overwrite replaces what vegard wrote there)")
