@@ -1,5 +1,6 @@
 #include "fit/measurement/measure_run.h"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <optional>
@@ -14,6 +15,8 @@
 #include "fit/photo/frames/frame_name.h"
 #include "fit/photo/scene_photos.h"
 #include "fit/ready_scene.h"
+#include "fit/report/map_run.h"
+#include "fit/search/file_journal.h"
 #include "sim/base/file/input_file.h"
 #include "sim/base/file/whole_file.h"
 #include "sim/base/utc_time.h"
@@ -48,6 +51,13 @@ std::string unfinished_json(const Measurement& m) {
   return json_line(json) + "\n";
 }
 
+bool is_input(const MeasureRequest& request, const std::string& name) {
+  std::error_code ignored;
+  for (const std::string& input : {file_of_frame(request.photo), request.camera, request.mask})
+    if (!input.empty() && fs::equivalent(name, input, ignored)) return true;
+  return false;
+}
+
 }  // namespace
 
 bool is_interrupted_measurement(const std::string& json_file) {
@@ -55,6 +65,19 @@ bool is_interrupted_measurement(const std::string& json_file) {
   const nlohmann::json json =
       nlohmann::json::parse(sim::read_input(json_file, kLargest).bytes, nullptr, false);
   return json.is_object() && json.value("interrupted", nlohmann::json(false)) == nlohmann::json(true);
+}
+
+void remove_earlier_map(const std::string& folder, const std::vector<MeasureRequest>& requests) {
+  std::error_code failed;
+  const std::string map = folder + "/map", journal = journal_file(map), scene = folder + "/scene.toml";
+  if (fs::exists(journal, failed)) FileJournal(journal, {}, JournalMode::overwrite).remove();
+  if (fs::exists(map, failed)) {
+    check_map_directory(map, true);
+    fs::remove_all(map, failed);
+  }
+  if (std::none_of(requests.begin(), requests.end(),
+                   [&](const MeasureRequest& request) { return is_input(request, scene); }))
+    fs::remove(scene, failed);
 }
 
 double as_written(const std::string& text) {
@@ -110,6 +133,8 @@ void MeasureRun::claim_folder() const {
   if (is_there && !fs::is_empty(out, failed) && !fs::exists(in_run("measure.json")) &&
       !fs::exists(in_run("mask.png")))
     throw sim::Error(sim::ErrorKind::existing_output, "holds something that is no measurement").file(out);
+  // Of several pictures the claim of their common folder did this, which knows whether they are resumed.
+  if (!is_resumed && !request.keep_journal) remove_earlier_map(out, {request});
   fs::create_directories(out, failed);
   if (failed)
     throw sim::Error(sim::ErrorKind::unwritable_output, "cannot be made: " + failed.message()).file(out);
@@ -160,12 +185,10 @@ Decoding MeasureRun::decoding() const {
 }
 
 void MeasureRun::write(const std::string& name, const std::string& bytes) const {
-  std::error_code ignored;
-  for (const std::string& input : {file_of_frame(request.photo), request.camera, request.mask})
-    if (!input.empty() && fs::equivalent(in_run(name), input, ignored))
-      throw sim::Error(sim::ErrorKind::usage, "'" + in_run(name) + "' is an input as well")
-          .key("--output")
-          .hint("choose another name");
+  if (is_input(request, in_run(name)))
+    throw sim::Error(sim::ErrorKind::usage, "'" + in_run(name) + "' is an input as well")
+        .key("--output")
+        .hint("choose another name");
   sim::write_whole(in_run(name), bytes, true);
 }
 

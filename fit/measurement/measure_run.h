@@ -82,6 +82,11 @@ class MeasureRun {
 /// read.
 bool is_interrupted_measurement(const std::string& json_file);
 
+/// Removes the map of an earlier measurement from a folder, with its scene and its journal; but none of these
+/// files that is an input now. Throws Error(existing_output) if `map` holds what vegard did not write, or the
+/// journal is in use.
+void remove_earlier_map(const std::string& folder, const std::vector<MeasureRequest>& requests);
+
 /// Returns a number as a command has it that was shown it as text.
 double as_written(const std::string& text);
 

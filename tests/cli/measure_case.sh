@@ -148,6 +148,7 @@ expect_exit 2 measure photo.png --camera camera.toml --site 67,20 --no-map --out
 expect_stderr "no interrupted measurement"
 interrupted_at late map.part --replicates 1000
 expect_exit 0 measure photo.png --camera camera.toml --site 67,20 --no-map --out late --overwrite
+[[ ! -e late/map.part && ! -e late/scene.toml ]] || fail "a map of an earlier measurement is left"
 expect_exit 3 measure none.png --out none
 expect_one_message
 [[ ! -e none ]] || fail "a folder of nothing"

@@ -71,6 +71,7 @@ whole, interrupted = (json.load(open(file)) for file in sys.argv[1:])
 assert interrupted["interrupted"] and "interrupted" not in whole
 assert interrupted["pairs"][0]["border"] == whole["pairs"][0]["border"]
 PYTHON
+cp mapped/map.part earlier.part
 expect_exit 2 measure "${both[@]}" "${times[@]}" --out run --resume # nothing interrupted it
 status=0
 "$VEGARD" measure "${both[@]}" "${times[@]}" --replicates 0 --out mapped --resume >"$stdout" 2>"$stderr" || status=$?
@@ -92,14 +93,20 @@ assert any("main_curtain" in picture for picture in answer["pictures"]), answer[
 assert not made["contradictions"], made
 PYTHON
 # A minute and more apart; the same place; the same picture; a folder that is there; too few cameras.
-# An earlier measurement of three pictures is replaced as a whole.
+# An earlier measurement of three pictures is replaced as a whole, with its maps and the journals of one that
+# was interrupted.
+cp -r mapped late
 mkdir -p late/picture_3
-for file in late/together.json late/picture_3/measure.json; do echo '{}' >$file; done
+echo '{}' >late/picture_3/measure.json
+rm -rf late/picture_2/map # a picture may have none of its own
+cp -r mapped/map late/picture_2/map
+for place in late late/picture_1; do cp earlier.part $place/map.part; done
 expect_exit 5 measure "${both[@]}" --time 2014-02-21T19:30:40Z --time 2014-02-21T19:33:40Z --out late --overwrite
 [[ ! -e late/picture_3 ]] || fail "a picture of an earlier measurement is left"
 grep -q '180 s apart' late/together.json || fail "pictures three minutes apart are compared"
 grep -q '"missing": ".*180 s apart' late/together.json || fail "no reason why there is no map"
 [[ ! -e late/map ]] || fail "a map of pictures three minutes apart"
+[[ -z $(find late -name map -o -name map.part -o -name scene.toml) ]] || fail "maps of an earlier measurement are left"
 expect_exit 2 measure a.png a.png --camera a.toml --camera b.toml --out same
 expect_one_message
 [[ ! -e same ]] || fail "a refused measurement leaves a folder"

@@ -57,10 +57,11 @@ void refuse_same_pictures(const TogetherRequest& request) {
 void claim_folder(const TogetherRequest& request) {
   std::error_code failed;
   const bool is_there = fs::exists(request.out, failed);
+  bool is_resumed = false;
   if (is_there && !fs::is_directory(request.out, failed))
     throw sim::Error(sim::ErrorKind::existing_output, "is no folder").file(request.out);
   if (is_there && !fs::is_empty(request.out, failed)) {
-    const bool is_resumed = request.resume && is_interrupted_measurement(request.out + "/together.json");
+    is_resumed = request.resume && is_interrupted_measurement(request.out + "/together.json");
     if (request.resume && !request.overwrite && !is_resumed)
       throw sim::Error(sim::ErrorKind::existing_output,
                        "is no interrupted measurement (--overwrite replaces what vegard wrote there)")
@@ -71,7 +72,12 @@ void claim_folder(const TogetherRequest& request) {
                        "holds something that is no measurement of several pictures")
           .file(request.out);
   }
-  // What an earlier measurement of more pictures has left would seem to be of this one.
+  // What an earlier measurement has left would seem to be of this one: maps, and more pictures.
+  if (!is_resumed) {
+    remove_earlier_map(request.out, request.pictures);
+    for (std::size_t i = 0; i < request.pictures.size(); ++i)
+      remove_earlier_map(folder_of(request, i), request.pictures);
+  }
   fs::remove(request.out + "/report.html", failed);
   for (std::size_t i = request.pictures.size();; ++i) {
     const std::string surplus = folder_of(request, i);
