@@ -233,25 +233,26 @@ void measure_border(MeasureRun& run) {
 }
 
 void measure_map(MeasureRun& run) {
-  if (!run.request.no_map && prepare_map(run)) finish_map(run);
+  if (!run.request.no_map && prepare_map(run).empty()) finish_map(run);
 }
 
-bool prepare_map(MeasureRun& run) {
+std::string prepare_map(MeasureRun& run) {
   MeasureStage& stage = run.begin("Where electrons of which energy fall");
   const bool has_border = run.result.main_border.has_value();
+  std::string why;
   if (!run.result.has_azimuth || !has_border || !run.result.site) {
-    stage.found = std::string("There is no map: it needs ") +
-                  (!run.result.has_azimuth ? "the camera's directions in the sky."
-                   : !has_border           ? "a lower border that is claimed to be aurora's."
-                                           : "the place.");
-    return false;
+    why = std::string("it needs ") + (!run.result.has_azimuth ? "the camera's directions in the sky"
+                                      : !has_border ? "a lower border that is claimed to be aurora's"
+                                                    : "the place");
+  } else if (!mask_for_map(run, stage)) {
+    why = stage.found;
+    if (!why.empty() && why.back() == '.') why.pop_back();
+  } else {
+    run.write("scene.toml", scene_for_map(run));
+    return {};
   }
-  if (!mask_for_map(run, stage)) {
-    stage.found = "There is no map: " + stage.found;
-    return false;
-  }
-  run.write("scene.toml", scene_for_map(run));
-  return true;
+  stage.found = "There is no map: " + why + ".";
+  return why;
 }
 
 void finish_map(MeasureRun& run) {

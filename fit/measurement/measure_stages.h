@@ -2,6 +2,8 @@
 // that into the run.
 #pragma once
 
+#include <string>
+
 #include "fit/measurement/measure_run.h"
 
 namespace vegard::fit {
@@ -31,8 +33,9 @@ void measure_border(MeasureRun& run);
 /// A map of the electrons near the borders, if one is wanted and possible.
 void measure_map(MeasureRun& run);
 /// Its two parts. The first begins the stage and writes the mask and the scene; it says there what is lacking
-/// and returns false where no map is possible. The second makes the map.
-bool prepare_map(MeasureRun& run);
+/// and returns it, part of a sentence, where no map is possible; else an empty text. The second makes the
+/// map.
+std::string prepare_map(MeasureRun& run);
 void finish_map(MeasureRun& run);
 
 // All of them (measure.cpp).

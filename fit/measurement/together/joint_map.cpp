@@ -42,7 +42,8 @@ bool has_moved(const PairOfPictures& pair) {
 }
 
 /// Why two pictures are in no map together; empty: they may be.
-std::string why_not_together(const PairOfPictures& pair, const std::vector<Measurement>& alone) {
+std::string why_not_together(const PairOfPictures& pair, const std::vector<Measurement>& alone,
+                             const std::vector<std::string>& lacking) {
   if (!pair.refusal.empty()) return pair.refusal;
   if (has_moved(pair))
     return fmt::format("the light has moved by {} km between the pictures",
@@ -50,6 +51,8 @@ std::string why_not_together(const PairOfPictures& pair, const std::vector<Measu
                                               std::sqrt(pair.profiles.covariance_km2(1, 1))));
   for (const std::size_t i : {pair.first, pair.second})
     if (!alone[i].main_border) return "no border in " + alone[i].photo + " is claimed to be aurora's";
+  for (const std::size_t i : {pair.first, pair.second})
+    if (!lacking[i].empty()) return alone[i].photo + " has none (" + lacking[i] + ")";
   return {};
 }
 
@@ -108,14 +111,15 @@ sim::Scene scene_alone(const MeasureRun& run) {
 
 }  // namespace joint_map
 
-JointMap planned_map(const std::vector<PairOfPictures>& pairs, const std::vector<Measurement>& alone) {
+JointMap planned_map(const std::vector<PairOfPictures>& pairs, const std::vector<Measurement>& alone,
+                     const std::vector<std::string>& lacking) {
   using namespace joint_map;
   JointMap map;
   std::vector<std::vector<bool>> may(alone.size(), std::vector<bool>(alone.size(), false));
   std::vector<PairHeight> good;
   std::string why;
   for (const PairOfPictures& pair : pairs) {
-    const std::string problem = why_not_together(pair, alone);
+    const std::string problem = why_not_together(pair, alone, lacking);
     if (why.empty()) why = problem;
     may[pair.first][pair.second] = may[pair.second][pair.first] = problem.empty();
     if (rank_of(pair) == 2 && pair.refusal.empty()) good.push_back(*height_of(pair));

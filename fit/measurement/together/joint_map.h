@@ -22,6 +22,8 @@ struct JointMap {
   std::vector<std::size_t> pictures;  ///< those in the map
   std::string
       missing;  ///< why there is no map, part of a sentence; empty: there is one, or it was interrupted
+  std::vector<std::string>
+      left_out;  ///< pictures that could have been in it but that nothing could be prepared of: "a.jpg: ..."
   std::string command;  ///< that makes it again
   bool is_interrupted = false;
   bool is_good = false;  ///< by the map's own verdicts, but that of the flux: no gain is known
@@ -33,7 +35,9 @@ struct JointMap {
 };
 
 /// Which pictures a map of all explains, by which pair it is compared; or why there is none.
-JointMap planned_map(const std::vector<PairOfPictures>& pairs, const std::vector<Measurement>& alone);
+/// `lacking`: why a picture can be in no map, part of a sentence, for each picture; empty: it can.
+JointMap planned_map(const std::vector<PairOfPictures>& pairs, const std::vector<Measurement>& alone,
+                     const std::vector<std::string>& lacking);
 
 /// The scene of the map, for `vegard map`; its folder is that of the pictures' folders, and names in it are
 /// relative to that. `pictures`: the measurements whose masks are made, with `map`.

@@ -182,6 +182,9 @@ void conclude_map(TogetherMeasurement& m) {
           "Alone, " + home.photo + " has " +
           curtain_words(*home.main_curtain, nearest_by(*home.main_curtain, *home.main_border)) + ".");
   }
+  if (map.missing.empty())
+    for (const std::string& picture : map.left_out)
+      m.answer.push_back("The map of all pictures is without " + picture + ".");
   if (m.is_map_interrupted && !map.is_interrupted)
     m.answer.push_back(
         "The map of one picture alone was interrupted; the same command with --resume goes on.");
@@ -248,16 +251,34 @@ void write_pages(const TogetherMeasurement& m) {
   sim::write_whole(m.out + "/together.json", together_json(m), true);
 }
 
-/// The map of all pictures, and those of each alone.
-void add_maps(TogetherMeasurement& m, std::deque<MeasureRun>& runs, const MeasureFollower& follower) {
-  JointMap map = planned_map(m.pairs, m.alone);
-  for (std::size_t k = 0; k < map.pictures.size(); ++k) {
-    MeasureRun& run = runs[map.pictures[k]];
+/// The plan of the map of all pictures, of each of which its part is prepared. One of which that cannot be is
+/// left out: the others may have a map without it.
+JointMap prepared_map(const TogetherMeasurement& m, std::deque<MeasureRun>& runs,
+                      const MeasureFollower& follower) {
+  std::vector<std::string> lacking(runs.size()), left_out;
+  std::vector<bool> is_prepared(runs.size(), false);
+  JointMap map = planned_map(m.pairs, m.alone, lacking);
+  for (std::size_t k = 0; k < map.pictures.size();) {
+    const std::size_t i = map.pictures[k++];
+    if (is_prepared[i]) continue;
+    MeasureRun& run = runs[i];
     follower.tell("");
     follower.tell(run.result.photo);
-    if (!prepare_map(run) && map.missing.empty())
-      map.missing = run.result.photo + " has none: " + run.result.stages.back().found;
+    lacking[i] = prepare_map(run);
+    is_prepared[i] = lacking[i].empty();
+    if (is_prepared[i]) continue;
+    conclude_measurement(run);
+    left_out.push_back(run.result.photo + ": " + lacking[i]);
+    map = planned_map(m.pairs, m.alone, lacking);
+    k = 0;
   }
+  map.left_out = std::move(left_out);
+  return map;
+}
+
+/// The map of all pictures, and those of each alone.
+void add_maps(TogetherMeasurement& m, std::deque<MeasureRun>& runs, const MeasureFollower& follower) {
+  JointMap map = prepared_map(m, runs, follower);
   follower.tell("");
   follower.tell("The map of all pictures");
   if (map.missing.empty()) {

@@ -37,13 +37,17 @@ std::vector<Measurement> measured(std::size_t count) {
   return alone;
 }
 
+JointMap plan(const std::vector<PairOfPictures>& pairs, const std::vector<Measurement>& alone) {
+  return planned_map(pairs, alone, std::vector<std::string>(alone.size()));
+}
+
 TEST(JointMap, HasThePicturesThatMayBeTogether) {
   std::vector<PairOfPictures> pairs = {pair_of_height(0, 1, 105.0), pair_of_height(0, 2, 105.0),
                                        pair_of_height(1, 2, 106.0)};
   const std::vector<Measurement> alone = measured(3);
-  EXPECT_EQ(planned_map(pairs, alone).pictures, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(plan(pairs, alone).pictures, (std::vector<std::size_t>{0, 1, 2}));
   pairs[0].refusal = "the pictures are 90 s apart";
-  const JointMap two = planned_map(pairs, alone);
+  const JointMap two = plan(pairs, alone);
   EXPECT_EQ(two.pictures, (std::vector<std::size_t>{0, 2}));
   EXPECT_EQ(two.pair, 1u);
   EXPECT_EQ(two.home, 0u);
@@ -53,24 +57,37 @@ TEST(JointMap, HasThePicturesThatMayBeTogether) {
 TEST(JointMap, SaysWhyThereIsNone) {
   std::vector<PairOfPictures> pairs = {pair_of_height(0, 1, 105.0)};
   pairs[0].refusal = "both were taken at the same place";
-  EXPECT_EQ(planned_map(pairs, measured(2)).missing, pairs[0].refusal);
-  EXPECT_TRUE(planned_map(pairs, measured(2)).pictures.empty());
+  EXPECT_EQ(plan(pairs, measured(2)).missing, pairs[0].refusal);
+  EXPECT_TRUE(plan(pairs, measured(2)).pictures.empty());
   pairs[0].refusal.clear();
   std::vector<Measurement> alone = measured(2);
   alone[1].main_border.reset();
-  EXPECT_NE(planned_map(pairs, alone).missing.find("b.jpg"), std::string::npos);
+  EXPECT_NE(plan(pairs, alone).missing.find("b.jpg"), std::string::npos);
+}
+
+TEST(JointMap, IsMadeWithoutAPictureThatCannotBePrepared) {
+  const std::vector<PairOfPictures> pairs = {pair_of_height(0, 1, 105.0), pair_of_height(0, 2, 105.0),
+                                             pair_of_height(1, 2, 105.0)};
+  const JointMap two = planned_map(pairs, measured(3), {"its mask leaves nothing", "", ""});
+  EXPECT_EQ(two.pictures, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(two.pair, 2u);
+  EXPECT_EQ(two.home, 1u);
+  EXPECT_TRUE(two.missing.empty());
+  const JointMap none = planned_map({pairs[0]}, measured(2), {"its mask leaves nothing", ""});
+  EXPECT_TRUE(none.pictures.empty());
+  EXPECT_EQ(none.missing, "a.jpg has none (its mask leaves nothing)");
 }
 
 TEST(JointMap, IsNotMadeOfLightThatHasMoved) {
-  EXPECT_TRUE(planned_map({pair_of_height(0, 1, 105.0, -2.9)}, measured(2)).missing.empty());
-  EXPECT_NE(planned_map({pair_of_height(0, 1, 105.0, -3.1)}, measured(2)).missing.find("moved by 3.1"),
+  EXPECT_TRUE(plan({pair_of_height(0, 1, 105.0, -2.9)}, measured(2)).missing.empty());
+  EXPECT_NE(plan({pair_of_height(0, 1, 105.0, -3.1)}, measured(2)).missing.find("moved by 3.1"),
             std::string::npos);
 }
 
 TEST(JointMap, IsNotMadeOfPicturesWhoseHeightsContradictEachOther) {
   const std::vector<PairOfPictures> pairs = {pair_of_height(0, 1, 105.0), pair_of_height(0, 2, 130.0),
                                              pair_of_height(1, 2, 105.0)};
-  const JointMap map = planned_map(pairs, measured(3));
+  const JointMap map = plan(pairs, measured(3));
   EXPECT_TRUE(map.pictures.empty());
   EXPECT_NE(map.missing.find("contradict"), std::string::npos);
 }
