@@ -32,6 +32,7 @@ namespace fs = std::filesystem;
 constexpr double kFoot_km = 3.0;
 constexpr const char* kFlux = "energy flux";            // of a verdict
 constexpr double kContradiction = 2.0;                  // in standard errors of the difference
+constexpr std::size_t kAllSetsTried = 20;               // pictures; their sets are a million
 constexpr double kMoved = 3.0, kLongestMoved_km = 3.0;  // how clearly, and how far
 
 /// Whether the light has moved between the pictures as they show it: one map does not explain both then.
@@ -56,9 +57,27 @@ std::string why_not_together(const PairOfPictures& pair, const std::vector<Measu
   return {};
 }
 
-/// The most pictures each of which may be with every other; of as many the earlier ones.
+/// Tries all sets of pictures, each of which may be with every other, that begin with those chosen, and keeps
+/// the first of the largest.
+void try_sets(std::vector<std::size_t>& chosen, std::size_t next, const std::vector<std::vector<bool>>& may,
+              std::vector<std::size_t>& most) {
+  if (chosen.size() > most.size()) most = chosen;
+  for (std::size_t i = next; i < may.size() && chosen.size() + may.size() - i > most.size(); ++i) {
+    if (!std::all_of(chosen.begin(), chosen.end(), [&](std::size_t c) { return may[c][i]; })) continue;
+    chosen.push_back(i);
+    try_sets(chosen, i + 1, may, most);
+    chosen.pop_back();
+  }
+}
+
+/// The most pictures each of which may be with every other; of as many the earlier ones. Of more than
+/// kAllSetsTried pictures it may be fewer than the most: only one set from each picture on is tried.
 std::vector<std::size_t> most_together(std::size_t count, const std::vector<std::vector<bool>>& may) {
-  std::vector<std::size_t> most;
+  std::vector<std::size_t> most, none;
+  if (count <= kAllSetsTried) {
+    try_sets(none, 0, may, most);
+    return most;
+  }
   for (std::size_t first = 0; first < count; ++first) {
     std::vector<std::size_t> chosen = {first};
     for (std::size_t i = 0; i < count; ++i)

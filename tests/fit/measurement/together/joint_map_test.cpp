@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vegard::fit::joint_map_test {
@@ -52,6 +53,17 @@ TEST(JointMap, HasThePicturesThatMayBeTogether) {
   EXPECT_EQ(two.pair, 1u);
   EXPECT_EQ(two.home, 0u);
   EXPECT_TRUE(two.missing.empty());
+}
+
+TEST(JointMap, HasTheMostPicturesThatMayBeTogether) {
+  // Each of the last three may also be with one of the first three, which is with nobody else.
+  std::vector<PairOfPictures> pairs;
+  for (const auto& [first, second] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{0, 3}, {1, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}})
+    pairs.push_back(pair_of_height(first, second, 105.0));
+  EXPECT_EQ(plan(pairs, measured(6)).pictures, (std::vector<std::size_t>{3, 4, 5}));
+  pairs.pop_back();  // of as many the earlier ones
+  EXPECT_EQ(plan(pairs, measured(6)).pictures, (std::vector<std::size_t>{0, 3}));
 }
 
 TEST(JointMap, SaysWhyThereIsNone) {
