@@ -242,9 +242,8 @@ std::vector<Contradiction> contradictions(const JointMap& map, const PairHeight&
   if (!map.curtain) return found;
   const auto compare = [&](const char* quantity, const WithError& geometry, const WithError& by_map,
                            double more_km) {
-    // A map without error bars has none of its heights either.
-    const double of_map = std::isfinite(by_map.error) ? by_map.error : 0.0;
-    const double error = std::hypot(geometry.error, of_map, more_km);
+    const double error = std::hypot(geometry.error, by_map.error, more_km);
+    if (!std::isfinite(error)) return;  // without error bars nothing can be said
     if (std::abs(geometry.value - by_map.value) > joint_map::kContradiction * error)
       found.push_back({quantity, geometry, by_map});
   };

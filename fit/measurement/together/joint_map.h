@@ -60,7 +60,8 @@ struct Contradiction {
 };
 
 /// What the geometry of the compared pair (`height`, and the distance of the nearest part that follows) and
-/// the map contradict each other in.
+/// the map contradict each other in; nothing that one of both has no standard error of. Of a map that is not
+/// good that is no word against the geometry.
 std::vector<Contradiction> contradictions(const JointMap& map, const PairHeight& height,
                                           const BorderDistance& distance);
 

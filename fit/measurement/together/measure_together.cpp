@@ -193,10 +193,11 @@ void conclude_map(TogetherMeasurement& m) {
     m.contradictions =
         contradictions(map, *height, distance_by(m.pairs[map.pair], *height, m.alone[map.home], 0));
   for (const Contradiction& c : m.contradictions)
-    m.answer.push_back(fmt::format(
-        "With care: the {} is {} km by geometry and {} km by the map, beyond two standard errors.",
-        c.quantity, sim::number_with_error(c.geometry_km.value, c.geometry_km.error),
-        sim::number_with_error(c.map_km.value, c.map_km.error)));
+    m.answer.push_back(
+        fmt::format("{} {} is {} km by geometry and {} km by the map, beyond two standard errors.",
+                    map.is_good ? "With care: the" : "The map is doubtful: the", c.quantity,
+                    sim::number_with_error(c.geometry_km.value, c.geometry_km.error),
+                    sim::number_with_error(c.map_km.value, c.map_km.error)));
 }
 
 /// The answer by what is there up to now.
@@ -227,7 +228,8 @@ void conclude(TogetherMeasurement& m) {
   if (is_contradicted)
     m.answer.push_back("With care: the heights of the pairs contradict each other beyond their errors.");
   conclude_map(m);
-  const bool is_good = !good.empty() && !is_contradicted && m.contradictions.empty();
+  const bool is_denied = m.joint_map && m.joint_map->is_good && !m.contradictions.empty();
+  const bool is_good = !good.empty() && !is_contradicted && !is_denied;
   m.trust = is_good ? Trust::good : has_height ? Trust::doubtful : Trust::unconstrained;
   m.word = is_good ? "Measured" : has_height ? "With care" : "No height";
 }

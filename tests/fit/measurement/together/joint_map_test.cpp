@@ -119,6 +119,10 @@ TEST(JointMap, ContradictsTheGeometryBeyondTwoErrors) {
   EXPECT_EQ(contradictions(map, height, distance)[0].quantity, "height of the lower border");
   map.nearest_km.value = 118.2;
   EXPECT_EQ(contradictions(map, height, distance).size(), 2u);
+  // A map without error bars contradicts nothing.
+  map.curtain->lower_border_km.error = map.nearest_km.error = std::nan("");
+  EXPECT_TRUE(contradictions(map, height, distance).empty());
+  map.curtain->lower_border_km.error = map.nearest_km.error = 4.0;
   // A distance that one of both does not have contradicts nothing.
   EXPECT_EQ(contradictions(map, height, {std::nan(""), std::nan("")}).size(), 1u);
 }
