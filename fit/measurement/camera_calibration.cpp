@@ -74,6 +74,14 @@ std::string narrow_line(std::size_t in_view) {
 constexpr double kFirstRange = 1.5;  // magnitudes: stars are matched first to so much less than the faintest
 constexpr std::size_t kFewInView = 10;  // six are the least that chance does not explain after a short search
 
+/// What was found from one camera to start from.
+struct FoundFromStart {
+  SkyCamera start;
+  std::vector<StarSighting> catalogue;  ///< of the start's field, to the faintest that is known
+  double faintest = 0.0;                ///< the magnitude to which its stars were looked for
+  Identification found;
+};
+
 /// The decisions of one calibration, in their order.
 class CameraCalibrator {
  public:
@@ -106,10 +114,10 @@ class CameraCalibrator {
   bool recognise_by_camera();
   bool recognise_by_hand();
   std::vector<SkyCamera> starts_by_hand() const;
-  Identification identified(const SkyCamera& start, const std::vector<FoundStar>& points,
+  FoundFromStart identified(const SkyCamera& start, const std::vector<FoundStar>& points,
                             IdentificationSettings settings);
-  bool take(const Identification& found, const SkyCamera& start, std::size_t points, const std::string& from);
-  void tell_marked(const SkyCamera& camera);
+  bool take(const FoundFromStart& by, std::size_t points, const std::string& from);
+  void tell_marked(const FoundFromStart& by) const;
   void recognise_blindly();
   bool is_placed();
   bool depends_on_time() const;
@@ -143,8 +151,7 @@ class CameraCalibrator {
   std::optional<StarPoints> listed_;
   bool by_table_ = false;
   std::vector<StarSighting> stars_;
-  std::vector<StarSighting> marked_;     ///< by hand
-  std::vector<StarSighting> catalogue_;  ///< above the horizon, to the faintest that is known
+  std::vector<StarSighting> marked_;  ///< by hand
   std::vector<char> usable_;
   std::optional<SkyCamera> start_;
   LensSettings settings_;
@@ -219,17 +226,19 @@ void CameraCalibrator::settle_flip() {
 }
 
 /// Names points of light by the catalogue, from a camera to start from.
-Identification CameraCalibrator::identified(const SkyCamera& start, const std::vector<FoundStar>& points,
+FoundFromStart CameraCalibrator::identified(const SkyCamera& start, const std::vector<FoundStar>& points,
                                             IdentificationSettings settings) {
   const SkyOfPicture& sky = found_.sky;
   if (!sky.julian_date) throw usage_error("--time", "stars are found by when and where", "--time and --site");
   if (!sky.observer) throw usage_error("--site", "stars are found by when and where", "--time and --site");
-  if (catalogue_.empty())
-    catalogue_ = field_sky(start, found_.frame, *sky.observer, *sky.julian_date,
+  FoundFromStart by;
+  by.start = start;
+  by.catalogue = field_sky(start, found_.frame, *sky.observer, *sky.julian_date,
                            sim::horizon_elevation_deg(*sky.observer) + request_.min_elevation_deg);
-  settings.faintest = request_.faintest.value_or(
-      faintest_for_field(start, found_.frame, catalogue_, request_.first_faintest()));
-  std::vector<StarSighting> bright = catalogue_;
+  by.faintest = request_.faintest.value_or(
+      faintest_for_field(start, found_.frame, by.catalogue, request_.first_faintest()));
+  settings.faintest = by.faintest;
+  std::vector<StarSighting> bright = by.catalogue;
   bright.erase(std::find_if(bright.begin(), bright.end(),
                             [&](const StarSighting& one) { return one.magnitude > settings.faintest; }),
                bright.end());
@@ -238,23 +247,22 @@ Identification CameraCalibrator::identified(const SkyCamera& start, const std::v
   settings.free = settings_.only.empty() ? free_numbers({start.model, 0, false, false}, settings_.centre_free)
                                          : settings_.only;
   if (found_.photo) settings.pixels = SkyPixels(usable());
-  return identify(start, found_.frame, bright, points, settings);
+  by.found = identify(start, found_.frame, bright, points, settings);
+  return by;
 }
 
 /// Takes the stars that were found; false if chance explains them as well.
-bool CameraCalibrator::take(const Identification& found, const SkyCamera& start, std::size_t points,
-                            const std::string& from) {
-  const double faintest = request_.faintest.value_or(
-      faintest_for_field(start, found_.frame, catalogue_, request_.first_faintest()));
+bool CameraCalibrator::take(const FoundFromStart& by, std::size_t points, const std::string& from) {
+  const Identification& found = by.found;
   tell_(fmt::format(
       "{} points of light; {} of the {} stars to magnitude {:.1f} that should be seen have one within {:.1f} "
       "px ({:.1f} would by chance)",
-      points, found.stars.size(), found.in_frame, faintest, found.last_radius_px, found.by_chance));
+      points, found.stars.size(), found.in_frame, by.faintest, found.last_radius_px, found.by_chance));
   if (!is_trustworthy(found)) {
     found_.has_answer = false;
     found_.chance = chance_line(found, from);
     const std::size_t in_view =
-        expected_stars(start, found_.frame, catalogue_,
+        expected_stars(by.start, found_.frame, by.catalogue,
                        found_.photo ? SkyPixels(usable()) : IdentificationSettings().pixels)
             .size();
     if (in_view < kFewInView) found_.chance += narrow_line(in_view);
@@ -274,7 +282,7 @@ bool CameraCalibrator::recognise_by_camera() {
   settings.shift_px = request_.shift_px;
   settings.scale_share = 0.01 * request_.scale_percent;
   settings.first_radius_px = request_.radius_px;
-  return take(identified(*start_, points, settings), *start_, points.size(), request_.camera);
+  return take(identified(*start_, points, settings), points.size(), request_.camera);
 }
 
 /// Where no lens has all named stars at their marks, one may be mistaken: then by all but one of them.
@@ -309,19 +317,19 @@ bool CameraCalibrator::recognise_by_hand() {
   settings.shift_px = std::max(request_.shift_px, reach_px);
   settings.scale_share = std::max(0.01 * request_.scale_percent, start_ ? 0.0 : kScale);
   settings.first_radius_px = std::max(request_.radius_px, reach_px);
-  std::size_t best = 0;
-  std::vector<Identification> found;
+  std::optional<FoundFromStart> best;
   for (const SkyCamera& start : starts) {
-    found.push_back(identified(start, points, settings));
-    if (found.back().agreement.log10_false < found[best].agreement.log10_false) best = found.size() - 1;
+    FoundFromStart by = identified(start, points, settings);
+    if (!best || by.found.agreement.log10_false < best->found.agreement.log10_false) best = std::move(by);
   }
-  const bool is_found = take(found[best], starts[best], points.size(), "the stars that were named");
-  if (is_found) tell_marked(found[best].camera);
+  const bool is_found = take(*best, points.size(), "the stars that were named");
+  if (is_found) tell_marked(*best);
   return is_found;
 }
 
 /// What is not where it was marked, and what is there.
-void CameraCalibrator::tell_marked(const SkyCamera& camera) {
+void CameraCalibrator::tell_marked(const FoundFromStart& by) const {
+  const SkyCamera& camera = by.found.camera;
   constexpr double kOff = 0.01;  // of the picture's larger side
   const double reach_px = kOff * std::max(found_.frame.width_px, found_.frame.height_px);
   for (const StarSighting& star : marked_) {
@@ -330,7 +338,7 @@ void CameraCalibrator::tell_marked(const SkyCamera& camera) {
     if (has_image && std::hypot(x - star.x_px, y - star.y_px) < reach_px) continue;
     const StarSighting* nearest = nullptr;
     double least = reach_px;
-    for (const StarSighting& one : catalogue_) {
+    for (const StarSighting& one : by.catalogue) {
       double u = 0.0, v = 0.0;
       if (one.magnitude > request_.first_faintest() || !place_of_star(camera, one.enu, u, v)) continue;
       const double off = std::hypot(u - star.x_px, v - star.y_px);

@@ -36,6 +36,12 @@ expect_exit 0 calibrate "${by_hand[@]}" --camera camera.toml --free rotation --s
 rigel=$(marked Rigel 0)
 expect_exit 0 calibrate "${by_hand[@]}" --star "$(marked Betelgeuse 3)" --star "Aldebaran=${rigel#*=}" --star "$(marked Sirius 0)" -o third.toml
 expect_stdout "note: Aldebaran | Rigel"
+# The mistaken star makes the first lenses wide; the narrow ones have the faint stars of their own field all the same.
+narrow_sky >narrow.pgm
+expect_exit 0 calibrate --image narrow.pgm --decoding linear --site 0,0 --time 2020-12-22T00:30:00Z --star Tejat=365,266 \
+  --star Mebsuta=79,112 --star Sirius=475,265 -o narrow.toml
+expect_stdout "note: Sirius | Propus"
+awk '/^hfov_deg/ { width = $3 } END { exit !(width > 8.05 && width < 8.1) }' narrow.toml || fail "another scale of a narrow field"
 expect_exit 5 calibrate "${by_hand[@]}" --star "Betelgeuse=${rigel#*=}" --star "Rigel=10,20" -o none.toml
 [[ ! -e none.toml ]] || fail "a camera by mistaken stars"
 expect_exit 2 calibrate "${by_hand[@]}" --star Betelgeuse=1,2 -o none.toml

@@ -28,3 +28,26 @@ sky_to() {
       }
     }' "$SOURCE/data/stars/bright_stars.csv"
 }
+# The stars to magnitude 8 as a pinhole of 3400 px sees them, 8 degrees across, about right ascension 98 degrees and
+# declination 24 degrees with north up.
+narrow_sky() {
+  awk -F, 'BEGIN { srand(9); degree = atan2(0, -1) / 180; dec = 24 * degree }
+    FNR > 1 {
+      magnitude = NF > 6 ? $9 : $6; a = ((NF > 6 ? $5 : $2) - 98) * degree; d = (NF > 6 ? $6 : $3) * degree
+      forward = sin(dec) * sin(d) + cos(dec) * cos(d) * cos(a)
+      if (forward < .9) next
+      x = 240 - 3400 * cos(d) * sin(a) / forward; y = 180 - 3400 * (cos(dec) * sin(d) - sin(dec) * cos(d) * cos(a)) / forward
+      if (x < 4 || y < 4 || x > 476 || y > 356) next
+      height = 9000 * exp(-0.921 * (magnitude - 6))
+      for (j = int(y) - 4; j <= int(y) + 4; ++j)
+        for (i = int(x) - 4; i <= int(x) + 4; ++i)
+          light[j * 480 + i] += height * exp(-((i + .5 - x) ^ 2 + (j + .5 - y) ^ 2) / 2.9)
+    }
+    END {
+      print "P2 480 360 65535"
+      for (p = 0; p < 480 * 360; ++p) {
+        v = 1000 + 60 * (rand() + rand() - 1) + light[p]
+        print int(v > 65535 ? 65535 : v)
+      }
+    }' "$SOURCE/data/stars/bright_stars.csv" "$SOURCE/data/stars/faint_stars.csv"
+}
