@@ -2,6 +2,7 @@
 // only narrow fields need: data/stars/faint_stars.csv, 36 367 stars from there to magnitude 8.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ const std::vector<BrightStar>& bright_stars();
 
 /// The faintest of catalogue_stars(), and of deep_stars().
 inline constexpr double kFaintestCatalogued = 6.0, kFaintestDeep = 8.0;
+
+/// The number of deep_stars(), which is known without making them.
+inline constexpr std::size_t kDeepStars = 41411;
 
 /// Returns catalogue_stars() and behind them, the brightest first, the stars of faint_stars.csv.
 const std::vector<BrightStar>& deep_stars();

@@ -13,6 +13,7 @@
 #include "fit/photo/pointing/catalogue_sky.h"
 #include "sim/base/file/number_text.h"
 #include "sim/base/parallel.h"
+#include "sim/view/sky/bright_stars.h"
 
 namespace vegard::fit {
 namespace {
@@ -343,7 +344,7 @@ StarRecognition empty_answer(const std::vector<FoundStar>& points, const Frame& 
   const double longer = std::max(frame.width_px, frame.height_px),
                shorter = std::min(frame.width_px, frame.height_px);
   answer.narrowest_deg = std::sqrt(kNarrowestStars * kSkySquareDegrees /
-                                   static_cast<double>(deep_equatorial_sky().size()) * longer / shorter);
+                                   static_cast<double>(sim::kDeepStars) * longer / shorter);
   return answer;
 }
 
@@ -415,7 +416,7 @@ std::string words_of(const StarRecognition& recognition) {
          "points and lower where few stars are found, a picture in which stars are points and not trails, or "
          "a rough --camera with --time and --site. A picture of less than " +
          sim::short_number(recognition.narrowest_deg, 2) + " degrees across shows fewer than " +
-         std::to_string(kNarrowestStars) + " of the " + std::to_string(deep_equatorial_sky().size()) +
+         std::to_string(kNarrowestStars) + " of the " + std::to_string(sim::kDeepStars) +
          " stars that are known: such a field needs Astrometry.net's solution (--wcs FIELD.wcs).";
 }
 

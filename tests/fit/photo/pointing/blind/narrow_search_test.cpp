@@ -92,6 +92,7 @@ TEST(NarrowSearch, ClaimsNothingOfPointsStrewnAtRandom) {
 TEST(NarrowSearch, TheCatalogueGoesOnToMagnitudeEight) {
   const std::vector<sim::BrightStar>& stars = sim::deep_stars();
   ASSERT_EQ(stars.size(), 41411u);
+  EXPECT_EQ(stars.size(), sim::kDeepStars);
   EXPECT_TRUE(std::is_sorted(stars.begin(), stars.end(),
                              [](const auto& a, const auto& b) { return a.magnitude < b.magnitude; }));
   EXPECT_EQ(stars.back().magnitude, sim::kFaintestDeep);
