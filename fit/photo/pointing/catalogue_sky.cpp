@@ -1,5 +1,6 @@
 #include "fit/photo/pointing/catalogue_sky.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -55,7 +56,8 @@ std::vector<StarSighting> catalogue_sky(const sim::Observer& observer, double ju
 std::vector<StarSighting> field_sky(const SkyCamera& camera, const Frame& frame,
                                     const sim::Observer& observer, double julian_date,
                                     double min_elevation_deg, double apart_deg, int enough) {
-  constexpr double kWidest_deg = 14.0, kApart = 0.005, kBeyond = 1.3;
+  constexpr double kWidest_deg = 14.0;  // from the middle to the farthest corner
+  constexpr double kApart = 0.005, kBeyond = 1.3;
   std::vector<StarSighting> sky =
       catalogue_sky(observer, julian_date, sim::kFaintestCatalogued, min_elevation_deg, apart_deg);
   const std::optional<FieldCone> cone = field_cone(camera, frame);

@@ -31,9 +31,9 @@ struct FieldCone {
 std::optional<FieldCone> field_cone(const SkyCamera& camera, const Frame& frame);
 
 /// What a camera should see: stars up to magnitude 6 as catalogue_sky() has them, or, if its frame is no
-/// larger than 20 degrees across and shows fewer than `enough` of them, those of sim::deep_stars() in and
-/// around its frame. Of these a star is left out that stands nearer to a brighter one than 0.5 % of the
-/// frame's longer side, unless `apart_deg` is 0.
+/// larger than 28 degrees from corner to corner and shows fewer than `enough` of them, those of
+/// sim::deep_stars() in and around its frame. Of these a star is left out that stands nearer to a brighter
+/// one than 0.5 % of the frame's longer side, unless `apart_deg` is 0.
 std::vector<StarSighting> field_sky(const SkyCamera& camera, const Frame& frame,
                                     const sim::Observer& observer, double julian_date,
                                     double min_elevation_deg, double apart_deg = 0.3, int enough = 60);
