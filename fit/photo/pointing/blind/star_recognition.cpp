@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "fit/photo/pointing/blind/assumed_lens.h"
 #include "fit/photo/pointing/blind/asterisms.h"
+#include "fit/photo/pointing/blind/figure_hits.h"
 #include "fit/photo/pointing/blind/narrow_search.h"
 #include "fit/photo/pointing/blind/pair_search.h"
 #include "fit/photo/pointing/catalogue_sky.h"
@@ -18,14 +21,11 @@
 namespace vegard::fit {
 namespace {
 
-constexpr double kCodeTolerance = 0.03;
-constexpr double kSizeFactor = 1.35;
 constexpr int kPictureNeighbours = 7;
 constexpr int kGrownPerLevel = 16, kGrownOffCentre = 6;
-constexpr std::size_t kGrownPairs = 48, kGrownTogether = 4;
+constexpr std::size_t kGrownPairs = 48;
 constexpr std::size_t kOffCentrePoints = 40;
 constexpr int kNarrowestStars = 8;  // that chance does not explain after so long a search
-constexpr double kMinScore = 3.0;   // natural log of the odds, four stars of the figure not counted
 
 /// Points that stand in a crowd of brighter ones are put behind the others, and whole crowds of about the
 /// same brightness farther still: trees, houses, the aurora's folds and letters give many, the sky few.
@@ -62,16 +62,6 @@ std::vector<StarSighting> sky_above(const Eigen::Vector3d& zenith) {
   return sky;
 }
 
-/// Three axes of two directions: the middle, across towards the second, and the third.
-Eigen::Matrix3d axes_of(const Eigen::Vector3d& middle, const Eigen::Vector3d& from,
-                        const Eigen::Vector3d& to) {
-  Eigen::Matrix3d axes;
-  axes.col(0) = middle;
-  axes.col(1) = ((to - from) - middle * middle.dot(to - from)).normalized();
-  axes.col(2) = middle.cross(axes.col(1));
-  return axes;
-}
-
 namespace star_recognition {
 
 class Search {
@@ -85,6 +75,7 @@ class Search {
         zenith_(settings.zenith),
         progress_(settings.progress),
         cells_(points, frame, points.size()),
+        sky_{points, frame, stars_, bright_star_asterisms(), std::nullopt, wide_limits()},
         has_best_(has_best) {
     for (const StarSighting& star : equatorial_sky())
       stars_.emplace_back(star.enu[0], star.enu[1], star.enu[2]);
@@ -104,31 +95,22 @@ class Search {
       const std::size_t n = std::min({first, points_.size(), max_points});
       if (n == last) break;
       last = n;
-      std::vector<AsterismMembers> sets =
-          neighbour_sets(places_, static_cast<int>(n), n <= 20 ? kPictureNeighbours + 1 : kPictureNeighbours);
-      std::vector<AsterismMembers> fresh;
-      std::set_difference(sets.begin(), sets.end(), before.begin(), before.end(), std::back_inserter(fresh));
-      before.insert(before.end(), fresh.begin(), fresh.end());
-      std::sort(before.begin(), before.end());
+      const std::vector<AsterismMembers> fresh = fresh_sets(
+          places_, static_cast<int>(n), n <= 20 ? kPictureNeighbours + 1 : kPictureNeighbours, before);
       answer.figures += static_cast<int>(fresh.size());
-      std::vector<CameraHit> hits;
       // The counts of stars around a hit: of the points to about the figures' own faintness.
       const PointCells near(points_, frame_, n + n / 2 + 4);
-      near_count_ = static_cast<double>(std::min(n + n / 2 + 4, points_.size()));
+      const double near_count = static_cast<double>(std::min(n + n / 2 + 4, points_.size()));
       // A lens is a task, and their hits are joined in the order of the lenses.
       const std::vector<AssumedLens>& lenses = assumed_lenses();
-      std::vector<LensHits> by_lens(2 * lenses.size());
+      std::vector<FigureHits> by_lens(2 * lenses.size());
       sim::parallel_for(by_lens.size(), 0, [&](std::size_t i, int) {
-        look_up(assumed_camera(lenses[i / 2], i % 2 == 1, frame_, centre_x, centre_y), n, fresh, near,
-                by_lens[i]);
+        by_lens[i] =
+            look_up_figures(sky_, assumed_camera(lenses[i / 2], i % 2 == 1, frame_, centre_x, centre_y), n,
+                            fresh, near, near_count);
       });
-      for (LensHits& one : by_lens) {
-        answer.cameras += static_cast<double>(one.tried);
-        for (CameraHit& hit : one.hits) hits.push_back(std::move(hit));
-      }
-      std::stable_sort(hits.begin(), hits.end(),
-                       [](const CameraHit& a, const CameraHit& b) { return a.score > b.score; });
-      if (hits.size() > static_cast<std::size_t>(most_grown)) hits.resize(most_grown);
+      const std::vector<CameraHit> hits =
+          best_hits(std::move(by_lens), static_cast<std::size_t>(most_grown), answer.cameras);
       if (grow(hits, equatorial_sky(), answer)) return true;
       grown_hits_.insert(grown_hits_.end(), hits.begin(), hits.end());
     }
@@ -159,120 +141,31 @@ class Search {
   }
 
  private:
-  struct LensHits {
-    std::vector<CameraHit> hits;
-    long tried = 0;
-  };
+  static FigureLimits wide_limits() {
+    FigureLimits limits;
+    limits.code_tolerance = 0.03;
+    limits.size_factor = 1.35;
+    limits.around = 2.2;
+    limits.most_around_rad = 1.7;
+    limits.near_px = 2.0;
+    limits.near_share = 0.035;
+    limits.grown_share = 1.1;
+    limits.least_score = 3.0;
+    limits.alone_points = 6;
+    return limits;
+  }
 
   /// Grows the hits to cameras; true as soon as one cannot be chance.
   bool grow(const std::vector<CameraHit>& hits, const std::vector<StarSighting>& sky,
             StarRecognition& answer) {
     const double trials = std::max(1.0, answer.cameras);
-    // A few at a time, and the first one that is certain counts: the same for any number of threads.
-    for (std::size_t begin = 0; begin < hits.size(); begin += kGrownTogether) {
-      std::vector<GrownCamera> grown(std::min(kGrownTogether, hits.size() - begin));
-      sim::parallel_for(grown.size(), 0, [&](std::size_t i, int) {
-        const CameraHit& hit = hits[begin + i];
-        grown[i] =
-            grow_camera(hit.camera, frame_, sky, points_, cells_, hit.seed, hit.reach_px, trials, pixels_);
-      });
-      for (const GrownCamera& one : grown) {
-        if (!has_best_ || one.agreement.log10_false < answer.best.agreement.log10_false) answer.best = one;
-        has_best_ = true;
-        if (is_certain(answer.best)) return true;
-      }
-    }
-    return false;
-  }
-
-  void look_up(const SkyCamera& camera, std::size_t n, const std::vector<AsterismMembers>& sets,
-               const PointCells& near, LensHits& found_hits) const {
-    const sim::Lens<double> lens = true_lens(camera);
-    std::vector<Eigen::Vector3d> directions(n);
-    std::vector<char> has(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      double v[3];
-      has[i] = sim::unproject(lens, points_[i].x_px, points_[i].y_px, v);
-      if (has[i]) directions[i] = {v[0], v[1], v[2]};
-    }
-    std::vector<const Asterism*> found;
-    for (const AsterismMembers& set : sets) {
-      if (!has[set[0]] || !has[set[1]] || !has[set[2]] || !has[set[3]]) continue;
-      Asterism one;
-      if (!make_asterism(directions, set, one)) continue;
-      for (const Asterism& order : orders_of(one, kCodeTolerance)) {
-        found.clear();
-        bright_star_asterisms().find(order, kCodeTolerance, kSizeFactor, found);
-        for (const Asterism* sky : found) score(camera, order, *sky, near, found_hits);
-      }
-    }
-  }
-
-  /// Rotation and scale by the figure, then the stars around it.
-  void score(const SkyCamera& assumed, const Asterism& picture, const Asterism& sky, const PointCells& near,
-             LensHits& found_hits) const {
-    ++found_hits.tried;
-    SkyCamera camera = assumed;
-    camera.numbers[focal_px_number] *= picture.size_rad / sky.size_rad;
-    const sim::Lens<double> lens = lens_of(camera, camera.numbers.data());
-    Eigen::Vector3d seen[4], middle = Eigen::Vector3d::Zero(), sky_middle = Eigen::Vector3d::Zero();
-    double middle_x = 0.0, middle_y = 0.0, size_px = 0.0;
-    for (int i = 0; i < 4; ++i) {
-      const FoundStar& point = points_[picture.members[i]];
-      double v[3];
-      if (!sim::unproject(lens, point.x_px, point.y_px, v)) return;
-      seen[i] = {v[0], v[1], v[2]};
-      middle += seen[i];
-      sky_middle += stars_[sky.members[i]];
-      middle_x += 0.25 * point.x_px;
-      middle_y += 0.25 * point.y_px;
-    }
-    middle.normalize();
-    sky_middle.normalize();
-    camera.camera_from_enu = axes_of(middle, seen[0], seen[1]) *
-                             axes_of(sky_middle, stars_[sky.members[0]], stars_[sky.members[1]]).transpose();
-    for (int i = 0; i < 4; ++i) {
-      const FoundStar& point = points_[picture.members[i]];
-      size_px = std::max(size_px, std::hypot(point.x_px - middle_x, point.y_px - middle_y));
-    }
-    double reach_angle = 0.0;
-    int faintest = 0;
-    for (const int m : sky.members) {
-      reach_angle = std::max(reach_angle, std::acos(std::clamp(sky_middle.dot(stars_[m]), -1.0, 1.0)));
-      faintest = std::max(faintest, m);
-    }
-    const double least = std::cos(std::min(2.2 * reach_angle, 1.7));
-    const double density = 1.5 * near_count_ / (static_cast<double>(frame_.width_px) * frame_.height_px);
-    const double unit = std::max(1.0, std::max(frame_.width_px, frame_.height_px) / 1500.0);
-    CameraHit hit{0.0, camera, {}, 1.1 * size_px};
-    const int last = std::min(static_cast<int>(stars_.size()), faintest + faintest / 2 + 6);
-    std::vector<int> taken;
-    for (int i = 0; i < last; ++i) {
-      if (stars_[i].dot(sky_middle) < least) continue;
-      const auto member = std::find(sky.members.begin(), sky.members.end(), i);
-      if (member != sky.members.end()) {
-        hit.seed.push_back({i, picture.members[member - sky.members.begin()]});
-        continue;
-      }
-      const Eigen::Vector3d v = camera.camera_from_enu * stars_[i];
-      const double in_camera[3] = {v[0], v[1], v[2]};
-      double x = 0.0, y = 0.0, distance = 0.0;
-      if (!sim::project(lens, in_camera, x, y) || x < 0.0 || y < 0.0 || x > frame_.width_px ||
-          y > frame_.height_px)
-        continue;
-      const double from = std::hypot(x - middle_x, y - middle_y);
-      const double tolerance = 2.0 * unit + 0.035 * std::max(from, size_px);
-      const int p = near.nearest(x, y, tolerance, distance);
-      if (p < 0 || std::find(taken.begin(), taken.end(), p) != taken.end() ||
-          std::find(picture.members.begin(), picture.members.end(), p) != picture.members.end()) {
-        hit.count_missing(i <= faintest);
-      } else {
-        hit.count_seen(i <= faintest, density, tolerance);
-        taken.push_back(p);
-      }
-    }
-    if (taken.empty() && points_.size() > 6) return;
-    if (hit.score > kMinScore) found_hits.hits.push_back(std::move(hit));
+    return grow_until_certain(
+        hits,
+        [&](const CameraHit& hit) {
+          return grow_camera(hit.camera, frame_, sky, points_, cells_, hit.seed, hit.reach_px, trials,
+                             pixels_);
+        },
+        has_best_, answer.best);
   }
 
   const std::vector<FoundStar>& points_;
@@ -283,7 +176,7 @@ class Search {
   PointCells cells_;
   std::vector<CameraHit> grown_hits_;
   std::vector<Eigen::Vector3d> stars_, places_;
-  double near_count_ = 0.0;
+  FigureSky sky_;
   bool has_best_;
 };
 
