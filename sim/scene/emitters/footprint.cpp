@@ -9,6 +9,7 @@
 #include "sim/scene/rows/parameter_rules.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint.h"
+#include "sim/scene/structs/footprint_spline.h"
 
 namespace vegard::sim {
 namespace {
@@ -136,10 +137,8 @@ std::vector<Declaration> footprint_rows() {
 
 /// That no map, and no curve, takes more memory than a machine has.
 void check_size(const Footprint& f, double sphere_km, const ElementCheck& check) {
-  const bool is_shell = f.shape == FootprintShape::shell,
-             of_spline =
-                 f.source == FootprintSource::spline || (is_shell && f.source == FootprintSource::noise);
-  if (of_spline && spline_pieces(f, sphere_km) > kMaxSplinePieces)
+  const bool is_shell = f.shape == FootprintShape::shell;
+  if (has_spline(f) && spline_pieces(f, sphere_km) > kMaxSplinePieces)
     throw check.error_at(
         {"the spline would be drawn in " + short_real_text(spline_pieces(f, sphere_km)) + " pieces of " +
              short_real_text(longest_piece_km(f, sphere_km)) + " km",
@@ -194,9 +193,7 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
   const bool is_shell = f.shape == FootprintShape::shell;
   const auto &x = is_shell ? f.longitude_deg : f.east_km, &y = is_shell ? f.latitude_deg : f.north_km;
   const char *x_key = is_shell ? "longitude_deg" : "east_km", *y_key = is_shell ? "latitude_deg" : "north_km";
-  // Noise around the Earth shines along a curve, if there is one.
-  const bool on_spline =
-      f.source == FootprintSource::spline || (is_shell && f.source == FootprintSource::noise && !x.empty());
+  const bool on_spline = has_spline(f);
   if (on_spline) {
     if (x.size() != y.size())
       throw check.error_at(

@@ -13,6 +13,7 @@
 #include "sim/scene/rows/complaint.h"
 #include "sim/scene/rows/value_words.h"
 #include "sim/scene/structs/footprint.h"
+#include "sim/scene/structs/footprint_spline.h"
 #include "sim/scene/structs/line_of.h"
 
 namespace vegard::sim {
@@ -111,7 +112,7 @@ CubeFootprint<double> make_cube_footprint(const Scene& scene, const Footprint& f
   const double instant = instant_s.value_or(scene.time.start_s), sphere_km = scene.body.radius_km;
   const bool of_noise = f.source == FootprintSource::noise;
   CubeFootprint<double> cube;
-  if (f.source == FootprintSource::spline || (of_noise && !f.latitude_deg.empty())) {
+  if (has_spline(f)) {
     cube = spline_cube(f, sphere_km, threads, scene.substorm, instant);
   } else if (of_noise) {
     cube = cube_grid<double>(f.face_cells, false);
