@@ -98,7 +98,7 @@ class BundleMaker {
 
     const T length = number_(bundle_.length), foot_radius = number_(bundle_.foot_radius),
             top_radius = number_(bundle_.top_radius), falloff = number_(bundle_.falloff_length),
-            spread = number_(bundle_.density_noise);
+            spread = number_(bundle_.density_noise), fade = number_(bundle_.foot_fade);
     const T density =
         number_(bundle_.density) * exponential(spread * normal(words[2]) - spread * spread * 0.5);
     const T whole = length + foot_radius;
@@ -112,8 +112,7 @@ class BundleMaker {
     const T at_end = exponential(T(0.0) - length / falloff);
     for (int k = 0; k <= kBundleSteps; ++k) {
       const T at = whole * (static_cast<double>(k) / kBundleSteps) - foot_radius;
-      const double from_foot = value_of(at) / std::max(bundle_.foot_fade, 1e-9),
-                   share = bundle_.foot_fade > 0.0 ? smooth_step(from_foot) : 1.0;
+      const T share = value_of(fade) > 0.0 ? smooth_step(at / fade) : T(1.0);
       strand.along.push_back(density * (exponential(T(0.0) - at / falloff) - at_end) / (1.0 - at_end) *
                              share);
     }

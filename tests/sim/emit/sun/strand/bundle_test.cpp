@@ -170,6 +170,7 @@ TEST(Bundle, DerivativesAreThoseOfItsLight) {
   bundle.gradient_deg = 10.0;
   bundle.foot_radius = 20.0;
   bundle.top_radius = 100.0;
+  bundle.foot_fade = 60.0;
   Sun sun = a_sun();
   sun.distance_km = 6000.0;
   const std::vector<double*> numbers = {
