@@ -146,6 +146,7 @@ class CurtainEmitter : public Emitter<T> {
     for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
       stand(edges[i], edges[(i + 1) % count], number(f.width_km), along_km, boxes);
     rays_of_light_ = CurtainRays(f, scene.seed, now.instant_s, value_of(along_km), closed);
+    length_km_ = along_km;
     tree_ = SegmentTree(boxes);
   }
 
@@ -314,7 +315,8 @@ class CurtainEmitter : public Emitter<T> {
     const T incidence = value_of(size) < kCurtainMinCosine ? T(kCurtainMinCosine) : size;
     T flux = wall.flux[0] + share * (wall.flux[1] - wall.flux[0]);
     if (rays_of_light_.any())
-      flux = flux * rays_of_light_.factor(wall.along_km[0] + share * (wall.along_km[1] - wall.along_km[0]));
+      flux = flux * rays_of_light_.factor(wall.along_km[0] + share * (wall.along_km[1] - wall.along_km[0]),
+                                          length_km_);
     T rate[kMaxLines];
     marcher_.rates(altitude_km(p, foot_.sphere_km),
                    wall.ln_energy[0] + share * (wall.ln_energy[1] - wall.ln_energy[0]), 0, rate);
@@ -340,6 +342,7 @@ class CurtainEmitter : public Emitter<T> {
   const bool tries_all_;
   std::vector<Wall<T>> walls_;
   CurtainRays rays_of_light_;
+  T length_km_{};  ///< of the curve
   SegmentTree tree_;
 };
 

@@ -10,6 +10,7 @@
 #include "march_case.h"
 #include "sim/base/number/constants.h"
 #include "sim/view/camera/camera.h"
+#include "tests/support/seeded_numbers.h"
 
 namespace vegard::sim::curtain_emitter_test {
 namespace {
@@ -182,23 +183,26 @@ TEST(CurtainEmitter, AroundTheEarthIsNotSeenOverTheAntipodes) {
   EXPECT_EQ(most(-60.0, 180.0), 0.0);
 }
 
-// Light goes as width_km, and so its derivative is the light over it.
-TEST(CurtainEmitter, HasItsDerivativeByWidth) {
-  const Scene scene = arc("vertical", 2.5);
-  const Footprint& f = scene.footprints[0];
-  const auto emitter = curtain_emitter<FreeDual>(scene, f, maxwellian(), {}, [&](const double& x) {
-    FreeDual dual(x);
-    if (&x == &f.width_km) dual.d.t[3] = 1.0;
-    return dual;
-  });
-  Rays rays;
-  for (int i = 0; i < 10; ++i) rays.add(30.0 + 4.0 * i, 3.0 + i);
+/// [line][ray], with the tangents of these numbers.
+std::vector<FreeDual> dual_light(const Scene& scene, const std::vector<const double*>& free,
+                                 const Rays& rays) {
+  const auto emitter =
+      curtain_emitter<FreeDual>(scene, scene.footprints[0], maxwellian(), {}, tests::seeded(free));
   const std::size_t count = rays.count();
   std::vector<FreeDual> direction[3], rayleigh(3 * count, FreeDual(0.0)), kept(3 * count, FreeDual(1.0));
   std::vector<double> entry(count, kInfinity), depth(count, kInfinity);
   for (int a = 0; a < 3; ++a) direction[a].assign(rays.direction[a].begin(), rays.direction[a].end());
   emitter->march({count, {direction[0].data(), direction[1].data(), direction[2].data()}, rays.end_km.data()},
                  {3, rayleigh.data(), kept.data(), entry.data(), depth.data()});
+  return rayleigh;
+}
+
+// Light goes as width_km, and so its derivative is the light over it.
+TEST(CurtainEmitter, HasItsDerivativeByWidth) {
+  const Scene scene = arc("vertical", 2.5);
+  Rays rays;
+  for (int i = 0; i < 10; ++i) rays.add(30.0 + 4.0 * i, 3.0 + i);
+  const std::vector<FreeDual> rayleigh = dual_light(scene, {&scene.footprints[0].width_km}, rays);
   const Light wider = [&] {
     Scene other = scene;
     other.footprints[0].width_km = 3.5;
@@ -207,9 +211,44 @@ TEST(CurtainEmitter, HasItsDerivativeByWidth) {
   double most = 0.0;
   for (std::size_t i = 0; i < rayleigh.size(); ++i) {
     most = std::max(most, rayleigh[i].v);
-    EXPECT_NEAR(rayleigh[i].d.t[3], wider.rayleigh[i] - rayleigh[i].v, 1e-9 * rayleigh[i].v);
+    EXPECT_NEAR(rayleigh[i].d.t[0], wider.rayleigh[i] - rayleigh[i].v, 1e-9 * rayleigh[i].v);
   }
   EXPECT_GT(most, 100.0);
+}
+
+// The curve's points move its rays, and by its length the place where a closed curve's rays pass into each
+// other.
+TEST(CurtainEmitter, WithRaysHasItsDerivativesByItsPoints) {
+  for (const bool closed : {false, true}) {
+    Scene scene = arc("vertical");
+    Footprint& f = scene.footprints[0];
+    f.closed = closed;
+    f.east_km = {10.0, 70.0, 0.0, -80.0};
+    f.north_km = {-30.0, 20.0, 70.0, 15.0};
+    f.ray_contrast = 0.6;
+    f.ray_width_km = 12.0;
+    scene.seed = 5;
+    // The curve begins and ends in the south, next to the observer.
+    Rays rays;
+    for (int i = 0; i < 60; ++i) rays.add(52.3, -45.0 + 1.7 * i);
+    const std::vector<double*> numbers = {&f.east_km[0], &f.north_km[0], &f.east_km[2], &f.north_km[2]};
+    const std::vector<FreeDual> dual = dual_light(scene, {numbers.begin(), numbers.end()}, rays);
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+      constexpr double kStep = 1e-5;
+      const double was = *numbers[n];
+      *numbers[n] = was + kStep;
+      const Light more = rays.through(*curtain(scene), 3);
+      *numbers[n] = was - kStep;
+      const Light less = rays.through(*curtain(scene), 3);
+      *numbers[n] = was;
+      double most = 0.0;
+      for (const FreeDual& light : dual) most = std::max(most, std::abs(light.d.t[n]));
+      EXPECT_GT(most, 1.0);
+      for (std::size_t i = 0; i < dual.size(); ++i)
+        EXPECT_NEAR(dual[i].d.t[n], (more.rayleigh[i] - less.rayleigh[i]) / (2.0 * kStep), 1e-5 * most)
+            << closed << " number " << n << " ray " << i;
+    }
+  }
 }
 
 }  // namespace
