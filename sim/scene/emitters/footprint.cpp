@@ -247,6 +247,10 @@ void check_the_footprint(const Scene& scene, const Footprint& f) {
     throw check.error_at({"a substorm's bulge is in a spline around the Earth",
                           "shape = \"shell\" and a spline, or bulge_km = 0", ""},
                          "bulge_km");
+  if (f.bulge_km > 0.0 && !(f.bulge_speed_km_s > 0.0))
+    throw check.error_at(
+        {"a bulge whose front stands still would hardly rise", "bulge_speed_km_s above 0", ""},
+        "bulge_speed_km_s");
   const bool drifts = f.drift_km_s.east != 0.0 || f.drift_km_s.north != 0.0;
   if (drifts && f.source == FootprintSource::sheets)
     throw check.error_at(

@@ -85,8 +85,9 @@ double bulge_level(const Substorm& s, double instant_s) {
   return smooth_step(since_s / s.expansion_s) * (1.0 - smooth_step((since_s - s.expansion_s) / s.recovery_s));
 }
 
-double bulge_strength(const Footprint& f, const Substorm& substorm, double instant_s, double west_km) {
-  const double front_km = f.bulge_speed_km_s * (instant_s - substorm.onset_s);
+double bulge_strength(const Footprint& f, const Substorm& substorm, double instant_s, double west_km,
+                      double farthest_km) {
+  const double front_km = std::min(f.bulge_speed_km_s * (instant_s - substorm.onset_s), farthest_km);
   return bulge_level(substorm, instant_s) * smooth_step((front_km - west_km) / f.bulge_length_km) *
          smooth_step((west_km + f.bulge_length_km) / f.bulge_length_km);
 }
@@ -120,6 +121,9 @@ std::vector<CurveNode<T, 3>> with_bulge(const Footprint& f, const Substorm& subs
   // To the west is against the growing longitude.
   const Place begin = place_of(course.nodes[onset]), way = direction_at(course, onset);
   const double westwards = begin[0] * way[1] - begin[1] * way[0] > 0.0 ? -1.0 : 1.0;
+  // Around a closed curve the front comes as far as the tail's end, not into it.
+  const double farthest_km =
+      course.closed ? course.length_km - f.bulge_length_km : std::numeric_limits<double>::infinity();
   std::vector<CurveNode<T, 3>> moved = course.nodes;
   for (std::size_t i = 0; i < count; ++i) {
     double west_km = westwards * (course.along_km[i] - course.along_km[onset]);
@@ -128,7 +132,7 @@ std::vector<CurveNode<T, 3>> with_bulge(const Footprint& f, const Substorm& subs
       const double from_tail = west_km + f.bulge_length_km;
       west_km = from_tail - course.length_km * std::floor(from_tail / course.length_km) - f.bulge_length_km;
     }
-    const double strength = bulge_strength(f, substorm, instant_s, west_km);
+    const double strength = bulge_strength(f, substorm, instant_s, west_km, farthest_km);
     if (!(strength > 0.0)) continue;
     const Place at = place_of(course.nodes[i]), along = direction_at(course, i);
     const double radius = std::hypot(at[0], at[1], at[2]);

@@ -52,6 +52,10 @@ const Bad bad_volumes[] = {
     {"bulge_of_a_picture",
      "[[footprint]]\nshape = 'shell'\nsource = 'image'\nimage = 'a.png'\nbulge_km = 100\n", 5,
      "footprint.arc.bulge_km", "a spline"},
+    {"bulge_that_stands_still",
+     "[[footprint]]\nshape = 'shell'\nlongitude_deg = [1, 2]\nlatitude_deg = [1, 2]\nbulge_km = 100\n"
+     "bulge_speed_km_s = 0\n",
+     6, "footprint.arc.bulge_speed_km_s", "stands still"},
     {"drift_of_sheets", "[[sheet]]\n[[footprint]]\nsource = 'sheets'\ndrift_km_s = [1, 0]\n", 4,
      "footprint.arc.drift_km_s", "where they go"},
     {"shell_to_the_north",

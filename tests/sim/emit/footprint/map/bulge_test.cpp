@@ -125,5 +125,31 @@ TEST(Bulge, IsNotThereBeforeTheOnsetNorAfterTheRecovery) {
   EXPECT_GT(bulge_level(substorm(), 1600.0), 0.4);
 }
 
+// However long the front goes round: a jump would be 400 km high, and a front 300 km long.
+TEST(Bulge, ThatHasGoneRoundMakesNoJump) {
+  Footprint f = oval(66.0, 1.0);
+  Substorm s = substorm();
+  s.recovery_s = 1e6;
+  std::vector<CurveNode<double, 3>> points(24);
+  for (int i = 0; i < 24; ++i) {
+    const double lat = 66.0 * kRadiansPerDegree, lon = 15.0 * i * kRadiansPerDegree;
+    points[i].at = {kRadius * std::cos(lat) * std::cos(lon), kRadius * std::cos(lat) * std::sin(lon),
+                    kRadius * std::sin(lat)};
+    points[i].flux = 1.0;
+  }
+  for (const double instant_s : {5000.0, 10500.0, 10700.0, 10900.0, 20000.0}) {
+    const auto nodes = with_bulge(f, s, instant_s, points, 20.0);
+    double steepest = 0.0, highest = 0.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto &a = nodes[i].at, &b = nodes[(i + 1) % nodes.size()].at;
+      const auto latitude = [](const auto& at) { return std::asin(at[2] / kRadius); };
+      steepest = std::max(steepest, kRadius * std::abs(latitude(b) - latitude(a)));
+      highest = std::max(highest, kRadius * latitude(a));
+    }
+    EXPECT_GT(highest, kRadius * 66.0 * kRadiansPerDegree + 390.0);
+    EXPECT_LT(steepest, 80.0) << instant_s;
+  }
+}
+
 }  // namespace
 }  // namespace vegard::sim::bulge_test
