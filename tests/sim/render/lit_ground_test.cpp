@@ -78,8 +78,6 @@ TEST(LitGround, IsEvenFromHighAbove) {
   EXPECT_EQ(picture.ground.at(0, 39, 3), 1.0f);
 }
 
-// At the horizon the air is thick: nearly all of the light in a line of sight is what the air scatters, the
-// mean of the light from all around; without air there is none.
 // On the way up the landscape passes into the even ground, without a jump at either end.
 TEST(LitGround, PassesIntoTheEvenGroundOnTheWayUp) {
   Scene scene = under_even_sky();
@@ -107,6 +105,8 @@ TEST(LitGround, PassesIntoTheEvenGroundOnTheWayUp) {
   }
 }
 
+// At the horizon the air is thick: nearly all of the light in a line of sight is what the air scatters, the
+// mean of the light from all around; without air there is none.
 TEST(LitGround, TheAirScattersTheAirglow) {
   Scene scene = under_even_sky();
   scene.sky.level = {0.0, 0.0, 0.0};
