@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "sim/base/number/constants.h"
+#include "sim/scene/structs/bulge_points.h"
 
 namespace vegard::sim {
 namespace {
 
 constexpr double kPieceWidths = 0.8;
+constexpr double kLeastPieces = 16.0;  // between two points
+constexpr double kOfChord = 1.5;       // length of the curve between them, at most, seldom longer
 constexpr double kCurtainPieceKm = 4.0, kShellCurtainPieceKm = 16.0;
 
 bool is_shell(const Footprint& f) { return f.shape == FootprintShape::shell; }
@@ -40,11 +43,20 @@ double longest_piece_km(const Footprint& f, double sphere_km) {
 double spline_pieces(const Footprint& f, double sphere_km) {
   const std::size_t n = is_shell(f) ? f.latitude_deg.size() : f.east_km.size();
   if (n < 2) return 0.0;
+  const double longest_km = longest_piece_km(f, sphere_km),
+               step_km = f.bulge_length_km / kBulgePointsPerLength;
+  const bool has_bulge = f.bulge_km > 0.0;
+  const double piece_km = has_bulge ? std::min(longest_km, step_km) : longest_km;
   double sum = 0.0;
   for (std::size_t i = 0; i < (f.closed ? n : n - 1); ++i)
-    sum += std::max(16.0,
-                    std::ceil(1.5 * chord_km(f, i, (i + 1) % n, sphere_km) / longest_piece_km(f, sphere_km)));
-  return sum;
+    sum += std::max(kLeastPieces, std::ceil(kOfChord * chord_km(f, i, (i + 1) % n, sphere_km) / piece_km));
+  if (!has_bulge) return sum;
+  // The bulge moves points of its own, with pieces between them; its front and its tail make the spline
+  // longer.
+  const double pieces_to_point =
+      std::clamp(std::ceil(kOfChord * step_km / piece_km), 2.0, static_cast<double>(kBulgePiecesToPoint));
+  return std::ceil(sum * (kLeastPieces / pieces_to_point + kOfChord) +
+                   2.0 * kOfChord * f.bulge_km / longest_km);
 }
 
 double longest_side_cells(const Footprint& f) {

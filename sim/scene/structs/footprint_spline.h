@@ -1,4 +1,4 @@
-// Whether a [[footprint]] has a spline, and how a substorm's bulge divides it.
+// Whether a [[footprint]] has a spline.
 #pragma once
 
 #include "sim/scene/structs/footprint.h"

@@ -8,12 +8,10 @@
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/smooth_step.h"
+#include "sim/scene/structs/bulge_points.h"
 
 namespace vegard::sim {
 namespace bulge {
-
-constexpr int kPiecesToPoint = 4;         // of the spline as it was
-constexpr double kPointsPerLength = 8.0;  // of the front
 
 using Place = std::array<double, 3>;
 
@@ -35,7 +33,7 @@ struct Course {
 
 template <class T>
 Course<T> course_of(const Footprint& f, const std::vector<CurveNode<T, 3>>& points, double longest_km) {
-  const double step_km = f.bulge_length_km / kPointsPerLength;
+  const double step_km = f.bulge_length_km / kBulgePointsPerLength;
   const CurvePieces<T, 3> curve = curve_pieces<T, 3>(points, f.closed, std::min(longest_km, step_km), true);
   Course<T> course;
   course.closed = curve.is_closed;
@@ -50,7 +48,7 @@ Course<T> course_of(const Footprint& f, const std::vector<CurveNode<T, 3>>& poin
     const double half_km = 0.5 * value_of(piece.length);
     course.length_km += half_km;
     since_km += half_km;
-    if (++pieces >= kPiecesToPoint || since_km >= step_km) {
+    if (++pieces >= kBulgePiecesToPoint || since_km >= step_km) {
       add(piece.middle);
       since_km = 0.0;
       pieces = 0;

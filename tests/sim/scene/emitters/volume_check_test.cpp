@@ -85,6 +85,11 @@ const Bad bad_volumes[] = {
      "[[footprint]]\nsize_km = [10, 10]\ncell_km = 0.01\nwidth_km = 0.01\n"
      "east_km = [-6000, 6000]\nnorth_km = [0, 0]\n",
      5, "footprint.arc.east_km", "0.008 km | at most 1048576"},
+    {"spline_of_too_many_pieces_with_its_bulge",
+     "[[footprint]]\nshape = 'shell'\nface_cells = 8192\nwidth_km = 1\nbulge_km = 100\nbulge_length_km = 10\n"
+     "latitude_deg = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]\n"
+     "longitude_deg = [0, 80, 0, 80, 0, 80, 0, 80, 0, 80, 0, 80, 0, 80, 0, 80, 0, 80, 0, 80]\n",
+     8, "footprint.arc.longitude_deg", "at most 1048576"},
     {"colours_upside_down", "[[footprint]]\nsource = 'noise'\nlow_km = 300\n", 3, "footprint.arc.low_km",
      "low_km below high_km"},
     {"two_of_a_name", "[[footprint]]\nsource = 'noise'\n[[footprint]]\nsource = 'noise'\n", 3, "footprint",
