@@ -11,6 +11,7 @@ strength, step_km (of the march), frames_per_second, samples; render=OUT.exr or 
 """
 import math
 import os
+import re
 import sys
 import tomllib
 
@@ -60,6 +61,14 @@ def read_camera(path):
         read[key] = camera.get(key, read[key])
     if read["model"] not in ("pinhole", "equidistant", "equirectangular"):
         fail(f"{path}: Blender has no lens of the model \"{read['model']}\": pinhole, equidistant or equirectangular")
+    if camera.get("mirrored", False):
+        fail(f"{path}: Blender has no mirrored cameras: mirrored = false, and turn the picture round afterwards")
+    if camera.get("aspect", 1.0) != 1.0:
+        fail(f"{path}: aspect is {camera['aspect']}, and only square pixels are set up: aspect = 1")
+    if read["model"] != "pinhole" and (read["principal_x_px"] or read["principal_y_px"]):
+        fail(f"{path}: Blender shifts pinholes alone: principal_x_px = 0 and principal_y_px = 0")
+    if read["model"] == "equidistant" and read["width"] != read["height"]:
+        fail(f"{path}: Blender stretches a fisheye to {read['width']} x {read['height']} pixels: width = height")
     if any(camera.get(key, 0.0) for key in ("k1", "k2", "k3", "p1", "p2")):
         print("blender_scene.py: the lens's distortion is left out", file=sys.stderr)
     return read
@@ -81,8 +90,8 @@ def set_up_camera(scene, camera):
             data.cycles.panorama_type = "EQUIRECTANGULAR"
         else:
             data.cycles.panorama_type = "FISHEYE_EQUIDISTANT"
-            # Blender's circle fills the longer side; vegard has an angle of 1 rad at focal_px.
-            data.cycles.fisheye_fov = max(width, height) / camera["focal_px"]
+            # Blender's circle fills the square; vegard has an angle of 1 rad at focal_px.
+            data.cycles.fisheye_fov = width / camera["focal_px"]
     seen = bpy.data.objects.new("camera", data)
     # A camera of Blender's looks down its own z axis; a turn about x lifts it to the horizon in the north and above.
     turn = mathutils.Matrix.Rotation
@@ -94,6 +103,21 @@ def set_up_camera(scene, camera):
     return data
 
 
+def check_sequence(grids):
+    """The number of the first file. Blender finds the others by counting up the digits before ".vdb"."""
+    folder, name = os.path.split(os.path.abspath(grids[0]))
+    parts = re.fullmatch(r"(.*?)([0-9]+)([^0-9]*)", name)
+    if not parts:
+        fail(f"the grids of a sequence are numbered, light_0001.vdb, light_0002.vdb ..., and '{grids[0]}' is not")
+    before, digits, after = parts.groups()
+    for i, grid in enumerate(grids):
+        wanted = f"{before}{int(digits) + i:0{len(digits)}}{after}"
+        if os.path.abspath(grid) != os.path.join(folder, wanted):
+            fail(f"the grids of a sequence are numbered one after the other: after '{grids[0]}' Blender reads "
+                 f"'{wanted}' in the same folder, not '{grid}'")
+    return int(digits)
+
+
 def set_up_light(scene, grids, options):
     volume = bpy.data.volumes.new("light")
     volume.filepath = os.path.abspath(grids[0])
@@ -102,14 +126,10 @@ def set_up_light(scene, grids, options):
     if options["grid"] not in names:
         fail(f"{grids[0]} has no grid '{options['grid']}'; there are: {', '.join(names)}")
     if len(grids) > 1:
-        # Blender counts up the digits before ".vdb".
-        numbers = [int("".join(c if c.isdigit() else " " for c in os.path.basename(name)).split()[-1])
-                   for name in grids]
-        if numbers != list(range(numbers[0], numbers[0] + len(grids))):
-            fail("the grids of a sequence are numbered one after the other: light_0001.vdb, light_0002.vdb ...")
+        first = check_sequence(grids)
         volume.is_sequence = True
         volume.frame_start, volume.frame_duration = 1, len(grids)
-        volume.frame_offset = numbers[0] - 1
+        volume.frame_offset = first - 1
         volume.sequence_mode = "CLIP"
         scene.frame_start, scene.frame_end = 1, len(grids)
     volume.render.space = "WORLD"

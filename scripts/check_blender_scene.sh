@@ -71,5 +71,20 @@ refuse "no file 'none.vdb'" sheet.toml scene.blend none.vdb
 refuse "no grid 'red'" sheet.toml scene.blend light_0001.vdb grid=red
 refuse "no key 'colour'" sheet.toml scene.blend light_0001.vdb colour=1
 refuse "numbered" sheet.toml scene.blend light_0002.vdb light_0001.vdb
+mkdir other
+cp light_0001.vdb light.vdb
+cp light_0002.vdb other
+cp light_0002.vdb night_0002.vdb
+refuse "'light.vdb' is not" sheet.toml scene.blend light.vdb light_0001.vdb
+refuse "not 'night_0002.vdb'" sheet.toml scene.blend light_0001.vdb night_0002.vdb
+refuse "not 'other/light_0002.vdb'" sheet.toml scene.blend light_0001.vdb other/light_0002.vdb
 sed 's/^roll_deg.*/model = "stereographic"/' sheet.toml >fisheye.toml
 refuse "no lens" fisheye.toml scene.blend light_0001.vdb
+sed 's/^roll_deg.*/mirrored = true/' sheet.toml >mirrored.toml
+refuse "mirrored" mirrored.toml scene.blend light_0001.vdb
+sed 's/^roll_deg.*/aspect = 1.1/' sheet.toml >aspect.toml
+refuse "aspect" aspect.toml scene.blend light_0001.vdb
+sed 's/^roll_deg.*/model = "equidistant"/' sheet.toml >fisheye.toml
+refuse "pinholes alone" fisheye.toml scene.blend light_0001.vdb
+sed -i '/^principal/d' fisheye.toml
+refuse "stretches" fisheye.toml scene.blend light_0001.vdb
