@@ -11,6 +11,15 @@ namespace vegard::sim {
 namespace limb {
 
 constexpr int kBandRows = 16;
+/// Of a band's light and transmission; wide films of many lines have bands of fewer rows.
+constexpr std::size_t kBandBytes = std::size_t{32} << 20;
+
+int band_rows(const FilmGeometry& film, int lines) {
+  const std::size_t row_bytes = static_cast<std::size_t>(film.columns) * kLimbRays * kLimbRays *
+                                (2 * static_cast<std::size_t>(lines) + 1) * sizeof(float);
+  return static_cast<int>(
+      std::clamp<std::size_t>(kBandBytes / std::max<std::size_t>(row_bytes, 1), 1, kBandRows));
+}
 
 /// Radii, in the Sun's unit, of what hides: the photosphere and chromospheres that absorb.
 std::vector<double> hiding_radii(const Scene& scene) {
@@ -69,8 +78,9 @@ void march_limb(const FilmGeometry& film, const std::vector<std::uint8_t>& cells
   fine.cell_width_px = film.cell_width_px / n;
   fine.cell_height_px = film.cell_height_px / n;
   fine.turn_columns = fine.turn_rows = 0;
-  for (int first = 0; first < film.rows; first += limb::kBandRows) {
-    const int rows = std::min(limb::kBandRows, film.rows - first);
+  const int band_rows = limb::band_rows(film, light.lines);
+  for (int first = 0; first < film.rows; first += band_rows) {
+    const int rows = std::min(band_rows, film.rows - first);
     const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first * columns),
                end = begin + static_cast<std::ptrdiff_t>(rows * columns);
     if (std::find(begin, end, 1) == end) continue;
