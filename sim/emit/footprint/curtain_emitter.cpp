@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -40,6 +41,55 @@ struct Wall {
   T thickness_km;     ///< along the normal, of flux 1
   T flux[2], ln_energy[2];
   T along_km[2];  ///< from the curve's beginning
+};
+
+/// A curve as it was before a bulge moved it: rays go by distances along it, and so stay where they are.
+class StillCurve {
+ public:
+  StillCurve() = default;
+
+  /// `still`: the curve through `points` points. `moved`: as it is, through points that were at `places` of
+  /// it.
+  template <class T>
+  StillCurve(const CurvePieces<T, 3>& still, std::size_t points, const CurvePieces<T, 3>& moved,
+             const std::vector<double>& places) {
+    const std::size_t count = still.pieces.size();
+    if (count == 0) return;
+    std::vector<double> place, along_km;
+    for (std::size_t i = 0; i < (still.is_closed ? count + 1 : count); ++i) {
+      const CurvePiece<T, 3>& piece = still.pieces[i % count];
+      if (i > 0)
+        length_km_ += length3(minus3(values3(piece.middle.at), values3(still.pieces[i - 1].middle.at)));
+      place.push_back(piece.place + (i < count ? 0.0 : static_cast<double>(points)));
+      along_km.push_back(length_km_);
+    }
+    for (const CurvePiece<T, 3>& piece : moved.pieces) {
+      const auto before = static_cast<std::size_t>(piece.place), next = before + 1;
+      const double share = piece.place - static_cast<double>(before);
+      const double to = next < places.size() ? places[next] : places[0] + static_cast<double>(points);
+      double at = places[before] + share * (to - places[before]);
+      if (still.is_closed && at < place.front()) at += static_cast<double>(points);
+      if (still.is_closed && at >= place.back()) at -= static_cast<double>(points);
+      const auto after = std::clamp<std::size_t>(
+          std::upper_bound(place.begin(), place.end(), at) - place.begin(), 1, place.size() - 1);
+      const double part = std::clamp((at - place[after - 1]) / (place[after] - place[after - 1]), 0.0, 1.0);
+      along_km_.push_back(along_km[after - 1] + part * (along_km[after] - along_km[after - 1]));
+    }
+  }
+
+  bool is_there() const { return !along_km_.empty(); }
+  double length_km() const { return length_km_; }
+
+  /// Of the wall from piece i to the next, distances of its edges. Over a closed curve's end they go on.
+  std::optional<std::array<double, 2>> ends(std::size_t i) const {
+    if (!is_there()) return std::nullopt;
+    const double from = along_km_[i], to = along_km_[(i + 1) % along_km_.size()];
+    return std::array<double, 2>{from, to < from ? to + length_km_ : to};
+  }
+
+ private:
+  double length_km_ = 0.0;
+  std::vector<double> along_km_;  ///< of the moved curve's pieces
 };
 
 template <class T>
@@ -103,6 +153,7 @@ class CurtainEmitter : public Emitter<T> {
   void build(const Scene& scene, const Footprint& f, const NumberAs<T>& number, const FootprintAt& now) {
     std::vector<Edge> edges;
     bool closed = false;
+    StillCurve still;
     const auto cargo = [&](std::size_t i, auto& point) {
       point.flux = number(f.energy_flux_mw_m2);
       if (now.share != 1.0) point.flux = point.flux * now.share;
@@ -119,9 +170,13 @@ class CurtainEmitter : public Emitter<T> {
         cargo(i, points[i]);
       }
       const double longest_km = longest_piece_km(f, rule_.sphere_km);
-      const auto curve = curve_pieces<T, 3>(with_bulge(f, scene.substorm, now.instant_s, points, longest_km),
-                                            f.closed, longest_km, true);
+      std::vector<double> places;
+      const auto moved = with_bulge(f, scene.substorm, now.instant_s, points, longest_km, &places);
+      const auto curve = curve_pieces<T, 3>(moved, f.closed, longest_km, true);
       closed = curve.is_closed;
+      if (has_rays(f) && !places.empty())
+        still =
+            StillCurve(curve_pieces<T, 3>(points, f.closed, longest_km, true), points.size(), curve, places);
       for (const auto& piece : curve.pieces)
         edges.push_back({piece.middle.at, piece.middle.flux, piece.middle.ln_energy});
     } else {
@@ -144,7 +199,8 @@ class CurtainEmitter : public Emitter<T> {
     std::vector<SegmentBox> boxes;
     T along_km(0.0);
     for (std::size_t i = 0; count > 1 && i < (closed ? count : count - 1); ++i)
-      stand(edges[i], edges[(i + 1) % count], number(f.width_km), along_km, boxes);
+      stand(edges[i], edges[(i + 1) % count], number(f.width_km), along_km, boxes, still.ends(i));
+    if (still.is_there()) along_km = T(still.length_km());
     rays_of_light_ = CurtainRays(f, scene.seed, now.instant_s, value_of(along_km), closed);
     length_km_ = along_km;
     tree_ = SegmentTree(boxes);
@@ -166,8 +222,10 @@ class CurtainEmitter : public Emitter<T> {
     std::sort(met.begin(), met.end());
   }
 
-  /// `along_km`: from the curve's beginning, which goes on by this piece.
-  void stand(const Edge& a, const Edge& b, const T& width_km, T& along_km, std::vector<SegmentBox>& boxes) {
+  /// `along_km`: from the curve's beginning, which goes on by this piece. `still_km` instead, if given, are
+  /// those of its two edges.
+  void stand(const Edge& a, const Edge& b, const T& width_km, T& along_km, std::vector<SegmentBox>& boxes,
+             const std::optional<std::array<double, 2>>& still_km) {
     Wall<T> wall;
     wall.from = a.foot;
     wall.way = minus3(b.foot, a.foot);
@@ -175,6 +233,8 @@ class CurtainEmitter : public Emitter<T> {
     if (const T length2 = dot3(wall.way, wall.way); value_of(length2) > 0.0)
       along_km = along_km + square_root(length2);
     wall.along_km[1] = along_km;
+    if (still_km)
+      for (int end = 0; end < 2; ++end) wall.along_km[end] = T((*still_km)[end]);
     Vec3<T> along = times3(a.foot, T(-1.0 / foot_radius_));
     const Vec3<T> up = times3(along, T(-1.0));
     if (foot_.projection == FootProjection::field) along = {foot_.axis[0], foot_.axis[1], foot_.axis[2]};

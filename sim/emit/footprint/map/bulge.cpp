@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "sim/base/number/constants.h"
 #include "sim/base/number/smooth_step.h"
@@ -26,7 +28,7 @@ double distance(const Place& a, const Place& b) { return std::hypot(a[0] - b[0],
 template <class T>
 struct Course {
   std::vector<CurveNode<T, 3>> nodes;
-  std::vector<double> along_km;
+  std::vector<double> along_km, place;
   double length_km = 0.0;
   bool closed = false;
 };
@@ -37,11 +39,12 @@ Course<T> course_of(const Footprint& f, const std::vector<CurveNode<T, 3>>& poin
   const CurvePieces<T, 3> curve = curve_pieces<T, 3>(points, f.closed, std::min(longest_km, step_km), true);
   Course<T> course;
   course.closed = curve.is_closed;
-  const auto add = [&](const CurveNode<T, 3>& node) {
+  const auto add = [&](const CurveNode<T, 3>& node, double place) {
     course.nodes.push_back(node);
+    course.place.push_back(place);
     course.along_km.push_back(course.length_km);
   };
-  if (!curve.is_closed && !curve.pieces.empty()) add(points.front());
+  if (!curve.is_closed && !curve.pieces.empty()) add(points.front(), 0.0);
   double since_km = std::numeric_limits<double>::infinity();
   int pieces = 0;
   for (const CurvePiece<T, 3>& piece : curve.pieces) {
@@ -49,14 +52,14 @@ Course<T> course_of(const Footprint& f, const std::vector<CurveNode<T, 3>>& poin
     course.length_km += half_km;
     since_km += half_km;
     if (++pieces >= kBulgePiecesToPoint || since_km >= step_km) {
-      add(piece.middle);
+      add(piece.middle, piece.place);
       since_km = 0.0;
       pieces = 0;
     }
     course.length_km += half_km;
     since_km += half_km;
   }
-  if (!curve.is_closed && !curve.pieces.empty()) add(points.back());
+  if (!curve.is_closed && !curve.pieces.empty()) add(points.back(), static_cast<double>(points.size() - 1));
   return course;
 }
 
@@ -99,8 +102,10 @@ double bulge_change_s(const Footprint& f, const Substorm& s) {
 
 template <class T>
 std::vector<CurveNode<T, 3>> with_bulge(const Footprint& f, const Substorm& substorm, double instant_s,
-                                        const std::vector<CurveNode<T, 3>>& points, double longest_km) {
+                                        const std::vector<CurveNode<T, 3>>& points, double longest_km,
+                                        std::vector<double>* places) {
   using namespace bulge;
+  if (places != nullptr) places->clear();
   if (!(f.bulge_km > 0.0) || !(bulge_level(substorm, instant_s) > 0.0)) return points;
   Course<T> course = course_of(f, points, longest_km);
   const std::size_t count = course.nodes.size();
@@ -143,12 +148,15 @@ std::vector<CurveNode<T, 3>> with_bulge(const Footprint& f, const Substorm& subs
       moved[i].at[a] = T(at[a] * std::cos(angle) + to_pole * aside[a] * radius * std::sin(angle));
     moved[i].flux = moved[i].flux * (1.0 + (f.bulge_gain - 1.0) * strength);
   }
+  if (places != nullptr) *places = std::move(course.place);
   return moved;
 }
 
 template std::vector<CurveNode<double, 3>> with_bulge(const Footprint&, const Substorm&, double,
-                                                      const std::vector<CurveNode<double, 3>>&, double);
+                                                      const std::vector<CurveNode<double, 3>>&, double,
+                                                      std::vector<double>*);
 template std::vector<CurveNode<FreeDual, 3>> with_bulge(const Footprint&, const Substorm&, double,
-                                                        const std::vector<CurveNode<FreeDual, 3>>&, double);
+                                                        const std::vector<CurveNode<FreeDual, 3>>&, double,
+                                                        std::vector<double>*);
 
 }  // namespace vegard::sim

@@ -36,10 +36,11 @@ double bulge_change_s(const Footprint& footprint, const Substorm& substorm);
 
 /// Returns the points of a shell's spline with the bulge of an instant, in km about the body's middle: more
 /// of them than before, or the same points if there is no bulge. `longest_km` is as of curve_pieces(). T is
-/// double or FreeDual, with tangents of flux and energy alone.
+/// double or FreeDual, with tangents of flux and energy alone. `places` becomes where each new point was
+/// before the bulge moved it (CurvePiece::place, among `points`), or empty if there is no bulge.
 template <class T>
 std::vector<CurveNode<T, 3>> with_bulge(const Footprint& footprint, const Substorm& substorm,
                                         double instant_s, const std::vector<CurveNode<T, 3>>& points,
-                                        double longest_km);
+                                        double longest_km, std::vector<double>* places = nullptr);
 
 }  // namespace vegard::sim

@@ -27,6 +27,8 @@ template <class T, int axes>
 struct CurvePiece {
   CurveNode<T, axes> middle;
   T length;
+  double place =
+      0.0;  ///< of its middle: the number of the point before it, and the share of the way to the next
 };
 
 /// A curve as a list of pieces.
@@ -59,8 +61,12 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bo
   };
   constexpr double kSamePlace = 1e-6;
   std::vector<CurveNode<T, axes>> points;
-  for (const auto& point : all)
-    if (points.empty() || distance(points.back().at, point.at) > kSamePlace) points.push_back(point);
+  std::vector<std::size_t> number;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (points.empty() || distance(points.back().at, all[i].at) > kSamePlace) {
+      points.push_back(all[i]);
+      number.push_back(i);
+    }
   while (closed && points.size() > 1 && distance(points.back().at, points.front().at) <= kSamePlace)
     points.pop_back();
   const int n = static_cast<int>(points.size());
@@ -97,6 +103,7 @@ CurvePieces<T, axes> curve_pieces(const std::vector<CurveNode<T, axes>>& all, bo
         speed = plus(speed, piece.middle.at, -along);
         for (T& s : speed) s = s * out;
       }
+      piece.place = static_cast<double>(number[i]) + u;
       piece.length = length_of(speed) * (1.0 / count);
       piece.middle.flux = from.flux * v + to.flux * u;
       piece.middle.ln_energy = from.ln_energy * v + to.ln_energy * u;

@@ -126,5 +126,46 @@ TEST(CurtainRays, StandAlongTheLinesOfFall) {
   }
 }
 
+// A bulge makes the curve longer between its beginning and the rays that are seen; it is itself out of sight.
+TEST(CurtainRays, StayWhereTheyAreWhenABulgeRises) {
+  for (const bool closed : {false, true}) {
+    Scene scene = scene_at(0.0, "shell", "vertical");
+    scene.seed = 5;
+    scene.site.latitude_deg = 60.0;
+    scene.site.longitude_deg = 0.0;
+    Footprint& f = scene.footprints[0];
+    f.model = FootprintModel::curtain;
+    f.closed = closed;
+    for (int i = 0; i < 24; ++i) {
+      f.latitude_deg.push_back(62.0);
+      f.longitude_deg.push_back(-170.0 + 15.0 * i);
+    }
+    f.bulge_km = 400.0;
+    f.bulge_longitude_deg = -60.0;
+    f.ray_contrast = 0.6;
+    f.ray_width_km = 12.0;
+    scene.substorm.onset_s = 100.0;
+    scene.substorm.expansion_s = 600.0;
+    scene.substorm.recovery_s = 1e5;
+    const auto at = [&](double instant_s) {
+      FootprintAt now;
+      now.instant_s = instant_s;
+      return curtain_emitter<double>(
+          scene, f, maxwellian(), {}, [](const double& x) { return x; }, now);
+    };
+    Rays rays;
+    for (int i = 0; i < 120; ++i) rays.add(27.0, -30.0 + 0.5 * i);
+    const Light before = rays.through(*at(0.0), 3), after = rays.through(*at(1200.0), 3);
+    double least = 1e9, most = 0.0;
+    for (std::size_t k = rays.count(); k < 2 * rays.count(); ++k) {
+      ASSERT_GT(before.rayleigh[k], 0.0);
+      EXPECT_NEAR(after.rayleigh[k] / before.rayleigh[k], 1.0, 0.02) << closed << " " << k;
+      least = std::min(least, before.rayleigh[k]);
+      most = std::max(most, before.rayleigh[k]);
+    }
+    EXPECT_GT(most / least, 3.0);
+  }
+}
+
 }  // namespace
 }  // namespace vegard::sim::curtain_rays_test
