@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "sim/base/picture/image_io/library.h"
 
@@ -65,8 +66,7 @@ struct JpegContent {
   JDIMENSION width, height;
   int channels, quality;
   const unsigned char* pixels;
-  const unsigned char* exif;
-  unsigned int exif_bytes;
+  std::string_view exif, words;
 };
 
 struct JpegWriter {
@@ -114,6 +114,12 @@ struct JpegWriter {
     writer->size = writer->room - info->dest->free_in_buffer;
   }
 
+  void mark(int marker, std::string_view bytes_of_it) {
+    if (!bytes_of_it.empty())
+      jpeg_write_marker(&info, marker, reinterpret_cast<const unsigned char*>(bytes_of_it.data()),
+                        static_cast<unsigned int>(bytes_of_it.size()));
+  }
+
   /// False where libjpeg has given up.
   bool put(const JpegContent& content) {
     info.err = jpeg_std_error(&errors);
@@ -136,7 +142,8 @@ struct JpegWriter {
     // Aurorae are thin coloured lines: no subsampling of the colours.
     info.comp_info[0].h_samp_factor = info.comp_info[0].v_samp_factor = 1;
     jpeg_start_compress(&info, TRUE);
-    if (content.exif_bytes > 0) jpeg_write_marker(&info, JPEG_APP0 + 1, content.exif, content.exif_bytes);
+    mark(JPEG_APP0 + 1, content.exif);
+    mark(JPEG_COM, content.words);
     const std::size_t row_bytes = static_cast<std::size_t>(content.width) * content.channels;
     while (info.next_scanline < info.image_height) {
       auto* row = const_cast<JSAMPROW>(content.pixels + info.next_scanline * row_bytes);
@@ -153,8 +160,8 @@ std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAtt
                         const unsigned char* pixels, const std::string& name) {
   constexpr std::uint32_t kImageDescription = 270, kDateTime = 306;
   std::vector<std::pair<std::uint32_t, std::string>> texts;
-  if (const std::string words = first_bytes(description_of(attributes), kDescriptionLimit); !words.empty())
-    texts.emplace_back(kImageDescription, words);
+  const std::string words = first_bytes(description_of(attributes), kDescriptionLimit);
+  if (!words.empty()) texts.emplace_back(kImageDescription, words);
   if (const std::string time = exif_time(value_or_empty(attributes, "DateTime"));
       time.size() == kExifTimeBytes && time != unknown_time)
     texts.emplace_back(kDateTime, time);
@@ -166,8 +173,8 @@ std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAtt
   content.channels = layout.channels;
   content.quality = quality;
   content.pixels = pixels;
-  content.exif = reinterpret_cast<const unsigned char*>(exif.data());
-  content.exif_bytes = static_cast<unsigned int>(exif.size());
+  content.exif = exif;
+  content.words = words;
   JpegWriter writer;
   if (!writer.put(content))
     throw failure(ErrorKind::unwritable_output, name, std::string("cannot be encoded: ") + writer.complaint);

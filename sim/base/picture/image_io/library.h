@@ -57,8 +57,8 @@ std::string encode_png(const PictureLayout& layout, int bits, const ImageAttribu
                        const void* pixels, const std::string& name);
 
 /// Returns a JPEG of 1 or 3 channels of 8 bits, sRGB-encoded, without subsampling of the colours, by libjpeg.
-/// The time and description_of() the attributes, at most 30 000 bytes of it, stand in its EXIF. Errors are
-/// about `name`. Throws Error(unwritable_output).
+/// The time and description_of() the attributes, at most 30 000 bytes of it, stand in its EXIF, the latter as
+/// a comment too. Errors are about `name`. Throws Error(unwritable_output).
 std::string encode_jpeg(const PictureLayout& layout, int quality, const ImageAttributes& attributes,
                         const unsigned char* pixels, const std::string& name);
 
