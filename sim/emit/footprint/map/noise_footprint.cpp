@@ -8,6 +8,7 @@
 #include "sim/base/number/smooth_step.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/footprint_map.h"
+#include "sim/emit/footprint/map/ridges.h"
 
 namespace vegard::sim {
 namespace {
@@ -25,16 +26,7 @@ class Ridges {
 
   double at(double x, double y) const {
     const double px = x + kPushed * noise(1, x, y), py = y + kPushed * noise(2, x, y);
-    double sum = 0.0, size = 1.0, scale = 1.0, weight = 1.0;
-    for (int k = 0; k < octaves_; ++k) {
-      const double ridge = 1.0 - std::min(1.0, std::abs(noise(3 + k, px * scale, py * scale)));
-      const double height = ridge * ridge * weight;
-      sum += size * height;
-      weight = std::min(1.0, 1.5 * height);
-      size *= 0.5;
-      scale *= 2.0;
-    }
-    return sum;
+    return ridges(octaves_, [&](int k, double scale) { return noise(3 + k, px * scale, py * scale); });
   }
 
  private:

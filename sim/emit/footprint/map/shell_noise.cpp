@@ -9,6 +9,7 @@
 #include "sim/base/number/smooth_step.h"
 #include "sim/base/parallel.h"
 #include "sim/emit/footprint/map/make_footprint.h"
+#include "sim/emit/footprint/map/ridges.h"
 
 namespace vegard::sim {
 namespace shell_noise {
@@ -37,16 +38,7 @@ class RidgesInSpace {
     double p[3], pushed[3];
     for (int a = 0; a < 3; ++a) p[a] = direction[a] * scale_;
     for (int a = 0; a < 3; ++a) pushed[a] = p[a] + kPushedInSpace * noise(1 + a, p, 1.0);
-    double sum = 0.0, size = 1.0, scale = 1.0, weight = 1.0;
-    for (int k = 0; k < octaves_; ++k) {
-      const double ridge = 1.0 - std::min(1.0, std::abs(noise(4 + k, pushed, scale)));
-      const double height = ridge * ridge * weight;
-      sum += size * height;
-      weight = std::min(1.0, 1.5 * height);
-      size *= 0.5;
-      scale *= 2.0;
-    }
-    return sum;
+    return ridges(octaves_, [&](int k, double scale) { return noise(4 + k, pushed, scale); });
   }
 
  private:
